@@ -1,6 +1,6 @@
 //! Motions of the reference values, beside which others are put.
 
-use lagrangian::{Dop853, Dynamics, Integrator as _, Phase, State};
+use lagrangian::{Dop853, Dynamics, Phase, Problem, State};
 use serde_json::Value;
 
 use crate::{Figures, array, list, number, numbers, references, relative_error, rows};
@@ -64,11 +64,10 @@ impl Motion {
         let method = Dop853::new()
             .relative_tolerance(1e-13)
             .absolute_tolerance(1e-13);
-        let motion = match method.sample(dynamics, start, &times) {
-            Ok(motion) => motion,
-            Err(interrupted) => panic!("{name}: {interrupted}"),
-        };
-        for (state, sample) in motion.states().zip(samples) {
+        let end = *times.last().expect("there are samples");
+        let motion = Problem::new(dynamics, start).save(times).solve(end, method);
+        let motion = motion.unwrap_or_else(|interrupted| panic!("{name}: {interrupted}"));
+        for (state, sample) in motion.samples().iter().zip(samples) {
             let found = [rows(&state.q), rows(&state.v)].concat();
             let expected = [numbers(&sample["q"]), numbers(&sample["qd"])].concat();
             let at = format!("scenario {}, t = {}", self.system["scenario"], state.t);

@@ -4,6 +4,8 @@ use lagrangian::ReconstructedPhase;
 use lagrangian::prelude::*;
 use lagrangian_tests::{Random, assert_close};
 
+use crate::models::with_ignorable;
+
 /// A mass on an orbit about a center whose pull changes in time, in a medium that resists radial motion.
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
@@ -161,16 +163,19 @@ fn events_occur_when_they_do_in_the_full_model() {
     let orbit = orbit();
     let start = State::new(0.0, [1.0, 0.2], [0.1, 1.2]);
     let (radial, reduced_start) = orbit.reduce(&start);
-    let watched = [
-        (RadialMotion::APSIS, Event::either()),
-        (RadialMotion::RATE[0], Event::either()),
-        (RadialMotion::RATE[1], Event::falling()),
-    ];
-    let expected = Taylor::new()
-        .driver()
-        .declared_events(watched)
-        .sample(&orbit.dynamics(), start, &[12.0])
-        .unwrap();
+    macro_rules! watched {
+        ($problem:expr, $method:expr) => {
+            $problem
+                .on([RadialMotion::APSIS, RadialMotion::RATE[0]])
+                .record()
+                .on(RadialMotion::RATE[1])
+                .falling()
+                .record()
+                .solve(12.0, $method)
+                .unwrap()
+        };
+    }
+    let expected = watched!(Problem::new(&orbit, start), Taylor::new());
     let occurrences = |events: &[(usize, f64)]| {
         assert!(events.len() >= 5, "{events:?}");
         for (one, other) in events.iter().zip(expected.events()) {
@@ -179,11 +184,8 @@ fn events_occur_when_they_do_in_the_full_model() {
         }
         assert_eq!(events.len(), expected.events().len());
     };
-    let reconstruction = radial.reconstruction();
-    let driver = Taylor::new().driver().declared_events(watched);
-    let motion = driver
-        .sample(&reconstruction, (reduced_start, [0.2]), &[12.0])
-        .unwrap();
+    let there = with_ignorable(reduced_start, [0.2]);
+    let motion = watched!(Problem::new(radial.reconstruction(), there), Taylor::new());
     let events = motion.events().iter().map(|event| (event.event, event.t));
     occurrences(&events.collect::<Vec<_>>());
     for (event, other) in motion.events().iter().zip(expected.events()) {
@@ -193,10 +195,7 @@ fn events_occur_when_they_do_in_the_full_model() {
     let method = Dop853::new()
         .relative_tolerance(1e-12)
         .absolute_tolerance(1e-13);
-    let driver = method.driver().declared_events(watched);
-    let motion = driver
-        .sample(&radial.dynamics(), reduced_start, &[12.0])
-        .unwrap();
+    let motion = watched!(Problem::new(&radial, reduced_start), method);
     let events = motion.events().iter().map(|event| (event.event, event.t));
     occurrences(&events.collect::<Vec<_>>());
 }
@@ -277,12 +276,11 @@ fn the_canonical_motion_is_that_of_the_full_model() {
         .relative_tolerance(1e-12)
         .absolute_tolerance(1e-13);
     let equations = reduced.canonical_equations();
-    let end = method
-        .integrate_to(&equations, equations.canonical(&start), 2.0)
-        .unwrap();
-    let expected = method.integrate_to(&top.dynamics(), full, 2.0).unwrap();
-    let expected = [expected.x.q[1], expected.x.q[2]];
-    assert_close("q", end.x.q.as_slice(), &expected, 1e-9);
+    let end = Problem::new(&equations, equations.canonical(&start));
+    let end = end.solve(2.0, method).unwrap();
+    let expected = Problem::new(&top, full).solve(2.0, method).unwrap();
+    let expected = [expected.q[1], expected.q[2]];
+    assert_close("q", end.q.as_slice(), &expected, 1e-9);
     // The Hamiltonian of the reduced model is that of the full one.
     let (found, expected) = (reduced.energy(&start), top.energy(&full));
     assert_close("H", &[found], &[expected], 1e-13);

@@ -140,14 +140,15 @@ fn momenta_of_the_top_are_those_of_the_book() {
     }
 }
 
-/// They are watched by any driver, and the largest change is that of the states that were observed.
+/// They are watched under any method, and the largest change is that of the states that were observed.
 #[test]
 fn changes_are_watched_along_a_motion() {
     let top = top();
     let start = State::new(0.0, [0.0, 0.5, 0.0], [0.1, 0.0, 40.0]);
-    let changes = |driver: &dyn Fn(&mut ConstantsWatch<'_, Top, f64, 3, 3>)| {
+    let problem = Problem::new(&top, start);
+    let changes = |integrate: &dyn Fn(&mut ConstantsWatch<'_, Top, f64, 3, 3>)| {
         let mut watch = top.watch_constants(&start);
-        driver(&mut watch);
+        integrate(&mut watch);
         let changes = watch.largest_changes();
         assert_eq!(
             changes.map(|change| change.name),
@@ -157,28 +158,22 @@ fn changes_are_watched_along_a_motion() {
         assert_eq!(initial, <[f64; 3]>::from(top.constants_of_motion(&start)));
         changes
     };
-    let dynamics = top.dynamics();
-    let loose = changes(&|watch| {
-        let driver = RungeKutta::classical(0.01).driver().observe(watch);
-        driver.run_until(&dynamics, start, 2.0).unwrap();
-    });
-    let tight = changes(&|watch| {
-        let method = Dop853::new()
-            .relative_tolerance(1e-12)
-            .absolute_tolerance(1e-14);
-        method
-            .driver()
-            .observe(watch)
-            .run_until(&dynamics, start, 2.0)
-            .unwrap();
-    });
-    let series = changes(&|watch| {
-        Taylor::new()
-            .driver()
-            .observe(watch)
-            .run_until(&dynamics, start, 2.0)
-            .unwrap();
-    });
+    macro_rules! watched {
+        ($method:expr) => {
+            changes(&|mut watch| {
+                let problem = problem
+                    .clone()
+                    .each_step(|progress| watch.observe(progress));
+                problem.solve(2.0, $method).unwrap();
+            })
+        };
+    }
+    let loose = watched!(RungeKutta::classical(0.01));
+    let method = Dop853::new()
+        .relative_tolerance(1e-12)
+        .absolute_tolerance(1e-14);
+    let tight = watched!(method);
+    let series = watched!(Taylor::new());
     for (loose, (tight, series)) in loose.into_iter().zip(tight.into_iter().zip(series)) {
         assert!(loose.change.abs() > 1e-9, "{loose:?}");
         assert!(loose.t > 0.0 && loose.t <= 2.0, "{loose:?}");
@@ -187,16 +182,14 @@ fn changes_are_watched_along_a_motion() {
     }
     // The same change is found by hand, over all steps.
     let mut largest = (0.0, 0.0);
-    let driver = RungeKutta::classical(0.01).driver();
     let energy = top.energy(&start);
-    let by_hand = driver.observe(|progress: &Progress<'_, Phase<f64, 3>>| {
+    let by_hand = problem.each_step(|progress| {
         let change = top.energy(&At::from((progress.t, *progress.x))) - energy;
         if f64::abs(change) > f64::abs(largest.0) {
             largest = (change, progress.t);
         }
-        core::ops::ControlFlow::Continue(())
     });
-    by_hand.run_until(&dynamics, start, 2.0).unwrap();
+    by_hand.solve(2.0, RungeKutta::classical(0.01)).unwrap();
     assert_eq!((loose[2].change, loose[2].t), largest);
 }
 

@@ -4,6 +4,8 @@
 use lagrangian::prelude::*;
 use lagrangian_tests::{Random, assert_close};
 
+use crate::models::with_ignorable;
+
 /// One ignorable angle beside a slider with jumps, corners and roots, whose input acts through the ignorable velocity.
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
@@ -122,14 +124,10 @@ macro_rules! assert_reduced {
             .absolute_tolerance(1e-12);
         let equations = reduced.reconstruction();
         let places = $ignorable.map(|_| 0.4);
-        let end = method
-            .integrate_to(&equations, (reduced_start, places), 1.5)
-            .unwrap();
+        let there = with_ignorable(reduced_start, places);
+        let end = Problem::new(&equations, there).solve(1.5, method).unwrap();
         let found = equations.full_state(end.t, &end.x);
-        let expected = method
-            .integrate_to(&model.dynamics(), start, 1.5)
-            .unwrap()
-            .state();
+        let expected = Problem::new(&model, start).solve(1.5, method).unwrap();
         assert_close("q", found.q.as_slice(), expected.q.as_slice(), 1e-8);
         assert_close("q̇", found.v.as_slice(), expected.v.as_slice(), 1e-7);
     }};

@@ -4,7 +4,7 @@ use lagrangian::StopReason;
 use lagrangian::prelude::*;
 use lagrangian_tests::assert_close;
 
-use crate::models::{ReducedTop, TopThroughPoles, top};
+use crate::models::{ReducedTop, TopThroughPoles, top, with_ignorable};
 
 const TEXT: &str = "of its angles: write `routhian(Name, half_angles)`";
 
@@ -41,8 +41,8 @@ const START: [f64; 2] = [0.3, 0.0];
 fn passage(complete: &TopThroughPoles) -> (f64, impl Fn(f64) -> f64 + '_) {
     let start = State::new(0.0, [START[0]], [START[1]]);
     let angle = move |t: f64| {
-        let end = Taylor::new().integrate_to(&complete.dynamics(), start, t);
-        end.unwrap().state().q[0]
+        let end = Problem::new(complete, start).solve(t, Taylor::new());
+        end.unwrap().q[0]
     };
     let (mut before, mut after) = (0.0, 0.6);
     assert!(angle(after) < 0.0);
@@ -82,46 +82,39 @@ fn a_motion_into_the_pole_ends_there_with_all_that_came_before() {
     let (expected, angle) = passage(&complete);
     let start = State::new(0.0, [START[0]], [START[1]]);
     let times: Vec<f64> = (0..=1000).map(|k| 0.6 * f64::from(k) / 1000.0).collect();
-    let dynamics = shorter.dynamics();
-    let events = |_: f64, x: &Phase<f64, 1>| [x.q[0] - 0.1, x.q[0] - 0.01];
+    let problem = || Problem::new(&shorter, start);
     macro_rules! assert_kept {
         ($method:expr, $tolerance:expr) => {{
-            let driver = || $method.driver();
-            let partial = driver().sample(&dynamics, start, &times).unwrap_err();
+            let partial = problem().save(&times).solve(0.6, $method).unwrap_err();
             let time = assert_at_pole(partial.error(), expected, $tolerance);
             let kept = times.iter().filter(|t| **t < time).count();
-            let trajectory = partial.trajectory();
-            assert_eq!(trajectory.samples().len(), kept);
-            for sample in trajectory.samples() {
-                assert_close("θ", &[sample.x.q[0]], &[angle(sample.t)], $tolerance);
+            let motion = partial.solution();
+            assert_eq!(motion.samples().len(), kept);
+            for sample in motion.samples() {
+                assert_close("θ", &[sample.q[0]], &[angle(sample.t)], $tolerance);
             }
-            let last = trajectory.last().x.q[0];
+            let last = motion.q[0];
             assert!((0.0..1.6e-3).contains(&last), "{last}");
 
-            let watched = [Event::falling(), Event::falling()];
-            let partial = driver()
-                .events(watched, events)
-                .sample(&dynamics, start, &[0.6])
+            let partial = problem()
+                .when(|x| [x.q[0] - 0.1, x.q[0] - 0.01])
+                .falling()
+                .record()
+                .solve(0.6, $method)
                 .unwrap_err();
-            let found: Vec<f64> = partial
-                .trajectory()
-                .events()
-                .iter()
-                .map(|x| x.x.q[0])
-                .collect();
+            let found = partial.solution().events().iter();
+            let found: Vec<f64> = found.map(|event| event.x.q[0]).collect();
             assert_close("events", &found, &[0.1, 0.01], $tolerance);
 
             // An event before the pole ends the motion without an error.
-            let outcome = driver()
-                .stop_at_zero(|_: f64, x: &Phase<f64, 1>| x.q[0] - 0.01)
-                .sample(&dynamics, start, &[0.6])
-                .unwrap();
-            assert_eq!(outcome.reason(), StopReason::Condition);
+            let ending = problem().when(|x| x.q[0] - 0.01).stop();
+            let end = ending.solve(0.6, $method).unwrap();
+            assert_eq!(end.reason, StopReason::Condition);
         }};
     }
     macro_rules! assert_solved {
         ($method:expr, $tolerance:expr) => {{
-            let partial = $method.driver().solve(&dynamics, start, 0.6).unwrap_err();
+            let partial = problem().save(Dense).solve(0.6, $method).unwrap_err();
             let solution = partial.solution();
             let near = assert_at_pole(partial.error(), expected, $tolerance) - 1e-6;
             let found = solution.at(near).unwrap().q[0];
@@ -143,12 +136,12 @@ fn every_way_to_integrate_notices_the_pole() {
     let (shorter, complete) = through_the_pole();
     let (expected, _) = passage(&complete);
     let start = State::new(0.0, [START[0]], [START[1]]);
-    let equations = shorter.reconstruction();
-    let error = Taylor::new().integrate_to(&equations, (start, [0.0; 2]), 0.6);
-    assert_at_pole(error.unwrap_err(), expected, 1e-9);
+    let there = with_ignorable(start, [0.0; 2]);
+    let partial = Problem::new(shorter.reconstruction(), there).solve(0.6, Taylor::new());
+    assert_at_pole(partial.unwrap_err().error(), expected, 1e-9);
     // The motion begins at rest, so that it is the same in both directions of time.
-    let error = Dop853::new().integrate_to(&shorter.dynamics(), start, -0.6);
-    assert_at_pole(error.unwrap_err(), -expected, 1e-6);
+    let partial = Problem::new(&shorter, start).solve(-0.6, Dop853::new());
+    assert_at_pole(partial.unwrap_err().error(), -expected, 1e-6);
 
     let starts = [0.3, 0.2, 0.25, 0.1, 0.28].map(|q| (State::new(0.0, [q], [0.0]), 0.6));
     let ends = Taylor::new()
@@ -160,15 +153,15 @@ fn every_way_to_integrate_notices_the_pole() {
         assert!(error.to_string().contains(TEXT), "{error}");
     }
 
-    let dynamics = shorter.dynamics();
-    let mut motion = Taylor::new().driver().start(&dynamics, start).unwrap();
-    let error = loop {
-        if let Err(error) = motion.step_towards(0.6) {
-            break error;
+    let mut run = Problem::new(&shorter, start).start(Taylor::new()).unwrap();
+    let partial = loop {
+        if let Err(partial) = run.step(0.6) {
+            break partial;
         }
     };
-    assert_at_pole(error, expected, 1e-9);
-    assert!(motion.state().q[0] > 0.0 && motion.time() < expected);
+    assert_at_pole(partial.error(), expected, 1e-9);
+    let last = run.state();
+    assert!(last.q[0] > 0.0 && last.t < expected);
 }
 
 /// Near the pole the digits are lost before: an error, too. A motion that stays away from it is none, however often it turns.
@@ -176,27 +169,23 @@ fn every_way_to_integrate_notices_the_pole() {
 fn lost_digits_near_the_pole_are_an_error() {
     let (shorter, _) = through_the_pole();
     let near = State::new(0.0, [1e-6], [0.0]);
-    let error = Dop853::new()
-        .integrate_to(&shorter.dynamics(), near, 0.1)
-        .unwrap_err();
+    let error = Problem::new(&shorter, near).solve(0.1, Dop853::new());
+    let error = error.unwrap_err();
     let text = "the reduced model loses its digits at theta = 1e-6, near a pole of its angles: write \
                 `routhian(Name, half_angles)`";
     assert!(error.to_string().contains(text), "{error}");
     // Who knows better may say so.
-    let unchecked = Dop853::new().driver().singularity_tolerance(f64::INFINITY);
     let start = State::new(0.0, [START[0]], [START[1]]);
-    assert!(unchecked.sample(&shorter.dynamics(), start, &[0.6]).is_ok());
+    let unchecked = Problem::new(&shorter, start).singularity_tolerance(f64::INFINITY);
+    assert!(unchecked.solve(0.6, Dop853::new()).is_ok());
     // Constants that differ keep the top away from the vertical.
     let mut kept = shorter;
     kept.p_phi *= 0.99;
-    let end = Taylor::new()
-        .integrate_to(&kept.dynamics(), start, 50.0)
-        .unwrap();
-    assert!(end.state().q[0] > 0.0);
+    let end = Problem::new(&kept, start).solve(50.0, Taylor::new());
+    assert!(end.unwrap().q[0] > 0.0);
     // The angle may be at another turn.
     let turned = State::new(0.0, [0.3 - core::f64::consts::TAU], [0.0]);
-    let error = Taylor::new()
-        .integrate_to(&through_the_pole().0.dynamics(), turned, 0.6)
-        .unwrap_err();
+    let error = Problem::new(&through_the_pole().0, turned).solve(0.6, Taylor::new());
+    let error = error.unwrap_err();
     assert!(error.to_string().contains("theta = -6.28"), "{error}");
 }

@@ -4,7 +4,7 @@ use lagrangian::prelude::*;
 use lagrangian::{OperationCount, ReconstructedPhase, StopReason};
 use lagrangian_tests::{Random, assert_close, relative_error};
 
-use crate::models::{ReducedTop, Top, TopThroughPoles, polar_top, top};
+use crate::models::{ReducedTop, Top, TopThroughPoles, polar_top, top, with_ignorable};
 
 /// (4.7) to (4.10), by hand.
 #[test]
@@ -100,13 +100,14 @@ fn a_hundred_nutations_are_reconstructed() {
     let end = 115.0 * core::f64::consts::TAU / (0.1 * 40.0 / 0.4);
     let method = Taylor::new();
     let times: Vec<f64> = (1..=400).map(|k| end * f64::from(k) / 400.0).collect();
-    let full = method.sample(&top.dynamics(), start, &times).unwrap();
+    let full = Problem::new(&top, start).save(&times).solve(end, method);
+    let full = full.unwrap();
     let equations = reduced.reconstruction();
-    let there = (reduced_start, [0.3, 0.1]);
-    let motion = method.sample(&equations, there, &times).unwrap();
+    let problem = Problem::new(&equations, with_ignorable(reduced_start, [0.3, 0.1]));
+    let motion = problem.clone().save(&times).solve(end, method).unwrap();
     let mut nutations = 0;
     let mut before = 0.0;
-    for (full, sample) in full.states().zip(motion.samples()) {
+    for (full, sample) in full.samples().iter().zip(motion.samples()) {
         let state = equations.full_state(sample.t, &sample.x);
         assert!((state.q - full.q).amax() < 1e-10, "{} {}", state.q, full.q);
         assert!((state.v - full.v).amax() < 1e-9, "{} {}", state.v, full.v);
@@ -118,15 +119,12 @@ fn a_hundred_nutations_are_reconstructed() {
     let method = Dop853::new()
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13);
-    let solution = method
-        .driver()
-        .solve(&equations, (reduced_start, [0.3, 0.1]), 5.0)
-        .unwrap();
+    let solution = problem.save(Dense).solve(5.0, method).unwrap();
     for t in [0.123, 1.7, 4.999] {
-        let x: ReconstructedPhase<f64, 1, 2> = solution.at(t).unwrap();
-        let expected = method.integrate_to(&top.dynamics(), start, t).unwrap();
+        let x: ReconstructedPhase<f64, 1, 2> = solution.at(t).unwrap().x;
+        let expected = Problem::new(&top, start).solve(t, method).unwrap();
         let state = equations.full_state(t, &x);
-        assert!((state.q - expected.x.q).amax() < 1e-9, "{t}");
+        assert!((state.q - expected.q).amax() < 1e-9, "{t}");
     }
 }
 
@@ -158,10 +156,9 @@ fn the_sleeping_top_is_evaluated_where_it_sleeps() {
         let rates = reduced.ignorable_velocities(&start);
         // Of the sum, or the difference, of the angles the velocity is that of the spin.
         assert_close("ψ̇ ± φ̇", &[rates[1] + up * rates[0]], &[spin], 1e-13);
-        let end = Taylor::new()
-            .integrate_to(&reduced.dynamics(), start, 3.0)
-            .unwrap();
-        assert!((end.x.q[0] - pole).abs() < 1e-12);
+        let end = Problem::new(&reduced, start).solve(3.0, Taylor::new());
+        let end = end.unwrap();
+        assert!((end.q[0] - pole).abs() < 1e-12);
     }
     // Nearby, a motion through the pole keeps its energy, and is that of x and y.
     let state = State::new(0.0, [0.0, 0.0, 0.0], [0.0, 0.4, spin]);
@@ -174,10 +171,8 @@ fn the_sleeping_top_is_evaluated_where_it_sleeps() {
         let error = relative_error(&[reduced.accelerations(&near)[0]], &[expected], 1e-300);
         assert!(error < theta * theta + 1e-14, "{theta}: {error}");
     }
-    let end = Taylor::new()
-        .integrate_to(&reduced.dynamics(), start, 5.0)
-        .unwrap()
-        .state();
+    let end = Problem::new(&reduced, start).solve(5.0, Taylor::new());
+    let end = end.unwrap();
     assert_close(
         "energy",
         &[reduced.energy(&end)],
@@ -200,28 +195,25 @@ fn the_pole_of_the_shorter_form_is_reported() {
     assert!(<TopThroughPoles as GeneralizedCoordinates<1>>::POLES.is_empty());
     let message = "at t = 0 the reduced model has no accelerations at the pole theta = 0 of its angles: write \
                    `routhian(Name, half_angles)`";
-    let errors = [
-        Taylor::new()
-            .integrate_to(&reduced.dynamics(), start, 1.0)
-            .err(),
-        Dop853::new()
-            .integrate_to(&reduced.dynamics(), start, 1.0)
-            .err(),
+    let problem = Problem::new(&reduced, start);
+    let partials = [
+        problem.clone().solve(1.0, Taylor::new()).unwrap_err(),
+        problem.solve(1.0, Dop853::new()).unwrap_err(),
     ];
-    for error in errors {
-        let error = error.unwrap();
+    for partial in partials {
+        let error = partial.error();
         let IntegrationError::SingularConfiguration { singularity, .. } = error else {
             panic!("{error}");
         };
         assert_eq!(singularity.coordinate(), "theta");
         assert!(error.to_string().contains(message), "{error}");
     }
-    let reconstruction = reduced.reconstruction();
-    let found = Taylor::new().integrate_to(&reconstruction, (start, [0.0; 2]), 1.0);
+    let there = with_ignorable(start, [0.0; 2]);
+    let found = Problem::new(reduced.reconstruction(), there).solve(1.0, Taylor::new());
     assert!(found.unwrap_err().to_string().contains(message));
     // Another value that is not finite is not put down to the pole.
     let lost = State::new(0.0, [1.0], [f64::NAN]);
-    let error = Dop853::new().integrate_to(&reduced.dynamics(), lost, 1.0);
+    let error = Problem::new(&reduced, lost).solve(1.0, Dop853::new());
     assert!(!error.unwrap_err().to_string().contains("pole"));
 }
 
@@ -279,15 +271,15 @@ fn a_motion_near_the_pole_is_reconstructed() {
         p_phi: 1.0,
         p_psi: 1.0 - 1e-6,
     };
-    let equations = reduced.reconstruction();
-    let start = (State::new(0.0, [0.3], [-1.0]), [0.0; 2]);
-    let series = Taylor::new().driver().max_steps(200);
-    let by_series = series.run_until(&equations, start, 2.0).unwrap();
-    let stages = Dop853::new().driver().max_steps(400);
-    let by_stages = stages.run_until(&equations, start, 2.0).unwrap();
-    assert_eq!(by_series.reason, StopReason::Completed);
-    assert_eq!(by_stages.reason, StopReason::Completed);
-    let [found, expected] = [by_series, by_stages].map(|outcome| outcome.last.x);
+    let start = with_ignorable(State::new(0.0, [0.3], [-1.0]), [0.0; 2]);
+    let problem = Problem::new(reduced.reconstruction(), start);
+    let by_series = problem.clone().max_steps(200).solve(2.0, Taylor::new());
+    let by_stages = problem.max_steps(400).solve(2.0, Dop853::new());
+    let [found, expected] = [by_series, by_stages].map(|motion| {
+        let motion = motion.unwrap();
+        assert_eq!(motion.reason, StopReason::Completed);
+        motion.last.x
+    });
     assert_close("q", found.q.as_slice(), expected.q.as_slice(), 1e-9);
     let [found, expected] = [found, expected].map(|x| <[f64; 2]>::from(x.ignorable));
     assert_close("φ and ψ", &found, &expected, 1e-9);

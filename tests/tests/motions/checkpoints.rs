@@ -1,7 +1,9 @@
 //! An integration that is stored, as text or as bytes, goes on to the last bit as if it had not stopped.
 
 use lagrangian::prelude::*;
-use lagrangian::{AugmentedPhase, Checkpoint, DoubleDouble, Lanes, Resume, StateTransition};
+use lagrangian::{
+    Checkpoint, DoubleDouble, Dual, EquationsOfMotion, Lanes, Resume, StateTransition,
+};
 use serde::{Serialize, de::DeserializeOwned};
 
 #[derive(Lagrangian)]
@@ -37,45 +39,44 @@ fn by_bytes<M: Serialize + DeserializeOwned>(checkpoint: &Checkpoint<M>) -> Chec
 }
 
 /// Stored after every third step, in turn as a value, as text and as bytes; also within what the last step shows.
-fn interrupted_is_uninterrupted<S, D, I>(method: &I, dynamics: &D, initial: &At<f64, D::State>)
+fn interrupted_is_uninterrupted<S, D, I>(method: I, problem: impl Fn() -> Problem<S, D>)
 where
     S: Scalar,
-    D: Dynamics<S>,
-    D::State: Clone + PartialEq + std::fmt::Debug,
-    I: Integrator<S, D> + Resume<S, D> + IntegrationMethod,
-    I::Memory: Serialize + DeserializeOwned,
+    D: Dynamics<S, State: PartialEq + std::fmt::Debug>,
+    I: Copy + Resume<S, D, Memory: Serialize + DeserializeOwned>,
 {
+    let resume = |checkpoint| {
+        let problem = problem().max_steps(3);
+        problem.resume(checkpoint, method).unwrap()
+    };
     for end in [END, -END] {
-        let mut whole = method.driver().start(dynamics, initial).unwrap();
-        whole.advance_to(end).unwrap();
+        let mut whole = problem().start(method).unwrap();
+        whole.advance(end).unwrap();
 
-        let driver = method.driver().max_steps(3);
-        let mut running = driver.clone().start(dynamics, initial).unwrap();
+        let mut run = problem().max_steps(3).start(method).unwrap();
         let mut stops = 0;
-        while running.advance_to(end).unwrap().reason == StopReason::StepLimit {
+        while run.advance(end).unwrap().reason == StopReason::StepLimit {
             let checkpoint = match stops % 3 {
-                0 => running.checkpoint(),
-                1 => by_text(&running.checkpoint()),
-                _ => by_bytes(&running.checkpoint()),
+                0 => run.checkpoint(),
+                1 => by_text(&run.checkpoint()),
+                _ => by_bytes(&run.checkpoint()),
             };
-            let mut resumed = driver.clone().resume(dynamics, checkpoint).unwrap();
-            assert_eq!(resumed.sample(), running.sample());
-            assert_eq!(resumed.statistics(), running.statistics());
-            let middle = 0.5 * (running.previous_time() + running.time());
-            assert!(running.previous_time() - middle != 0.0);
-            assert_eq!(resumed.at(middle).unwrap(), running.at(middle).unwrap());
-            running = driver
-                .clone()
-                .resume(dynamics, running.checkpoint())
-                .unwrap();
-            if stops % 2 == 0 {
-                running = resumed;
-            }
+            let mut resumed = resume(checkpoint);
+            assert_eq!(resumed.state(), run.state());
+            assert_eq!(resumed.statistics(), run.statistics());
+            let middle = 0.5 * (run.previous_time() + run.state().t.smallest());
+            assert!(run.previous_time() - middle != 0.0);
+            assert_eq!(resumed.at(middle).unwrap(), run.at(middle).unwrap());
+            run = if stops % 2 == 0 {
+                resumed
+            } else {
+                resume(run.checkpoint())
+            };
             stops += 1;
         }
         assert!(stops > 3, "{stops}");
-        assert_eq!(running.sample(), whole.sample());
-        let (found, expected) = (running.statistics(), whole.statistics());
+        assert_eq!(run.state(), whole.state());
+        let (found, expected) = (run.statistics(), whole.statistics());
         assert_eq!(
             (found.steps, found.rejected),
             (expected.steps, expected.rejected)
@@ -86,82 +87,78 @@ where
 /// Dual numbers are stored with their derivatives, which their comparisons do not look at.
 #[test]
 fn derivatives_go_on_from_checkpoints() {
-    let dynamics = DoublePendulum.dynamics();
-    let initial = StateTransition::<2, 4>::initial(&State::new(0.0, [2.0, 1.0], [0.1, -0.3]));
-    let driver = Taylor::new().driver();
-    let mut whole = driver.clone().start(&dynamics, &initial).unwrap();
-    whole.advance_to(END).unwrap();
-    let expected = StateTransition::of(&whole.sample());
-    let stopping = driver.clone().max_steps(3);
-    let mut running = stopping.start(&dynamics, &initial).unwrap();
-    running.advance_to(END).unwrap();
+    let At { t, x } = StateTransition::<2, 4>::initial(&State::new(0.0, [2.0, 1.0], [0.1, -0.3]));
+    let start = At {
+        t: Dual::from_f64(t),
+        x,
+    };
+    let transition = |end: State<Dual<f64, 4>, 2>| {
+        let (t, x) = (end.t.value, end.x);
+        StateTransition::of(&At { t, x })
+    };
+    let problem = Problem::new(&DoublePendulum, start);
+    let whole = problem.clone().solve(END, Taylor::new()).unwrap();
+    let expected = transition(whole.last);
+    let stopping = problem.clone().max_steps(3);
+    let mut run = stopping.start(Taylor::new()).unwrap();
+    run.advance(END).unwrap();
     for stored in 0..2 {
         let checkpoint = match stored {
-            0 => by_text(&running.checkpoint()),
-            _ => by_bytes(&running.checkpoint()),
+            0 => by_text(&run.checkpoint()),
+            _ => by_bytes(&run.checkpoint()),
         };
-        let mut resumed = driver.clone().resume(&dynamics, checkpoint).unwrap();
-        assert!(resumed.time() < END);
-        resumed.advance_to(END).unwrap();
-        assert_eq!(StateTransition::of(&resumed.sample()), expected);
+        let mut resumed = problem.clone().resume(checkpoint, Taylor::new()).unwrap();
+        assert!(resumed.state().t.value < END);
+        let end = resumed.advance(END).unwrap();
+        assert_eq!(transition(end.last), expected);
     }
 }
 
 #[test]
 fn every_method_goes_on_from_checkpoints() {
-    let dynamics = DoublePendulum.dynamics();
-    let start = || State::new(0.0, [2.0, 1.0], [0.1, -0.3]);
-    interrupted_is_uninterrupted::<f64, _, _>(&RungeKutta::classical(0.01), &dynamics, &start());
-    interrupted_is_uninterrupted::<f64, _, _>(&Dop853::new(), &dynamics, &start());
-    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::new(), &dynamics, &start());
-    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::order_12(), &dynamics, &start());
-    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::order_16(), &dynamics, &start());
-    interrupted_is_uninterrupted::<f64, _, _>(&Taylor::order_40(), &dynamics, &start());
+    let start = State::new(0.0, [2.0, 1.0], [0.1, -0.3]);
+    let problem = || Problem::new(&DoublePendulum, start);
+    interrupted_is_uninterrupted(RungeKutta::classical(0.01), problem);
+    interrupted_is_uninterrupted(Dop853::new(), problem);
+    interrupted_is_uninterrupted(Taylor::new(), problem);
+    interrupted_is_uninterrupted(Taylor::order_12(), problem);
+    interrupted_is_uninterrupted(Taylor::order_16(), problem);
+    interrupted_is_uninterrupted(Taylor::order_40(), problem);
 }
 
 #[test]
 fn every_scalar_goes_on_from_checkpoints() {
-    fn start<S: Scalar>(number: impl Fn(f64) -> S) -> At<f64, Phase<S, 2>> {
-        let q = [2.0, 1.0].map(&number);
-        At::from((0.0, Phase::new(q, [0.1, -0.3].map(&number))))
+    fn start<S: Scalar>(number: impl Fn(f64) -> S) -> State<S, 2> {
+        let [q, v] = [[2.0, 1.0], [0.1, -0.3]].map(|x| x.map(&number));
+        State::new(S::zero(), q, v)
     }
-    let dynamics = DoublePendulum.dynamics();
     let doubled = start(|x| DoubleDouble::from_f64(x) / DoubleDouble::from_f64(3.0));
-    let doubled = At { t: 0.0, ..doubled };
-    interrupted_is_uninterrupted::<DoubleDouble, _, _>(&Taylor::order_40(), &dynamics, &doubled);
-    let dynamics = DoublePendulum.dynamics();
-    let lanes = At {
-        t: 0.0,
-        ..start(|x| Lanes([x, 0.5 * x, x + 0.1, -x]))
-    };
-    interrupted_is_uninterrupted::<Lanes<4>, _, _>(&Dop853::new(), &dynamics, &lanes);
-    let dynamics = DoublePendulum.dynamics();
+    let problem = || Problem::new(&DoublePendulum, doubled);
+    interrupted_is_uninterrupted(Taylor::order_40(), problem);
+    let lanes = start(|x| Lanes([x, 0.5 * x, x + 0.1, -x]));
+    let problem = || Problem::new(&DoublePendulum, lanes);
+    interrupted_is_uninterrupted(Dop853::new(), problem);
     #[allow(clippy::cast_possible_truncation)] // The digits of `f32` are the point.
     let single = start(|x| x as f32);
     let method = Dop853::new()
         .relative_tolerance(1e-6)
         .absolute_tolerance(1e-6);
-    interrupted_is_uninterrupted::<f32, _, _>(&method, &dynamics, &single);
+    interrupted_is_uninterrupted(method, || Problem::new(&DoublePendulum, single));
 }
 
 #[test]
 fn the_states_of_a_controller_are_stored() {
     let cart = Cart { push: 0.0 };
-    let law = |state: &State<f64, 1>, z: &SVector<f64, 1>| {
-        let pull = -state.q[0] - z[0] - state.v[0];
-        ([pull], [state.q[0] - 0.1 * z[0]])
-    };
-    let phase = AugmentedPhase {
-        q: SVector::from([1.0]),
-        v: SVector::from([0.2]),
-        controller: SVector::from([0.0]),
-    };
-    let dynamics = cart.with_controller(law);
-    let start = At { t: 0.0, x: phase };
-    interrupted_is_uninterrupted::<f64, _, _>(&Dop853::new(), &dynamics, &start);
+    let start = State::new(0.0, [1.0], [0.2]);
+    interrupted_is_uninterrupted(Dop853::new(), || {
+        Problem::new(&cart, start).feedback_with_states([0.0], |x, z| {
+            let pull = -x.q[0] - z[0] - x.v[0];
+            (pull, x.q[0] - 0.1 * z[0])
+        })
+    });
 }
 
-/// The settings are those of the driver that goes on.
+/// The settings are those of the problem that goes on.
 #[derive(Lagrangian)]
 #[lagrangian(
     taylor,
@@ -173,55 +170,51 @@ struct Oscillator {
     k: f64,
 }
 
+static MODELS: [Oscillator; 2] = [Oscillator { k: 1.0 }, Oscillator { k: 0.0 }];
+
 /// From a checkpoint between two steps a motion goes on without the spring, uniformly and without a rejected step.
-fn goes_on_without_a_spring<I, M>(method: &I, dynamics: [&M; 2])
+fn goes_on_without_a_spring<I>(method: I)
 where
-    M: Dynamics<f64, State = Phase<f64, 1>>,
-    I: Integrator<f64, M> + Resume<f64, M> + IntegrationMethod,
+    I: Copy + Resume<f64, EquationsOfMotion<'static, Oscillator, f64, 1>>,
 {
-    let [spring, free] = dynamics;
-    let mut before = method
-        .driver()
-        .start(spring, State::new(0.0, [1.0], [0.0]))
-        .unwrap();
+    let start = State::new(0.0, [1.0], [0.0]);
+    let [spring, free] = MODELS.each_ref().map(|model| Problem::new(model, start));
+    let mut before = spring.start(method).unwrap();
     for _ in 0..3 {
-        before.step_towards(100.0).unwrap();
+        before.step(100.0).unwrap();
     }
-    let [x, v] = [before.state().q[0], before.state().v[0]];
-    let mut after = method.driver().resume(free, before.checkpoint()).unwrap();
+    let there = before.state();
+    let mut after = free.resume(before.checkpoint(), method).unwrap();
     let rejected = after.statistics().rejected;
-    after.advance_to(before.time() + 0.5).unwrap();
-    assert!((after.state().q[0] - (x + 0.5 * v)).abs() < 1e-14);
+    let end = after.advance(there.t + 0.5).unwrap();
+    assert!((end.q[0] - (there.q[0] + 0.5 * there.v[0])).abs() < 1e-14);
     assert_eq!(after.statistics().rejected, rejected);
 }
 
 #[test]
 fn other_parameters_begin_at_the_checkpoint() {
-    let models = [1.0, 0.0].map(|k| Oscillator { k });
-    let dynamics = models.each_ref().map(Lagrangian::dynamics);
     for tolerance in [1e-4, 1e-8] {
         let method = Dop853::new()
             .relative_tolerance(tolerance)
             .absolute_tolerance(tolerance);
-        goes_on_without_a_spring(&method, dynamics.each_ref());
+        goes_on_without_a_spring(method);
     }
-    goes_on_without_a_spring(&Taylor::new(), dynamics.each_ref());
-    goes_on_without_a_spring(&RungeKutta::classical(0.25), dynamics.each_ref());
+    goes_on_without_a_spring(Taylor::new());
+    goes_on_without_a_spring(RungeKutta::classical(0.25));
 }
 
 #[test]
 fn checkpoints_are_checked() {
-    let dynamics = DoublePendulum.dynamics();
-    let start = State::new(0.0, [2.0, 1.0], [0.1, -0.3]);
-    let mut running = Dop853::new().driver().start(&dynamics, start).unwrap();
-    running.advance_to(1.0).unwrap();
-    let wrong = Dop853::new().relative_tolerance(f64::NAN).driver();
-    let error = wrong.resume(&dynamics, running.checkpoint()).err().unwrap();
+    let problem = Problem::new(&DoublePendulum, State::new(0.0, [2.0, 1.0], [0.1, -0.3]));
+    let mut run = problem.clone().start(Dop853::new()).unwrap();
+    run.advance(1.0).unwrap();
+    let wrong = Dop853::new().relative_tolerance(f64::NAN);
+    let error = problem.resume(run.checkpoint(), wrong).err().unwrap();
     assert!(
         matches!(error, IntegrationError::InvalidTolerance { .. }),
         "{error}"
     );
-    let text = serde_json::to_string(&running.checkpoint()).unwrap();
+    let text = serde_json::to_string(&run.checkpoint()).unwrap();
     assert!(serde_json::from_str::<Checkpoint<()>>(&text).is_err());
     // More or fewer numbers than an array has.
     let lanes = serde_json::to_string(&Lanes([1.0, 2.0, 3.0])).unwrap();

@@ -44,18 +44,25 @@ const PARTICLE: Particle = Particle {
     apart: 1e-7,
 };
 
-fn times<X>(motion: &[Occurrence<X>], event: usize) -> Vec<f64> {
-    let events = motion.iter().filter(|occurrence| occurrence.event == event);
+/// The times of one event.
+pub(crate) fn times<X>(motion: &Solution<f64, X>, event: usize) -> Vec<f64> {
+    let events = motion.events().iter();
+    let events = events.filter(|occurrence| occurrence.event == event);
     events.map(|occurrence| occurrence.t).collect()
 }
 
 /// The times of one event, from x = 0 at unit velocity until t = 1, in one step.
-fn alone(index: usize, event: Event) -> Vec<f64> {
-    let driver = Taylor::new().driver().declared_events([(index, event)]);
-    let start = State::new(0.0, [0.0], [1.0]);
-    let motion = driver.sample(&PARTICLE.dynamics(), start, &[1.0]).unwrap();
-    assert_eq!(motion.statistics().steps, 1);
-    times(motion.events(), 0)
+macro_rules! alone {
+    ($event:ident $(.$direction:ident())?) => {{
+        let motion = Problem::new(&PARTICLE, State::new(0.0, [0.0], [1.0]))
+            .on(Particle::$event)
+            $(.$direction())?
+            .record()
+            .solve(1.0, Taylor::new())
+            .unwrap();
+        assert_eq!(motion.statistics.steps, 1);
+        times(&motion, 0)
+    }};
 }
 
 #[test]
@@ -78,34 +85,34 @@ fn names_and_indices_are_constants() {
 
 #[test]
 fn close_pairs_and_tangencies_within_a_step_are_found() {
-    let pair = alone(Particle::PAIR, Event::either());
+    let pair = alone!(PAIR);
     assert_eq!(pair.len(), 2, "{pair:?}");
     close(pair[0], 0.3, 1e-9);
     close(pair[1], 0.3 + 1e-7, 1e-9);
-    assert_eq!(alone(Particle::PAIR, Event::falling()).len(), 1);
-    assert_eq!(alone(Particle::PAIR, Event::rising()).len(), 1);
+    assert_eq!(alone!(PAIR.falling()).len(), 1);
+    assert_eq!(alone!(PAIR.rising()).len(), 1);
 
-    let touch = alone(Particle::TOUCH, Event::either());
+    let touch = alone!(TOUCH);
     assert_eq!(touch.len(), 1);
     close(touch[0], 0.3, 1e-8);
     // Zero is reached from above.
-    assert_eq!(alone(Particle::TOUCH, Event::falling()).len(), 1);
-    assert_eq!(alone(Particle::TOUCH, Event::rising()).len(), 0);
+    assert_eq!(alone!(TOUCH.falling()).len(), 1);
+    assert_eq!(alone!(TOUCH.rising()).len(), 0);
 
-    let cubic = alone(Particle::CUBIC, Event::rising());
+    let cubic = alone!(CUBIC.rising());
     assert_eq!(cubic.len(), 1);
     close(cubic[0], 0.3, 1e-4);
-    assert_eq!(alone(Particle::NOTHING, Event::either()).len(), 0);
+    assert_eq!(alone!(NOTHING).len(), 0);
 }
 
 /// A series does not see a corner, and that of a sine does not converge over the step of a free motion.
 #[test]
 fn corners_and_series_that_converge_slowly_are_no_obstacle() {
-    let kink = alone(Particle::KINK, Event::either());
+    let kink = alone!(KINK);
     assert_eq!(kink.len(), 2, "{kink:?}");
     close(kink[0], 0.5, 1e-15);
     close(kink[1], 0.75, 1e-15);
-    let wave = alone(Particle::WAVE, Event::falling());
+    let wave = alone!(WAVE.falling());
     assert_eq!(wave.len(), 3);
     for (n, time) in [1.0, 3.0, 5.0].into_iter().zip(wave) {
         close(time, n * PI / 20.0, 1e-15);
@@ -114,24 +121,25 @@ fn corners_and_series_that_converge_slowly_are_no_obstacle() {
 
 #[test]
 fn all_events_come_in_the_order_of_time() {
-    let events = [
-        (Particle::WALLS[1], Event::falling()),
-        (Particle::WAVE, Event::either()),
-        (Particle::LATE, Event::rising()),
-        (Particle::WALLS[0], Event::rising()),
-        (Particle::LATE, Event::either()),
-    ];
     for sign in [1.0, -1.0] {
-        let driver = Taylor::new().driver().declared_events(events);
         // Backwards from x = 1 at t = 1 the same events come in the opposite order and direction.
         let (start, end) = if sign > 0.0 { (0.0, 1.0) } else { (1.0, 0.0) };
-        let initial = State::new(start, [start], [1.0]);
-        let motion = driver
-            .sample(&PARTICLE.dynamics(), initial, &[end])
+        let motion = Problem::new(&PARTICLE, State::new(start, [start], [1.0]))
+            .on(Particle::WALLS[1])
+            .falling()
+            .record()
+            .on(Particle::WAVE)
+            .record()
+            .on([Particle::LATE, Particle::WALLS[0]])
+            .rising()
+            .record()
+            .on(Particle::LATE)
+            .record()
+            .solve(end, Taylor::new())
             .unwrap();
         let found = motion.events();
         assert!(found.is_sorted_by(|a, b| a.t * sign <= b.t * sign));
-        let waves = times(found, 1);
+        let waves = times(&motion, 1);
         // Zero is left at the start at x = 0, and reached at the end there.
         let (first, count) = if sign > 0.0 { (1.0, 6) } else { (6.0, 7) };
         assert_eq!(waves.len(), count);
@@ -139,7 +147,7 @@ fn all_events_come_in_the_order_of_time() {
             let n = first + sign * n;
             close(time, n * PI / 20.0, 1e-14);
         }
-        let count = |event| times(found, event).len();
+        let count = |event| times(&motion, event).len();
         let directed = usize::from(sign > 0.0);
         assert_eq!(
             [count(0), count(2), count(3), count(4)],
@@ -153,20 +161,19 @@ fn all_events_come_in_the_order_of_time() {
                 .map(|occurrence| occurrence.event)
                 .collect();
             assert_eq!(late, [2, 4]);
-            close(times(found, 0)[0], 0.875, 1e-15);
-            close(times(found, 2)[0], 0.75, 1e-15);
+            close(times(&motion, 0)[0], 0.875, 1e-15);
+            close(times(&motion, 2)[0], 0.75, 1e-15);
         }
     }
 }
 
 #[test]
 fn a_start_at_a_zero_is_no_event() {
-    for direction in [Event::either(), Event::rising(), Event::falling()] {
-        let driver = Taylor::new().driver();
-        let driver = driver.declared_events([(Particle::WALLS[0], direction)]);
-        let start = State::new(0.0, [0.25], [1.0]);
-        let outcome = driver.run_until(&PARTICLE.dynamics(), start, 1.0).unwrap();
-        assert!(!outcome.occurred.contains(0));
+    let start = State::new(0.0, [0.25], [1.0]);
+    let wall = Problem::new(&PARTICLE, start).on(Particle::WALLS[0]);
+    for event in [wall.clone(), wall.clone().rising(), wall.falling()] {
+        let motion = event.record().solve(1.0, Taylor::new()).unwrap();
+        assert!(motion.events().is_empty());
     }
 }
 
@@ -205,22 +212,19 @@ fn quarter(amplitude: f64) -> f64 {
     0.5 * PI / a * (0.7_f64 / 9.81).sqrt()
 }
 
-fn passes<I>(method: &I, error: f64)
+fn passes<I>(method: I, error: f64)
 where
-    I: IntegrationMethod
-        + for<'a> Integrator<f64, lagrangian::EquationsOfMotion<'a, Pendulum, f64, 1>>,
+    I: Copy + for<'a> Integrator<f64, lagrangian::EquationsOfMotion<'a, Pendulum, f64, 1>>,
 {
     let (pendulum, quarter) = (pendulum(), quarter(2.0));
     for sign in [1.0, -1.0] {
-        let driver = method.driver().declared_events([
-            (Pendulum::<f64>::LOWEST, Event::either()),
-            (Pendulum::<f64>::TURNING, Event::either()),
-        ]);
-        let start = State::new(0.0, [2.0], [0.0]);
-        let end = sign * 40.5 * quarter;
-        let motion = driver.sample(&pendulum.dynamics(), start, &[end]).unwrap();
+        let motion = Problem::new(&pendulum, State::new(0.0, [2.0], [0.0]))
+            .on([Pendulum::<f64>::LOWEST, Pendulum::<f64>::TURNING])
+            .record()
+            .solve(sign * 40.5 * quarter, method)
+            .unwrap();
         for (event, first, count) in [(0, 1.0, 20), (1, 2.0, 20)] {
-            let found = times(motion.events(), event);
+            let found = times(&motion, event);
             assert_eq!(found.len(), count);
             for (n, time) in (0..).map(f64::from).zip(found) {
                 close(time, sign * (first + 2.0 * n) * quarter, error);
@@ -231,41 +235,33 @@ where
 
 #[test]
 fn every_method_finds_the_passes_of_a_pendulum() {
-    passes(&Taylor::new(), 1e-12);
-    passes(&Taylor::order_16(), 1e-9);
-    passes(&Dop853::new(), 1e-6);
-    passes(&RungeKutta::classical(1e-3), 1e-6);
+    passes(Taylor::new(), 1e-12);
+    passes(Taylor::order_16(), 1e-9);
+    passes(Dop853::new(), 1e-6);
+    passes(RungeKutta::classical(1e-3), 1e-6);
 }
 
 /// The largest speed is reached and not exceeded: a tangency, which rounding of the motion moves to either side.
 #[test]
 fn the_greatest_speed_of_a_pendulum_is_a_tangency() {
     let (pendulum, quarter) = (pendulum(), quarter(2.0));
-    let driver = Taylor::new().driver();
-    let driver = driver.declared_events([(Pendulum::<f64>::TOP, Event::either())]);
     let start = State::new(0.0, [2.0], [0.0]);
-    let slower = Pendulum {
-        fastest: pendulum.fastest * (1.0 - 1e-12),
-        ..pendulum.clone()
+    let motion = |fastest| {
+        let pendulum = Pendulum {
+            fastest,
+            ..pendulum.clone()
+        };
+        let problem = Problem::new(&pendulum, start).on(Pendulum::<f64>::TOP);
+        problem.record().solve(6.0 * quarter, Taylor::new())
     };
-    let motion = driver
-        .sample(&slower.dynamics(), start, &[6.0 * quarter])
-        .unwrap();
-    assert_eq!(motion.events().len(), 6);
-    for (n, occurrence) in motion.events().iter().enumerate() {
+    let slower = motion(pendulum.fastest * (1.0 - 1e-12)).unwrap();
+    assert_eq!(slower.events().len(), 6);
+    for (n, occurrence) in slower.events().iter().enumerate() {
         let expected = [1.0, 1.0, 3.0, 3.0, 5.0, 5.0][n] * quarter;
         close(occurrence.t, expected, 1e-5);
     }
-    let faster = Pendulum {
-        fastest: pendulum.fastest * (1.0 + 1e-12),
-        ..pendulum
-    };
-    let driver = Taylor::new().driver();
-    let driver = driver.declared_events([(Pendulum::<f64>::TOP, Event::either())]);
-    let outcome = driver
-        .run_until(&faster.dynamics(), start, 6.0 * quarter)
-        .unwrap();
-    assert!(!outcome.occurred.contains(0));
+    let faster = motion(pendulum.fastest * (1.0 + 1e-12)).unwrap();
+    assert!(faster.events().is_empty());
 }
 
 #[test]
@@ -277,12 +273,12 @@ fn events_are_found_on_other_scalars() {
         l: number(0.7),
         fastest: number(100.0),
     };
-    let driver = Taylor::order_40().driver();
-    let driver = driver.declared_events([(Pendulum::<f64>::LOWEST, Event::falling().terminal())]);
     let start = State::new(number(0.0), [number(2.0)], [number(0.0)]);
-    let outcome = driver.run_until(&precise.dynamics(), start, 10.0).unwrap();
-    close(outcome.last.t, quarter(2.0), 1e-15);
-    assert!(outcome.last.x.q[0].to_f64().abs() < 1e-15);
+    let lowest = Problem::new(&precise, start).on(Pendulum::<f64>::LOWEST);
+    let end = lowest.falling().stop().solve(10.0, Taylor::order_40());
+    let end = end.unwrap();
+    close(end.t.to_f64(), quarter(2.0), 1e-15);
+    assert!(end.q[0].to_f64().abs() < 1e-15);
 
     let coarse = Pendulum::<f32> {
         m: 0.3,
@@ -290,11 +286,10 @@ fn events_are_found_on_other_scalars() {
         l: 0.7,
         fastest: 100.0,
     };
-    let driver = Taylor::order_12().driver();
-    let driver = driver.declared_events([(Pendulum::<f64>::LOWEST, Event::falling().terminal())]);
     let start = State::new(0.0_f32, [2.0], [0.0]);
-    let outcome = driver.run_until(&coarse.dynamics(), start, 10.0).unwrap();
-    close(outcome.last.t, quarter(2.0), 1e-5);
+    let lowest = Problem::new(&coarse, start).on(Pendulum::<f64>::LOWEST);
+    let end = lowest.falling().stop().solve(10.0, Taylor::order_12());
+    close(f64::from(end.unwrap().t), quarter(2.0), 1e-5);
 }
 
 /// A ball on a floor at any height: flights are followed until they are as short as the resolution of time.
@@ -315,36 +310,28 @@ struct Ball {
 #[test]
 fn a_ball_bounces_until_it_is_at_rest() {
     for height in [0.0, 0.1, 100.1, -1e4] {
-        for (event, restitution) in [
-            (Event::falling(), 0.5),
-            (Event::either(), 0.5),
-            (Event::falling(), 0.9),
-            (Event::falling(), 0.1),
-        ] {
+        for (is_falling, restitution) in [(true, 0.5), (false, 0.5), (true, 0.9), (true, 0.1)] {
             let ball = Ball {
                 m: 0.2,
                 g: 9.81,
                 height,
             };
-            let driver = Taylor::new()
-                .driver()
-                .declared_events([(Ball::FLOOR, event)]);
             let start = State::new(0.0, [height + 1.0], [0.0]);
-            let motion = driver
-                .sample_reacting(&mut ball.dynamics(), start, &[100.0], |_, _, x, _| {
-                    x.v[0] *= -restitution;
-                    Reaction::Changed
-                })
+            let floor = Problem::new(&ball, start).on(Ball::FLOOR);
+            let floor = if is_falling { floor.falling() } else { floor };
+            let motion = floor
+                .then(|ball| ball.v[0] *= -restitution)
+                .solve(100.0, Taylor::new())
                 .unwrap();
-            assert_eq!(motion.reason(), StopReason::Zeno, "{height} {restitution}");
+            assert_eq!(motion.reason, StopReason::Zeno, "{height} {restitution}");
             let fall = (2.0 / ball.g).sqrt();
             let rest = fall * (1.0 + 2.0 * restitution / (1.0 - restitution));
             // The height from which it falls is rounded.
             let rounding = 4.0 * f64::EPSILON * (height.abs() + 1.0);
-            close(motion.last().t, rest, 1e-8 + rounding * 10.0);
-            close(motion.last().x.q[0], height, 100.0 * rounding);
+            close(motion.t, rest, 1e-8 + rounding * 10.0);
+            close(motion.q[0], height, 100.0 * rounding);
             let (mut expected, mut flight) = (fall, 2.0 * fall);
-            for time in times(motion.events(), 0).into_iter().take(20) {
+            for time in times(&motion, 0).into_iter().take(20) {
                 close(time, expected, 1e-13 + 10.0 * rounding);
                 flight *= restitution;
                 expected += flight;
@@ -361,24 +348,23 @@ fn a_reaction_changes_the_model_and_its_events() {
         g: 9.81,
         height: 0.0,
     };
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Ball::FLOOR, Event::falling())]);
     let start = State::new(0.0, [1.0], [0.0]);
-    let mut ball = ball.into_dynamics();
-    let motion = driver
-        .sample_reacting(&mut ball, start, &[2.0], |_, _, x, ball| {
+    let mut run = Problem::new(ball, start)
+        .on(Ball::FLOOR)
+        .falling()
+        .then_with(|x, ball| {
             x.v[0] = 0.0;
             ball.change(|ball| ball.height -= 1.0);
-            Reaction::Changed
         })
+        .start(Taylor::new())
         .unwrap();
+    let motion = run.advance(2.0).unwrap();
     let fall = (2.0 / 9.81_f64).sqrt();
-    for (n, time) in (1..).map(f64::from).zip(times(motion.events(), 0)) {
+    for (n, time) in (1..).map(f64::from).zip(times(&motion, 0)) {
         close(time, n * fall, 1e-14);
     }
     assert_eq!(motion.events().len(), 4);
-    close(ball.model().height, -4.0, 1e-15);
+    close(run.dynamics().model().height, -4.0, 1e-15);
 }
 
 /// Roots at the end of a step and behind the middle of the next one.
@@ -401,13 +387,12 @@ fn roots_after_one_at_the_end_of_a_step_are_found() {
             first: 100.0 - 1e-12,
             second,
         };
-        let driver = Taylor::new()
-            .max_step(0.125)
-            .driver()
-            .declared_events([(Twice::TWICE, Event::either())]);
-        let start = State::new(99.0, [0.0], [1.0]);
-        let motion = driver.sample(&model.dynamics(), start, &[101.0]).unwrap();
-        let found = times(motion.events(), 0);
+        let motion = Problem::new(&model, State::new(99.0, [0.0], [1.0]))
+            .on(Twice::TWICE)
+            .record()
+            .solve(101.0, Taylor::new().max_step(0.125))
+            .unwrap();
+        let found = times(&motion, 0);
         assert_eq!(found.len(), 2, "{second}: {found:?}");
         close(found[0], 100.0, 2e-12);
         close(found[1], second, 1e-12);

@@ -4,6 +4,8 @@ use lagrangian::prelude::*;
 use lagrangian::{Constant, Polynomial, SetTypicalSizes, Sinusoid, Sum};
 use lagrangian_tests::assert_close;
 
+use crate::events::times;
+
 /// A carriage that is pushed, and what it meets: events with inputs, with an external function of one, and without.
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
@@ -44,14 +46,6 @@ const CARRIAGE: Carriage = Carriage {
     place: 100.0,
 };
 
-const GATE: [(usize, Event); 1] = [(Carriage::GATE, Event::either())];
-
-fn times<X>(motion: &Trajectory<X>, event: usize) -> Vec<f64> {
-    let events = motion.events().iter();
-    let events = events.filter(|occurrence| occurrence.event == event);
-    events.map(|occurrence| occurrence.t).collect()
-}
-
 /// At rest at x = 1.
 fn start() -> State<f64, 1> {
     State::new(0.0, [1.0], [0.0])
@@ -73,15 +67,11 @@ fn held_inputs_are_those_of_events() {
         (Carriage::TOUCH, vec![2.0], 1e-6),
     ];
     for (event, expected, tolerance) in events {
-        let driver = || {
-            let method = Taylor::new().driver();
-            method.declared_events([(event, Event::either())])
-        };
-        let motion = driver().sample(&held.dynamics(), start(), &[3.0]);
-        let motion = motion.unwrap();
+        let motion = Problem::new(&held, start()).on(event).record();
+        let motion = motion.solve(3.0, Taylor::new()).unwrap();
         assert_close("held", &times(&motion, 0), &expected, tolerance);
-        let motion = driver().sample(&fields.dynamics(), start(), &[3.0]);
-        let motion = motion.unwrap();
+        let motion = Problem::new(&fields, start()).on(event).record();
+        let motion = motion.solve(3.0, Taylor::new()).unwrap();
         assert_close("fields", &times(&motion, 0), &expected, tolerance);
     }
 }
@@ -94,14 +84,16 @@ fn signals_move_events() {
         angular_frequency: 3.0,
         phase: 0.0,
     };
-    let driven = CARRIAGE.driven_by((Constant(0.0), Sum((gate, Constant(0.5)))));
     let third = core::f64::consts::FRAC_PI_6 / 3.0;
     let expected = [third, 5.0 * third, 13.0 * third, 17.0 * third];
-    let driver = Taylor::new().driver().declared_events(GATE);
-    let motion = driver.sample(&driven, start(), &[4.0]).unwrap();
+    let driven = || {
+        let problem =
+            Problem::new(&CARRIAGE, start()).driven_by((Constant(0.0), Sum((gate, Constant(0.5)))));
+        problem.on(Carriage::GATE).record()
+    };
+    let motion = driven().solve(4.0, Taylor::new()).unwrap();
     assert_close("Taylor", &times(&motion, 0), &expected, 1e-14);
-    let driver = Dop853::new().driver().declared_events(GATE);
-    let motion = driver.sample(&driven, start(), &[4.0]).unwrap();
+    let motion = driven().solve(4.0, Dop853::new()).unwrap();
     assert_close("sampled", &times(&motion, 0), &expected, 1e-9);
 }
 
@@ -113,31 +105,31 @@ fn tangencies_with_signals_are_found_under_taylor_alone() {
         angular_frequency: 3.0,
         phase: 0.0,
     };
-    let driven = CARRIAGE.driven_by((Constant(0.0), gate));
     let quarter = core::f64::consts::FRAC_PI_2 / 3.0;
-    let driver = Taylor::new().driver().declared_events(GATE);
-    let motion = driver.sample(&driven, start(), &[4.0]).unwrap();
+    let driven = || {
+        let problem = Problem::new(&CARRIAGE, start()).driven_by((Constant(0.0), gate));
+        problem.on(Carriage::GATE).record()
+    };
+    let motion = driven().solve(4.0, Taylor::new()).unwrap();
     assert_close(
         "Taylor",
         &times(&motion, 0),
         &[quarter, 5.0 * quarter],
         1e-7,
     );
-    let driver = Dop853::new().driver().declared_events(GATE);
-    let motion = driver.sample(&driven, start(), &[4.0]).unwrap();
+    let motion = driven().solve(4.0, Dop853::new()).unwrap();
     assert!(times(&motion, 0).is_empty());
 }
 
 /// x = 1 + t²/2 − t³/6 under the push 1 − t, and an external function of a signal.
 #[test]
 fn signals_push_and_functions_of_them_have_series() {
-    let driven = CARRIAGE.driven_by((Polynomial([1.0, -1.0]), Polynomial([0.0, 1.0])));
-    let events = [
-        (Carriage::WAVY, Event::either()),
-        (Carriage::STILL, Event::either()),
-    ];
-    let driver = Taylor::new().driver().declared_events(events);
-    let motion = driver.sample(&driven, start(), &[6.0]).unwrap();
+    let motion = Problem::new(&CARRIAGE, start())
+        .driven_by((Polynomial([1.0, -1.0]), Polynomial([0.0, 1.0])))
+        .on([Carriage::WAVY, Carriage::STILL])
+        .record()
+        .solve(6.0, Taylor::new())
+        .unwrap();
     let (wavy, still) = (times(&motion, 0), times(&motion, 1));
     assert_close("still", &still, &[2.0], 1e-14);
     assert!(!wavy.is_empty());
@@ -152,14 +144,13 @@ fn signals_push_and_functions_of_them_have_series() {
 /// u = (−x, x + ½ − t): x = cos t, and the gate is at t = ½.
 #[test]
 fn control_laws_set_the_inputs_of_events() {
-    let driven =
-        CARRIAGE.controlled_by(|state: &State<f64, 1>| [-state.q[0], state.q[0] + 0.5 - state.t]);
-    let events = [
-        (Carriage::GATE, Event::rising()),
-        (Carriage::STILL, Event::rising()),
-    ];
-    let driver = Dop853::new().driver().declared_events(events);
-    let motion = driver.sample(&driven, start(), &[6.0]).unwrap();
+    let motion = Problem::new(&CARRIAGE, start())
+        .feedback(|x| [-x.q[0], x.q[0] + 0.5 - x.t])
+        .on([Carriage::GATE, Carriage::STILL])
+        .rising()
+        .record()
+        .solve(6.0, Dop853::new())
+        .unwrap();
     assert_close("gate", &times(&motion, 0), &[0.5], 1e-13);
     assert_close("still", &times(&motion, 1), &[core::f64::consts::PI], 1e-9);
 }
@@ -167,11 +158,12 @@ fn control_laws_set_the_inputs_of_events() {
 /// A controller that integrates the position: z = ∫ x dt, and the gate is where z = x + 2, t = 3 for x = 1.
 #[test]
 fn controllers_set_the_inputs_of_events() {
-    let driven = CARRIAGE.with_controller(|state: &State<f64, 1>, z: &SVector<f64, 1>| {
-        ([0.0, z[0] - 2.0], [state.q[0]])
-    });
-    let driver = Dop853::new().driver().declared_events(GATE);
-    let motion = driver.sample(&driven, (start(), [0.0]), &[6.0]).unwrap();
+    let motion = Problem::new(&CARRIAGE, start())
+        .feedback_with_states([0.0], |x, z| ([0.0, z[0] - 2.0], [x.q[0]]))
+        .on(Carriage::GATE)
+        .record()
+        .solve(6.0, Dop853::new())
+        .unwrap();
     assert_close("gate", &times(&motion, 0), &[3.0], 1e-13);
 }
 
@@ -183,11 +175,10 @@ fn sizes_leave_events_as_they_are() {
         ..CARRIAGE
     };
     let equations = fields.dynamics();
-    let sized = equations.with_sizes([10.0]);
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Carriage::TWICE, Event::either())]);
-    let motion = driver.sample(&sized, start(), &[3.0]).unwrap();
+    let pair = Problem::new(equations.with_sizes([10.0]), start())
+        .on(Carriage::TWICE)
+        .record();
+    let motion = pair.solve(3.0, Taylor::new()).unwrap();
     assert_close(
         "pair",
         &times(&motion, 0),

@@ -27,11 +27,9 @@ struct Particle {
 }
 
 fn steps<M: Lagrangian<2>>(model: &M, q: [f64; 2], v: [f64; 2]) -> u64 {
-    let method = Dop853::new().relative_tolerance(1e-12);
-    let start = State::new(0.0, q, v);
-    let trajectory = method.sample(&model.dynamics(), start, &[10.0]);
-    let trajectory = trajectory.map_err(|interrupted| interrupted.error());
-    trajectory.expect("a regular motion").statistics().steps
+    let motion = Problem::new(model, State::new(0.0, q, v));
+    let motion = motion.solve(10.0, Dop853::new().relative_tolerance(1e-12));
+    motion.expect("a regular motion").statistics.steps
 }
 
 #[test]

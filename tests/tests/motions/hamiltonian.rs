@@ -150,7 +150,7 @@ fn a_start_outside_of_the_domain_is_told_from_a_singular_mass_matrix() {
         k: 0.1,
     };
     let start = State::new(0.0, [0.0; 2], [3.5, 0.0]);
-    let error = Dop853::new().integrate_to(&particle.dynamics(), start, 1.0);
+    let error = Problem::new(&particle, start).solve(1.0, Dop853::new());
     let text = error.unwrap_err().to_string();
     assert!(
         text.starts_with("at t = 0 the Lagrangian is not a number:"),
@@ -194,14 +194,11 @@ fn motions_are_those_in_velocities() {
         .absolute_tolerance(1e-12);
     let given = CART.with_inputs([-1.5]);
     let equations = given.canonical_equations();
-    let end = method
-        .integrate_to(&equations, equations.canonical(&start), 5.0)
+    let end = Problem::new(&equations, equations.canonical(&start))
+        .solve(5.0, method)
         .unwrap();
     let found = equations.state(end.t, &end.x).unwrap();
-    let expected = method
-        .integrate_to(&given.dynamics(), start, 5.0)
-        .unwrap()
-        .state();
+    let expected = Problem::new(&given, start).solve(5.0, method).unwrap();
     assert_close("q", found.q.as_slice(), expected.q.as_slice(), 1e-9);
     assert_close("q̇", found.v.as_slice(), expected.v.as_slice(), 1e-9);
     assert_ne!(given.momentum_rates(&start), CART.momentum_rates(&start));

@@ -175,16 +175,14 @@ fn linearization_where_no_equilibrium_is() {
     let pushed = MODEL.with_inputs([2.0]);
     let mut errors = [0.0; 2];
     for (error, period) in errors.iter_mut().zip([2e-3, 1e-3]) {
-        let end = Dop853::new()
-            .integrate_to(&pushed.dynamics(), state, period)
-            .unwrap();
+        let end = Problem::new(&pushed, state).solve(period, Dop853::new());
         let change = plant.discretized(period).increment;
         let moved: Vec<f64> = change
             .iter()
             .zip(plant.output.iter())
             .map(|(x, y)| x + y)
             .collect();
-        let expected: Vec<f64> = end.x.components().collect();
+        let expected: Vec<f64> = end.unwrap().x.components().collect();
         *error = relative_error(&moved, &expected, 1e-300);
     }
     // The error is of the third order in the period.
@@ -204,19 +202,18 @@ fn cost_of_a_motion() {
     let gain = regulator.gain;
     let deviation =
         |state: &State<f64, 2>| SVector::from([state.q[0], state.q[1], state.v[0], state.v[1]]);
-    let closed = MODEL.with_controller(|state, _: &SVector<f64, 1>| {
-        let x = deviation(state);
-        let u = -(gain * x)[0];
-        (u, [x.dot(&(weight * x)) + 0.1 * u * u])
-    });
     let small = State::new(0.0, [1e-5, 2e-5], [-1e-5, 1e-5]);
     let x = deviation(&small);
     let expected = x.dot(&(regulator.cost * x));
-    let end = Dop853::new()
-        .absolute_tolerance(1e-22)
-        .integrate_to(&closed, (small, [0.0]), 20.0)
+    let end = Problem::new(&MODEL, small)
+        .feedback_with_states([0.0], |state, _| {
+            let x = deviation(state);
+            let u = -(gain * x)[0];
+            (u, x.dot(&(weight * x)) + 0.1 * u * u)
+        })
+        .solve(20.0, Dop853::new().absolute_tolerance(1e-22))
         .unwrap();
-    assert!((end.x.controller[0] / expected - 1.0).abs() < 1e-7);
+    assert!((end.controller[0] / expected - 1.0).abs() < 1e-7);
 
     // Samples every 10 ms, with a hold, balance the model itself from 30 degrees.
     let period = 0.01;
@@ -229,10 +226,8 @@ fn cost_of_a_motion() {
     for _ in 0..800 {
         let u = -(regulator.gain * deviation(&state))[0];
         let pushed = MODEL.with_inputs([u]);
-        state = Dop853::new()
-            .integrate_to(&pushed.dynamics(), state, state.t + period)
-            .unwrap()
-            .state();
+        let motion = Problem::new(&pushed, state).solve(state.t + period, Dop853::new());
+        state = motion.unwrap().last;
     }
     assert_close("at rest", deviation(&state).as_slice(), &[0.0; 4], 1e-4);
 }

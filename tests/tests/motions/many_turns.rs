@@ -4,7 +4,9 @@ use std::cell::Cell;
 use std::f64::consts::TAU;
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, ErrorTolerance, Lanes, Series, TaylorCoefficients};
+use lagrangian::{
+    DoubleDouble, EquationsOfMotion, ErrorTolerance, Lanes, Series, TaylorCoefficients,
+};
 
 /// A heavy top with three different moments of inertia, of which ψ matters.
 #[derive(Lagrangian)]
@@ -118,42 +120,54 @@ fn report(method: &str, (reduced, unreduced): (f64, f64), bound: f64, gain: f64)
     assert!(unreduced > gain * reduced, "{method}: {unreduced:e}");
 }
 
+type Motion = EquationsOfMotion<'static, Top, f64, 3>;
+
+/// The samples of a motion of the top at some times by a method, and those without the reduction.
+fn sampled<I>(method: I, start: State<f64, 3>, times: &[f64]) -> [Vec<State<f64, 3>>; 2]
+where
+    I: Copy + Integrator<f64, Motion> + Integrator<f64, Unreduced<Motion>>,
+{
+    let end = *times.last().unwrap();
+    let with = Problem::new(&TOP, start).save(times).solve(end, method);
+    let without = Problem::new(Unreduced(TOP.dynamics()), start);
+    let without = without.save(times).solve(end, method);
+    [
+        with.unwrap().samples().to_vec(),
+        without.unwrap().samples().to_vec(),
+    ]
+}
+
+/// The errors at the end of a motion after many turns, with the reduction and without.
+fn errors<I>(method: I, end: f64, exact: &Phase<DoubleDouble, 3>) -> (f64, f64)
+where
+    I: Copy + Integrator<f64, Motion> + Integrator<f64, Unreduced<Motion>>,
+{
+    let ends = sampled(method, start(TURNS), &[end]);
+    let [with, without] = ends.map(|end| error(&end[0].x, exact));
+    (with, without)
+}
+
 /// Every method, beside itself without the reduction; ψ begins with 160 000 turns.
 #[test]
 fn the_motion_of_a_top_is_as_accurate_after_many_turns() {
     assert_eq!(<Top as GeneralizedCoordinates<3>>::PERIODS, [1, 1, 1]);
-    let reference = TOP.dynamics();
-    let reference = Taylor::order_40().integrate_to(&reference, start(TURNS), END);
-    let exact = reference.unwrap().x;
-    let (with, without) = (&TOP.dynamics(), &Unreduced(TOP.dynamics()));
-    let start = start::<f64>(TURNS);
-
-    let method = Taylor::new();
-    let found = method.integrate_to(with, start, END).unwrap().x;
-    let poor = method.integrate_to(without, start, END).unwrap().x;
-    let errors = (error(&found, &exact), error(&poor, &exact));
-    report("Taylor", errors, 1e-14, 1000.0);
-
+    let exact = Problem::new(&TOP, start(TURNS)).solve(END, Taylor::order_40());
+    let exact = exact.unwrap().x;
+    let of_series = errors(Taylor::new(), END, &exact);
+    report("Taylor", of_series, 1e-14, 1000.0);
     let method = Dop853::new()
         .relative_tolerance(1e-15)
         .absolute_tolerance(1e-15);
-    let found = method.integrate_to(with, start, END).unwrap().x;
-    let poor = method.integrate_to(without, start, END).unwrap().x;
-    let errors = (error(&found, &exact), error(&poor, &exact));
-    report("Dop853", errors, 1e-13, 1000.0);
+    let of_stages = errors(method, END, &exact);
+    report("Dop853", of_stages, 1e-13, 1000.0);
 }
 
 /// The same steps with the digits of double-doubles have the same error of the method.
 #[test]
 fn fixed_steps_have_small_rounding_errors_after_many_turns() {
     let method = RungeKutta::classical(0.005);
-    let exact = TOP.dynamics();
-    let exact = method.integrate_to(&exact, start(TURNS), 1.0).unwrap().x;
-    let start = start::<f64>(TURNS);
-    let found = method.integrate_to(&TOP.dynamics(), start, 1.0);
-    let poor = method.integrate_to(&Unreduced(TOP.dynamics()), start, 1.0);
-    let (found, poor) = (found.unwrap().x, poor.unwrap().x);
-    let errors = (error(&found, &exact), error(&poor, &exact));
+    let exact = Problem::new(&TOP, start(TURNS)).solve(1.0, method);
+    let errors = errors(method, 1.0, &exact.unwrap().x);
     report("Runge and Kutta", errors, 1e-13, 1000.0);
 }
 
@@ -164,20 +178,16 @@ fn fixed_steps_have_small_rounding_errors_after_many_turns() {
 #[ignore = "a long motion; run with `--include-ignored`"]
 fn a_top_that_spins_for_long_keeps_its_digits() {
     let ends: Vec<f64> = (0..10).map(|i| 50.0 + f64::from(i)).collect();
-    let exact = TOP.dynamics();
-    let exact = Taylor::order_40().sample(&exact, start(0.0), &ends);
-    let exact = exact.unwrap();
-    let start = start::<f64>(0.0);
+    let exact = Problem::new(&TOP, start::<DoubleDouble>(0.0)).save(&ends);
+    let exact = exact.solve(59.0, Taylor::order_40()).unwrap();
     let mean = |errors: [f64; 10]| (errors.iter().map(|e| e * e).sum::<f64>() / 10.0).sqrt();
-    let errors = |found: Trajectory<Phase<f64, 3>>| {
+    let errors = |found: Vec<State<f64, 3>>| {
         mean(core::array::from_fn(|i| {
-            error(&found.samples()[i].x, &exact.samples()[i].x)
+            error(&found[i].x, &exact.samples()[i].x)
         }))
     };
-    let found = Taylor::new().sample(&TOP.dynamics(), start, &ends);
-    let poor = Taylor::new().sample(&Unreduced(TOP.dynamics()), start, &ends);
-    let (found, poor) = (found.unwrap(), poor.unwrap());
-    assert!(found.last().x.q[Top::PSI] > 900.0);
+    let [found, poor] = sampled(Taylor::new(), start(0.0), &ends);
+    assert!(found[9].q[Top::PSI] > 900.0);
     report("A long spin", (errors(found), errors(poor)), 1.1e-14, 5.0);
 }
 
@@ -185,26 +195,24 @@ fn a_top_that_spins_for_long_keeps_its_digits() {
 #[test]
 fn samples_count_turns() {
     let times: Vec<f64> = (1..40).map(|i| 0.251 * f64::from(i)).collect();
-    let exact = TOP.dynamics();
-    let exact = Taylor::order_40().sample(&exact, start::<DoubleDouble>(TURNS), &times);
-    let exact = exact.unwrap();
+    let exact = Problem::new(&TOP, start::<DoubleDouble>(TURNS)).save(&times);
+    let exact = exact.solve(times[38], Taylor::order_40()).unwrap();
     let method = Dop853::new()
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13);
-    let dynamics = TOP.dynamics();
-    let start = start::<f64>(TURNS);
-    let of_stages = method.sample(&dynamics, start, &times).unwrap();
-    let of_series = Taylor::new().sample(&dynamics, start, &times).unwrap();
-    let fixed = RungeKutta::classical(1e-3).sample(&dynamics, start, &times);
+    let problem = Problem::new(&TOP, start::<f64>(TURNS)).save(&times);
+    let of_stages = problem.clone().solve(times[38], method).unwrap();
+    let of_series = problem.clone().solve(times[38], Taylor::new()).unwrap();
+    let fixed = problem.solve(times[38], RungeKutta::classical(1e-3));
     let fixed = fixed.unwrap();
-    for (i, exact) in exact.states().enumerate() {
-        let ends = [&of_stages, &of_series, &fixed].map(|x| x.samples()[i]);
+    for (i, exact) in exact.samples().iter().enumerate() {
+        let ends = [&of_stages, &of_series, &fixed].map(|motion| motion.samples()[i]);
         for (sample, tolerance) in ends.iter().zip([1e-11, 1e-13, 1e-6]) {
-            let psi = sample.x.q[Top::PSI];
+            let psi = sample.q[Top::PSI];
             // Four units in the last place of ψ.
             let error = (DoubleDouble::from(psi) - exact.q[Top::PSI]).to_f64().abs();
             assert!(error < 4.7e-10 + tolerance, "{psi}: {error:e}");
-            let error = (DoubleDouble::from(sample.x.q[Top::THETA]) - exact.q[Top::THETA]).to_f64();
+            let error = (DoubleDouble::from(sample.q[Top::THETA]) - exact.q[Top::THETA]).to_f64();
             assert!(error.abs() < tolerance, "{error:e}");
         }
     }
@@ -213,19 +221,13 @@ fn samples_count_turns() {
 #[test]
 fn small_angles_have_the_same_bits() {
     let start = State::new(0.0, [0.2, 0.5, -0.7], [0.3, 0.0, 1.5]);
-    let (with, without) = (TOP.dynamics(), Unreduced(TOP.dynamics()));
-    let method = Dop853::new();
     let times = [0.5, 1.0, 2.0];
-    let samples = method.sample(&with, start, &times).unwrap();
-    let expected = method.sample(&without, start, &times).unwrap();
-    assert_eq!(samples.samples(), expected.samples());
-    let samples = Taylor::new().sample(&with, start, &times).unwrap();
-    let expected = Taylor::new().sample(&without, start, &times).unwrap();
-    assert_eq!(samples.samples(), expected.samples());
-    let method = RungeKutta::classical(0.01);
-    let samples = method.sample(&with, start, &times).unwrap();
-    let expected = method.sample(&without, start, &times).unwrap();
-    assert_eq!(samples.samples(), expected.samples());
+    let [with, without] = sampled(Dop853::new(), start, &times);
+    assert_eq!(with, without);
+    let [with, without] = sampled(Taylor::new(), start, &times);
+    assert_eq!(with, without);
+    let [with, without] = sampled(RungeKutta::classical(0.01), start, &times);
+    assert_eq!(with, without);
 }
 
 /// A full turn changes the sign of the torque, two do not.
@@ -251,16 +253,10 @@ fn a_lane_is_integrated_as_it_is_alone() {
     let number = Lanes::from_f64;
     let start = State::new(number(0.0), [Lanes(angles)], [number(2.0)]);
     let method = RungeKutta::classical(0.01);
-    let lanes = method
-        .integrate_to(&rotor.dynamics(), start, 3.0)
-        .unwrap()
-        .x;
+    let lanes = Problem::new(&rotor, start).solve(3.0, method).unwrap();
     for (lane, angle) in angles.into_iter().enumerate() {
         let start = State::new(0.0, [angle], [2.0]);
-        let alone = method
-            .integrate_to(&rotor.dynamics(), start, 3.0)
-            .unwrap()
-            .x;
+        let alone = Problem::new(&rotor, start).solve(3.0, method).unwrap();
         assert_eq!(lanes.q[0].lane(lane).to_bits(), alone.q[0].to_bits());
         assert_eq!(lanes.v[0].lane(lane).to_bits(), alone.v[0].to_bits());
     }
@@ -278,17 +274,17 @@ fn a_control_law_counts_turns() {
         [4.0 * (target - state.q[0]) - 4.0 * state.v[0]]
     };
     let start = State::new(0.0, [0.0], [0.0]);
-    let end = Dop853::new().integrate_to(&motor.controlled_by(torque), start, 40.0);
-    assert!((end.unwrap().x.q[0] - target).abs() < 1e-6);
+    let problem = Problem::new(&motor, start);
+    let end = problem.clone().feedback(torque).solve(40.0, Dop853::new());
+    assert!((end.unwrap().q[0] - target).abs() < 1e-6);
     assert!(most.get() > 100.0);
 
     let follower = |state: &State<f64, 1>, filtered: &SVector<f64, 1>| {
         let error = [state.q[0] - filtered[0]];
         (torque(state), error)
     };
-    let start = (start, [0.0]);
-    let end = Dop853::new().integrate_to(&motor.with_controller(follower), start, 40.0);
-    let end = end.unwrap().x;
+    let problem = problem.feedback_with_states([0.0], follower);
+    let end = problem.solve(40.0, Dop853::new()).unwrap();
     assert!((end.q[0] - target).abs() < 1e-6);
     assert!((end.controller[0] - target).abs() < 1e-6);
 }

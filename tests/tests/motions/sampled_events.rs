@@ -2,11 +2,7 @@
 
 use lagrangian::prelude::*;
 
-/// The times of one event.
-fn times<X>(motion: &[Occurrence<X>], event: usize) -> Vec<f64> {
-    let events = motion.iter().filter(|occurrence| occurrence.event == event);
-    events.map(|occurrence| occurrence.t).collect()
-}
+use crate::events::times;
 
 fn ramp<S: Scalar>(x: S) -> S {
     x - S::from_f64(0.5)
@@ -33,14 +29,13 @@ fn events_with_external_functions_are_sampled() {
         m: 1.0,
         limit: 0.75,
     };
-    let driver = Taylor::new().driver().declared_events([
-        (External::OUTSIDE, Event::either()),
-        (External::BEYOND, Event::either()),
-    ]);
-    let start = State::new(0.0, [0.0], [1.0]);
-    let motion = driver.sample(&model.dynamics(), start, &[1.0]).unwrap();
-    assert!((times(motion.events(), 0)[0] - 0.5).abs() <= 1e-15);
-    assert!((times(motion.events(), 1)[0] - 0.75).abs() <= 1e-15);
+    let motion = Problem::new(&model, State::new(0.0, [0.0], [1.0]))
+        .on([External::OUTSIDE, External::BEYOND])
+        .record()
+        .solve(1.0, Taylor::new())
+        .unwrap();
+    assert!((times(&motion, 0)[0] - 0.5).abs() <= 1e-15);
+    assert!((times(&motion, 1)[0] - 0.75).abs() <= 1e-15);
 }
 
 /// An index that no event has is an error before the first step.
@@ -52,11 +47,9 @@ fn events_of_another_model_are_refused() {
     };
     let start = State::new(0.0, [0.0], [1.0]);
     for index in [2, 7] {
-        let driver = Taylor::new()
-            .driver()
-            .declared_events([(0, Event::either()), (index, Event::falling())]);
-        let error = driver.run_until(&model.dynamics(), start, 1.0);
-        let error = error.unwrap_err();
+        let problem = Problem::new(&model, start).on(0).record();
+        let problem = problem.on(index).falling().record();
+        let error = problem.solve(1.0, Taylor::new()).unwrap_err().error();
         let expected = format!(
             "the model has no event {index}: its events are [\"outside\", \"beyond\"], with the constants of the model \
              as their indices"

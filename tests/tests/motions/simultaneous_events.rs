@@ -29,11 +29,11 @@ const ERRORS: [f64; COUNT] = [1e-14, 1e-9, 1e-6, 1e-6, 1e-4, 1e-13];
 
 /// The times of each of three events.
 fn watched(events: [usize; 3], speed: f64, place: f64) -> [Vec<f64>; 3] {
-    let watched = events.map(|event| (event, Event::either()));
-    let driver = Taylor::new().driver().declared_events(watched);
-    let start = State::new(0.0, [0.0], [speed]);
-    let motion = driver.sample(&Particle { place }.dynamics(), start, &[1.0]);
-    let motion = motion.unwrap();
+    let motion = Problem::new(&Particle { place }, State::new(0.0, [0.0], [speed]))
+        .on(events)
+        .record()
+        .solve(1.0, Taylor::new())
+        .unwrap();
     let mut times = [const { Vec::new() }; 3];
     for occurrence in motion.events() {
         times[occurrence.event].push(occurrence.t);
