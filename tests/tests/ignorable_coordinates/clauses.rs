@@ -4,7 +4,6 @@ use lagrangian::ReconstructedPhase;
 use lagrangian::prelude::*;
 use lagrangian_tests::{Random, assert_close};
 
-use crate::models::with_ignorable;
 
 /// A mass on an orbit about a center whose pull changes in time, in a medium that resists radial motion.
 #[derive(Lagrangian, Clone, Debug)]
@@ -184,7 +183,7 @@ fn events_occur_when_they_do_in_the_full_model() {
         }
         assert_eq!(events.len(), expected.events().len());
     };
-    let there = with_ignorable(reduced_start, [0.2]);
+    let there = At::from((reduced_start, [0.2]));
     let motion = watched!(Problem::new(radial.reconstruction(), there), Taylor::new());
     let events = motion.events().iter().map(|event| (event.event, event.t));
     occurrences(&events.collect::<Vec<_>>());

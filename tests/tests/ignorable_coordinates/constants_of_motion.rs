@@ -160,7 +160,7 @@ fn changes_are_watched_along_a_motion() {
     };
     macro_rules! watched {
         ($method:expr) => {
-            changes(&|mut watch| {
+            changes(&|watch| {
                 let problem = problem
                     .clone()
                     .each_step(|progress| watch.observe(progress));
@@ -199,7 +199,6 @@ fn a_singular_state_is_reported() {
     let kepler = Kepler { m: 1.0, mu: 1.0 };
     let start = State::new(0.0, [1.0, 0.0], [0.0, 0.5]);
     let mut watch = kepler.watch_constants(&start);
-    let mut observed = &mut watch;
     for (rate, t) in [(0.6, 1.0), (f64::NAN, 2.0), (0.9, 3.0)] {
         let x = Phase::new([1.0, 0.0], [0.0, rate]);
         let progress = Progress {
@@ -210,7 +209,7 @@ fn a_singular_state_is_reported() {
             end: 3.0,
             statistics: Statistics::default(),
         };
-        let _ = observed.observe(&progress);
+        watch.observe(&progress);
     }
     let [momentum, _] = watch.largest_changes();
     assert!(momentum.change.is_nan());

@@ -4,7 +4,6 @@
 use lagrangian::prelude::*;
 use lagrangian_tests::{Random, assert_close};
 
-use crate::models::with_ignorable;
 
 /// One ignorable angle beside a slider with jumps, corners and roots, whose input acts through the ignorable velocity.
 #[derive(Lagrangian, Clone, Debug)]
@@ -124,7 +123,7 @@ macro_rules! assert_reduced {
             .absolute_tolerance(1e-12);
         let equations = reduced.reconstruction();
         let places = $ignorable.map(|_| 0.4);
-        let there = with_ignorable(reduced_start, places);
+        let there = At::from((reduced_start, places));
         let end = Problem::new(&equations, there).solve(1.5, method).unwrap();
         let found = equations.full_state(end.t, &end.x);
         let expected = Problem::new(&model, start).solve(1.5, method).unwrap();

@@ -1,6 +1,5 @@
 //! The systems of these tests, with their reduced models.
 
-use lagrangian::ReconstructedPhase;
 use lagrangian::prelude::*;
 
 /// A symmetric top as three squares (4.5), of which two have the same inertia.
@@ -186,16 +185,4 @@ pub(crate) fn top() -> Top {
 pub(crate) fn polar_top() -> PolarTop {
     let Top { i, i_s, m, g, l } = top();
     PolarTop { i, i_s, m, g, l }
-}
-
-/// The start of a reconstruction: a state of a reduced model with the ignorable coordinates.
-pub(crate) fn with_ignorable<const N: usize, const K: usize>(
-    state: State<f64, N>,
-    ignorable: [f64; K],
-) -> At<f64, ReconstructedPhase<f64, N, K>> {
-    let At { t, x } = state;
-    let Phase { q, v } = x;
-    let ignorable = ignorable.into();
-    let x = ReconstructedPhase { q, v, ignorable };
-    At { t, x }
 }

@@ -4,7 +4,7 @@ use lagrangian::StopReason;
 use lagrangian::prelude::*;
 use lagrangian_tests::assert_close;
 
-use crate::models::{ReducedTop, TopThroughPoles, top, with_ignorable};
+use crate::models::{ReducedTop, TopThroughPoles, top};
 
 const TEXT: &str = "of its angles: write `routhian(Name, half_angles)`";
 
@@ -136,7 +136,7 @@ fn every_way_to_integrate_notices_the_pole() {
     let (shorter, complete) = through_the_pole();
     let (expected, _) = passage(&complete);
     let start = State::new(0.0, [START[0]], [START[1]]);
-    let there = with_ignorable(start, [0.0; 2]);
+    let there = At::from((start, [0.0; 2]));
     let partial = Problem::new(shorter.reconstruction(), there).solve(0.6, Taylor::new());
     assert_at_pole(partial.unwrap_err().error(), expected, 1e-9);
     // The motion begins at rest, so that it is the same in both directions of time.

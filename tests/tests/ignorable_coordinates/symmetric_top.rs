@@ -4,7 +4,7 @@ use lagrangian::prelude::*;
 use lagrangian::{OperationCount, ReconstructedPhase, StopReason};
 use lagrangian_tests::{Random, assert_close, relative_error};
 
-use crate::models::{ReducedTop, Top, TopThroughPoles, polar_top, top, with_ignorable};
+use crate::models::{ReducedTop, Top, TopThroughPoles, polar_top, top};
 
 /// (4.7) to (4.10), by hand.
 #[test]
@@ -103,7 +103,7 @@ fn a_hundred_nutations_are_reconstructed() {
     let full = Problem::new(&top, start).save(&times).solve(end, method);
     let full = full.unwrap();
     let equations = reduced.reconstruction();
-    let problem = Problem::new(&equations, with_ignorable(reduced_start, [0.3, 0.1]));
+    let problem = Problem::new(&equations, At::from((reduced_start, [0.3, 0.1])));
     let motion = problem.clone().save(&times).solve(end, method).unwrap();
     let mut nutations = 0;
     let mut before = 0.0;
@@ -208,7 +208,7 @@ fn the_pole_of_the_shorter_form_is_reported() {
         assert_eq!(singularity.coordinate(), "theta");
         assert!(error.to_string().contains(message), "{error}");
     }
-    let there = with_ignorable(start, [0.0; 2]);
+    let there = At::from((start, [0.0; 2]));
     let found = Problem::new(reduced.reconstruction(), there).solve(1.0, Taylor::new());
     assert!(found.unwrap_err().to_string().contains(message));
     // Another value that is not finite is not put down to the pole.
@@ -271,7 +271,7 @@ fn a_motion_near_the_pole_is_reconstructed() {
         p_phi: 1.0,
         p_psi: 1.0 - 1e-6,
     };
-    let start = with_ignorable(State::new(0.0, [0.3], [-1.0]), [0.0; 2]);
+    let start = At::from((State::new(0.0, [0.3], [-1.0]), [0.0; 2]));
     let problem = Problem::new(reduced.reconstruction(), start);
     let by_series = problem.clone().max_steps(200).solve(2.0, Taylor::new());
     let by_stages = problem.max_steps(400).solve(2.0, Dop853::new());

@@ -6,7 +6,8 @@ use std::cell::RefCell;
 
 use lagrangian::prelude::*;
 use lagrangian::problem::{End, Run};
-use lagrangian::{Checkpoint, EquationsOfMotion, Resume, StopCondition};
+use lagrangian::problem::Detection;
+use lagrangian::{Checkpoint, EquationsOfMotion, Resume};
 use serde::{Serialize, de::DeserializeOwned};
 
 /// Three balls on a floor, in a field that grows with the height.
@@ -59,7 +60,7 @@ fn motion<I, C>(
 ) -> Vec<Told>
 where
     I: Copy + Resume<f64, Motion, Memory: Serialize + DeserializeOwned>,
-    C: StopCondition<f64, Motion>,
+    C: Detection<f64, Motion>,
 {
     let told_so_far = RefCell::new(Vec::new());
     let observer = |progress: &Progress<'_, Phase<f64, 3>>| {

@@ -87,15 +87,8 @@ where
 /// Dual numbers are stored with their derivatives, which their comparisons do not look at.
 #[test]
 fn derivatives_go_on_from_checkpoints() {
-    let At { t, x } = StateTransition::<2, 4>::initial(&State::new(0.0, [2.0, 1.0], [0.1, -0.3]));
-    let start = At {
-        t: Dual::from_f64(t),
-        x,
-    };
-    let transition = |end: State<Dual<f64, 4>, 2>| {
-        let (t, x) = (end.t.value, end.x);
-        StateTransition::of(&At { t, x })
-    };
+    let start = StateTransition::initial(&State::new(0.0, [2.0, 1.0], [0.1, -0.3]));
+    let transition = |end: State<Dual<f64, 4>, 2>| StateTransition::of(&end);
     let problem = Problem::new(&DoublePendulum, start);
     let whole = problem.clone().solve(END, Taylor::new()).unwrap();
     let expected = transition(whole.last);

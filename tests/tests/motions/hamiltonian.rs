@@ -282,28 +282,21 @@ fn the_rate_of_the_energy_is_that_along_the_motion() {
 #[test]
 fn every_method_keeps_the_balance_of_energy_as_well_as_its_tolerance() {
     let start = State::new(0.0, [0.1, 0.5], [0.2, -1.0]);
-    let fine = Taylor::new()
-        .driver()
-        .solve(&CART.dynamics(), start, 10.0)
-        .unwrap();
+    let motion = Problem::new(&CART, start).save(Dense);
+    let fine = motion.clone().solve(10.0, Taylor::new()).unwrap();
     let residual = EnergyResidual::along(&CART, &fine).unwrap();
     assert!(residual.largest.abs() < 1e-12, "{residual:?}");
     assert!(residual.exchanged > 1.0, "{residual:?}");
     let coarse = Dop853::new()
         .relative_tolerance(1e-5)
         .absolute_tolerance(1e-5);
-    let coarse = coarse
-        .driver()
-        .solve(&CART.dynamics(), start, 10.0)
-        .unwrap();
+    let coarse = motion.solve(10.0, coarse).unwrap();
     let rough = EnergyResidual::along(&CART, &coarse).unwrap();
     assert!((1e-9..1e-2).contains(&rough.largest.abs()), "{rough:?}");
     // Under another force than that of the model, the work is missing.
     let pushed = CART.with_inputs([1.6]);
-    let wrong = Taylor::new()
-        .driver()
-        .solve(&pushed.dynamics(), start, 10.0)
-        .unwrap();
+    let wrong = Problem::new(&pushed, start).save(Dense);
+    let wrong = wrong.solve(10.0, Taylor::new()).unwrap();
     let right = EnergyResidual::along(&pushed, &wrong).unwrap();
     assert!(right.largest.abs() < 1e-12, "{right:?}");
     let wrong = EnergyResidual::along(&CART, &wrong).unwrap();
