@@ -1,8 +1,9 @@
 //! Every event belongs to one of two consecutive runs, however the first of them ends: at its final time, by an observer at a
 //! sample, at an event or at the end of a step, by a step limit, or as a call of an integration in progress.
 
+use crate::directions::{Direction, EVERY, directed};
 use crate::random_numbers::Random;
-use crate::two_runs::{ENDS, X, in_two_runs, run};
+use crate::two_runs::{ENDS, Watching, X, in_two_runs, run};
 use lagrangian::prelude::*;
 use lagrangian::{EquationsOfMotion, Resume, StopCondition};
 
@@ -22,21 +23,20 @@ struct Stone {
 #[test]
 fn a_terminal_floor_at_the_end_of_a_run_ends_it() {
     let stone = Stone { g: 10.0 };
-    let equations = stone.dynamics();
     let start = State::new(0.0, [5.0], [0.0]);
-    let floor = [(Stone::FLOOR, Event::falling().terminal())];
-    let driver = || Taylor::new().driver().declared_events(floor);
-    let first = driver().run_until(&equations, start, 0.5).unwrap();
-    let second = driver().run_until(&equations, &first.last, 1.0).unwrap();
+    let fall = |start, end| {
+        let floor = Problem::new(&stone, start).on(Stone::FLOOR);
+        floor.falling().stop().solve(end, Taylor::new()).unwrap()
+    };
+    let second = fall(fall(start, 0.5).last, 1.0);
     assert_eq!(second.reason, StopReason::Condition);
     assert!(second.met.contains(0));
     // Five times the spacing of numbers behind it.
-    let late = driver().run_until(&equations, start, 1.0 + 1e-15).unwrap();
+    let late = fall(start, 1.0 + 1e-15);
     assert_eq!(late.reason, StopReason::Condition);
-    let clock = [(Stone::CLOCK, Event::rising().terminal())];
-    let driver = Taylor::new().driver().declared_events(clock);
-    let outcome = driver.run_until(&equations, start, 1.0).unwrap();
-    assert_eq!(outcome.reason, StopReason::Condition);
+    let clock = Problem::new(&stone, start).on(Stone::CLOCK);
+    let motion = clock.rising().stop().solve(1.0, Taylor::new()).unwrap();
+    assert_eq!(motion.reason, StopReason::Condition);
 }
 
 /// Ends within eight spacings of the time of the impact.
@@ -46,17 +46,20 @@ fn each_impact_is_seen_by_one_of_two_runs() {
         let stone = Stone {
             g: 1.0 + 0.17 * f64::from(i),
         };
-        let (equations, start) = (stone.dynamics(), State::new(0.0, [5.0], [0.0]));
-        for event in [Event::falling(), Event::either()] {
-            let driver = || (Taylor::new().driver()).declared_events([(Stone::FLOOR, event)]);
-            let whole = driver().sample(&equations, start, &[10.0]).unwrap();
-            let time: f64 = whole.events()[0].t;
+        let start = State::new(0.0, [5.0], [0.0]);
+        for direction in [Direction::Falling, Direction::Either] {
+            let fall = |start, end| {
+                let floor = Problem::new(&stone, start).on(Stone::FLOOR);
+                let floor = directed!(direction, floor).record();
+                floor.solve(end, Taylor::new()).unwrap()
+            };
+            let time: f64 = fall(start, 10.0).events()[0].t;
             for ulps in 0..17 {
                 let end = f64::from_bits(time.to_bits() + ulps - 8);
-                let first = driver().sample(&equations, start, &[end]).unwrap();
-                let second = driver().sample(&equations, first.last(), &[10.0]);
-                let seen = first.events().len() + second.unwrap().events().len();
-                assert_eq!(seen, 1, "{event:?}, g = {}, end {end:e}", stone.g);
+                let first = fall(start, end);
+                let second = fall(first.last, 10.0);
+                let seen = first.events().len() + second.events().len();
+                assert_eq!(seen, 1, "{direction:?}, g = {}, end {end:e}", stone.g);
             }
         }
     }
@@ -73,17 +76,12 @@ fn an_impact_at_the_end_of_a_run_has_its_reaction() {
         let fall = (10.0 / stone.g).sqrt();
         for ulps in 0..17 {
             let end = f64::from_bits(fall.to_bits() + ulps - 8);
-            let driver =
-                || (Taylor::new().driver()).declared_events([(Stone::FLOOR, Event::falling())]);
-            let bounce = |_, _, x: &mut Phase<f64, 1>, _: &mut _| {
-                x.v[0] = -x.v[0];
-                Reaction::Changed
+            let bounce = |start: State<f64, 1>, end| {
+                let floor = Problem::new(&stone, start).on(Stone::FLOOR).falling();
+                let bouncing = floor.then(|x| x.v[0] = -x.v[0]);
+                bouncing.solve(end, Taylor::new()).unwrap().last
             };
-            let mut equations = stone.dynamics();
-            let first = driver().run_reacting(&mut equations, start, end, bounce);
-            let last = first.unwrap().last;
-            let second = driver().run_reacting(&mut equations, &last, 2.0 * fall, bounce);
-            let height = second.unwrap().last.x.q[0];
+            let height = bounce(bounce(start, end), 2.0 * fall).q[0];
             assert!((height - 5.0).abs() < 1e-12, "{} {ulps}: {height}", stone.g);
         }
     }
@@ -114,7 +112,7 @@ const COUNT: usize = 6;
 
 type Equations<'a> = EquationsOfMotion<'a, Oscillator, f64, 2>;
 
-fn functions(t: f64, x: &X) -> [f64; COUNT] {
+fn functions(x: &At<f64, X>) -> [f64; COUNT] {
     let [a, b] = [x.q[0], x.q[1]];
     let circle = a.hypot(b) - 0.9;
     [
@@ -122,15 +120,19 @@ fn functions(t: f64, x: &X) -> [f64; COUNT] {
         b,
         circle,
         x.v[0],
-        (3.0 * t).sin(),
+        (3.0 * x.t).sin(),
         a + 100.1 - 100.0,
     ]
 }
 
-fn each_event_once<I, C>(driver: &Driver<I, C>, tolerance: f64, seed: u64, cases: usize)
-where
-    I: Clone + for<'a> Resume<f64, Equations<'a>>,
-    C: Clone + for<'a> StopCondition<f64, Equations<'a>>,
+fn each_event_once<I, C>(
+    problem: impl for<'a> Fn(&'a Oscillator, &At<f64, X>) -> Watching<Equations<'a>, C>,
+    method: I,
+    tolerance: f64,
+    (seed, cases): (u64, usize),
+) where
+    I: Copy + for<'a> Resume<f64, Equations<'a>>,
+    C: for<'a> StopCondition<f64, Equations<'a>>,
 {
     let mut random = Random(seed);
     let first = usize::from(random.below(2));
@@ -143,14 +145,15 @@ where
         let q = [1.0 + 0.3 * random.uniform(), 0.5 * random.uniform()];
         let v = [random.uniform(), -random.uniform()];
         let start = State::new(from, q, v);
-        let (whole, _) = run(driver, &model.dynamics(), &start, end);
+        let problem = |start: &At<f64, X>| problem(&model, start);
+        let whole = run(problem(&start), method, end);
         assert!(!whole.is_empty());
         for (n, kind) in ENDS.into_iter().cycle().take(14).enumerate() {
             let (_, time) = whole[n % whole.len()];
             let ulp = time.abs().next_up() - time.abs();
             let offset = f64::from(random.below(17)) - 8.0;
             let at = time + offset * ulp * [1.0, 1.0, 100.0][n % 3];
-            let parts = in_two_runs(driver, &model.dynamics(), &start, (at, end), kind);
+            let parts = in_two_runs(problem, method, &start, (at, end), kind);
             for event in 0..COUNT {
                 let times = |list: &[(usize, f64)]| {
                     let list = list.iter().filter(|told| told.0 == event);
@@ -167,47 +170,56 @@ where
     }
 }
 
-fn under<I>(method: &I, tolerance: f64, seed: u64, cases: usize)
+fn under<I>(method: I, tolerance: f64, seed: u64, cases: usize)
 where
-    I: IntegrationMethod + Clone + for<'a> Resume<f64, Equations<'a>>,
+    I: Copy + for<'a> Resume<f64, Equations<'a>>,
 {
-    for event in [Event::either(), Event::rising(), Event::falling()] {
-        let declared = [
-            Oscillator::LINE,
-            Oscillator::AXIS,
-            Oscillator::CIRCLE,
-            Oscillator::TURNING,
-            Oscillator::CLOCK,
-            Oscillator::FAR,
-        ];
-        let declared = declared.map(|index| (index, event));
-        let driver = method.driver().declared_events(declared);
-        each_event_once(&driver, tolerance, seed, cases);
-        let driver = method.driver().events([event; COUNT], functions);
-        each_event_once(&driver, tolerance, seed + 1, cases);
+    let declared = [
+        Oscillator::LINE,
+        Oscillator::AXIS,
+        Oscillator::CIRCLE,
+        Oscillator::TURNING,
+        Oscillator::CLOCK,
+        Oscillator::FAR,
+    ];
+    for direction in EVERY {
+        each_event_once(
+            |model, start| directed!(direction, Problem::new(model, *start).on(declared)).record(),
+            method,
+            tolerance,
+            (seed, cases),
+        );
+        each_event_once(
+            |model, start| {
+                directed!(direction, Problem::new(model, *start).when(functions)).record()
+            },
+            method,
+            tolerance,
+            (seed + 1, cases),
+        );
     }
 }
 
 #[test]
 fn taylor_reports_each_event_once() {
-    under(&Taylor::new(), 1e-12, 11, 1);
+    under(Taylor::new(), 1e-12, 11, 1);
 }
 
 #[test]
 fn dormand_prince_reports_each_event_once() {
-    under(&Dop853::new(), 1e-8, 15, 1);
+    under(Dop853::new(), 1e-8, 15, 1);
 }
 
 #[test]
 fn runge_kutta_reports_each_event_once() {
-    under(&RungeKutta::classical(0.02), 1e-6, 17, 1);
+    under(RungeKutta::classical(0.02), 1e-6, 17, 1);
 }
 
 #[test]
 #[ignore = "takes a minute; run with `--include-ignored`"]
 fn every_method_reports_each_event_once() {
-    under(&Taylor::new(), 1e-12, 21, 4);
-    under(&Taylor::new().max_step(0.03), 1e-12, 23, 2);
-    under(&Dop853::new(), 1e-8, 25, 4);
-    under(&RungeKutta::classical(0.02), 1e-6, 27, 4);
+    under(Taylor::new(), 1e-12, 21, 4);
+    under(Taylor::new().max_step(0.03), 1e-12, 23, 2);
+    under(Dop853::new(), 1e-8, 25, 4);
+    under(RungeKutta::classical(0.02), 1e-6, 27, 4);
 }

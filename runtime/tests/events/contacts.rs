@@ -43,16 +43,11 @@ fn no_contact_is_passed_over() {
     for k in [0.1, 1.0, 10.0, 100.0] {
         for gap in [0.0, 0.05, 0.27, 0.5, 0.77, 0.9, 0.99, 0.999_9] {
             let model = Contact { k, gap, u: 0.0 };
-            let dynamics = model.dynamics();
-            let start = State::new(0.0, [0.0], [1.0]);
+            let problem = Problem::new(&model, State::new(0.0, [0.0], [1.0]));
             for t in [3.0, 12.0, 20.0] {
-                let end = Taylor::new().integrate_to(&dynamics, start, t).unwrap();
+                let x = problem.clone().solve(t, Taylor::new()).unwrap().q[0];
                 let expected = exact(k, gap, t);
-                assert!(
-                    (end.x.q[0] - expected).abs() < 1e-9,
-                    "{k} {gap} {t}: {} {expected}",
-                    end.x.q[0]
-                );
+                assert!((x - expected).abs() < 1e-9, "{k} {gap} {t}: {x} {expected}");
             }
         }
     }
@@ -66,18 +61,15 @@ fn contacts_of_driven_and_backward_motions() {
         gap: 0.9,
         u: 0.0,
     };
-    let held = model.with_inputs([0.0]);
-    let end = Taylor::new().integrate_to(&held.dynamics(), State::new(0.0, [0.0], [1.0]), 3.0);
-    assert!((end.unwrap().x.q[0] - exact(10.0, 0.9, 3.0)).abs() < 1e-9);
-    let signals = [Polynomial([0.0])];
-    let driven = model.driven_by(signals);
     let start = State::new(0.0, [0.0], [1.0]);
-    let end = Taylor::new().integrate_to(&driven, start, 3.0).unwrap();
-    assert!((end.x.q[0] - exact(10.0, 0.9, 3.0)).abs() < 1e-9);
-    let back = Taylor::new()
-        .integrate_to(&driven, end.state(), 0.0)
-        .unwrap();
-    assert!(back.x.q[0].abs() < 1e-8);
+    let held = model.with_inputs([0.0]);
+    let end = Problem::new(&held, start).solve(3.0, Taylor::new());
+    assert!((end.unwrap().q[0] - exact(10.0, 0.9, 3.0)).abs() < 1e-9);
+    let driven = |start| Problem::new(&model, start).driven_by([Polynomial([0.0])]);
+    let end = driven(start).solve(3.0, Taylor::new()).unwrap();
+    assert!((end.q[0] - exact(10.0, 0.9, 3.0)).abs() < 1e-9);
+    let back = driven(end.last).solve(0.0, Taylor::new()).unwrap();
+    assert!(back.q[0].abs() < 1e-8);
 }
 
 /// The same on all scalars, since it has no parameters.
@@ -97,11 +89,9 @@ fn contacts_in_lanes() {
         .ensemble::<4>()
         .collect(&FixedContact.dynamics(), motions);
     for (result, (start, t)) in found.into_iter().zip(motions) {
-        let alone = Taylor::new()
-            .integrate_to(&FixedContact.dynamics(), start, t)
-            .unwrap();
-        let x = result.unwrap().last.x.q[0];
-        assert!((x - alone.x.q[0]).abs() < 1e-9, "{t}: {x} {}", alone.x.q[0]);
+        let alone = Problem::new(&FixedContact, start).solve(t, Taylor::new());
+        let (x, alone) = (result.unwrap().last.x.q[0], alone.unwrap().q[0]);
+        assert!((x - alone).abs() < 1e-9, "{t}: {x} {alone}");
         if t > 0.0 {
             assert!((x - exact(10.0, 0.9, t)).abs() < 1e-9);
         }
@@ -124,15 +114,14 @@ struct Saturated {
 #[test]
 fn both_corners_of_a_saturation_are_seen() {
     let model = Saturated { c: -0.3 };
-    let dynamics = model.dynamics();
-    let start = State::new(0.0, [0.0, 0.0], [0.4, 0.3]);
+    let problem = Problem::new(&model, State::new(0.0, [0.0, 0.0], [0.4, 0.3]));
     for t in [1.3, 1.5, 3.0] {
-        let found = Taylor::new().integrate_to(&dynamics, start, t).unwrap();
+        let found = problem.clone().solve(t, Taylor::new()).unwrap();
         let precise = Dop853::new()
             .relative_tolerance(1e-15)
             .absolute_tolerance(1e-15);
-        let expected = precise.integrate_to(&dynamics, start, t).unwrap();
-        assert!((found.x.q - expected.x.q).norm() < 1e-10);
+        let expected = problem.clone().solve(t, precise).unwrap();
+        assert!((found.q - expected.q).norm() < 1e-10);
     }
 }
 
@@ -149,18 +138,14 @@ struct Touching;
 /// Arguments of branches that stay zero to rounding do not stop the motion.
 #[test]
 fn masses_that_touch_all_the_time() {
-    let dynamics = Touching.dynamics();
-    let start = State::new(0.0, [0.5, 0.5], [0.3, 0.3]);
-    let driver = Taylor::new().driver().max_steps(200);
-    let end = driver.run_until(&dynamics, start, 20.0).unwrap().last;
+    let start = State::new(0.0_f64, [0.5, 0.5], [0.3, 0.3]);
+    let problem = Problem::new(&Touching, start).max_steps(200);
+    let end = problem.solve(20.0, Taylor::new()).unwrap();
     assert_eq!(end.t.to_bits(), 20.0_f64.to_bits());
     let expected = 0.5 * 20.0_f64.cos() + 0.3 * 20.0_f64.sin();
-    assert!(
-        (end.x.q[0] - expected).abs() < 1e-11,
-        "{}",
-        end.x.q[0] - expected
-    );
-    assert!((end.x.q[0] - end.x.q[1]).abs() < 1e-13);
+    let error = end.q[0] - expected;
+    assert!(error.abs() < 1e-11, "{error}");
+    assert!((end.q[0] - end.q[1]).abs() < 1e-13);
 }
 
 /// A mass that passes repulsive bumps w² − (x − aᵢ)², some of them so low that they are not felt.
@@ -192,8 +177,8 @@ fn contacts_behind_many_that_do_not_matter() {
         let delay = 2.0 / omega * (omega * model.width / speed).atanh() - 2.0 * model.width / speed;
         let start = State::new(0.0, [0.0], [speed]);
         let motions = [(start, 10.0); 2];
-        let single = Taylor::new().integrate_to(&model.dynamics(), start, 10.0);
-        let mut found = vec![single.unwrap().x.q[0]];
+        let single = Problem::new(&model, start).solve(10.0, Taylor::new());
+        let mut found = vec![single.unwrap().q[0]];
         let lanes = Taylor::new()
             .ensemble::<2>()
             .collect(&model.dynamics(), motions);

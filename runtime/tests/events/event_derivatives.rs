@@ -1,7 +1,7 @@
 //! Derivatives of event times, and of motions through impacts, against closed forms and differences.
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, Dual, EquationsOfMotion, SingleNumber, StopCondition};
+use lagrangian::{DoubleDouble, Dual, EquationsOfMotion, SingleNumber};
 
 #[track_caller]
 fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
@@ -49,50 +49,21 @@ fn bounces<T: Scalar>([height, g, restitution, rise]: [T; 4], end: f64) -> [T; 4
     ]
 }
 
-/// The same by integration, with the event that the model declares.
-fn integrated<T, I>(method: &I, parameters: [T; 4], end: f64) -> [T; 4]
-where
-    T: SingleNumber,
-    I: IntegrationMethod + for<'a> Integrator<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
-{
-    let falling = [(Ball::<f64>::FLOOR, Event::falling())];
-    bounced(method.driver().declared_events(falling), parameters, end)
+/// How the floor is watched for: as the event that the model declares, as a function, or as one of several functions.
+#[derive(Clone, Copy)]
+enum Floor {
+    Declared,
+    Function,
+    Functions,
 }
 
-/// The same, with the event as a function.
-fn integrated_by_function<T, I>(method: &I, parameters: [T; 4], end: f64) -> [T; 4]
-where
-    T: SingleNumber,
-    I: IntegrationMethod + for<'a> Integrator<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
-{
-    let rise = parameters[3];
-    let floor = move |t: T, x: &Phase<T, 1>| x.q[0] - rise * t;
-    let driver = method.driver().events(Event::falling(), floor);
-    bounced(driver, parameters, end)
-}
-
-/// The same, with the event as one of several functions.
-fn integrated_by_functions<T, I>(method: &I, parameters: [T; 4], end: f64) -> [T; 4]
-where
-    T: SingleNumber,
-    I: IntegrationMethod + for<'a> Integrator<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
-{
-    let [height, _, _, rise] = parameters;
-    let functions = move |t: T, x: &Phase<T, 1>| [x.q[0] - rise * t, x.q[0] - height - height];
-    let driver = method.driver().events([Event::falling(); 2], functions);
-    bounced(driver, parameters, end)
-}
-
-fn bounced<T, I, C>(
-    driver: Driver<I, C>,
-    [height, g, restitution, rise]: [T; 4],
-    end: f64,
-) -> [T; 4]
+/// The same by integration.
+fn integrated<T, I>(method: I, floor: Floor, parameters: [T; 4], end: f64) -> [T; 4]
 where
     T: SingleNumber,
     I: for<'a> Integrator<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
-    C: for<'a> StopCondition<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
 {
+    let [height, g, restitution, rise] = parameters;
     let ball = Ball {
         m: T::from_f64(0.4),
         g,
@@ -100,19 +71,28 @@ where
         top: height,
     };
     let zero = T::from_f64(0.0);
-    let start = State::new(zero, [height], [zero]);
-    let mut dynamics = ball.dynamics();
-    let motion = driver
-        .sample_reacting(&mut dynamics, start, &[end], |_, _, x, _| {
-            x.v[0] = rise - restitution * (x.v[0] - rise);
-            Reaction::Changed
-        })
-        .unwrap();
+    let problem = Problem::new(&ball, State::new(zero, [height], [zero]));
+    let above = |x: &State<T, 1>| x.q[0] - rise * x.t;
+    let bounce = |x: &mut State<T, 1>| x.v[0] = rise - restitution * (x.v[0] - rise);
+    let motion = match floor {
+        Floor::Declared => {
+            let problem = problem.on(Ball::<f64>::FLOOR).falling().then(bounce);
+            problem.solve(end, method)
+        }
+        Floor::Function => {
+            let problem = problem.when(above).falling().then(bounce);
+            problem.solve(end, method)
+        }
+        Floor::Functions => {
+            let problem = problem.when(|x| [above(x), x.q[0] - height - height]);
+            problem.falling().then(bounce).solve(end, method)
+        }
+    };
+    let motion = motion.unwrap();
     let [first, second] = motion.events() else {
         panic!("{} impacts", motion.events().len());
     };
-    let last = motion.last().x;
-    [first.t, second.t, last.q[0], last.v[0]]
+    [first.t, second.t, motion.q[0], motion.v[0]]
 }
 
 const END: f64 = 1.5;
@@ -123,30 +103,24 @@ fn a_bouncing_ball_has_the_gradient_of_its_closed_form() {
     let expected = bounces(parameters, END);
     let (taylor, dop853) = (Taylor::new(), Dop853::new());
     let classical = RungeKutta::classical(1e-3);
+    let (declared, function, functions) = (Floor::Declared, Floor::Function, Floor::Functions);
+    macro_rules! case {
+        ($name:literal, $method:expr, $floor:expr, $tolerance:literal) => {
+            (
+                $name,
+                integrated($method, $floor, parameters, END),
+                $tolerance,
+            )
+        };
+    }
     let methods = [
-        ("Taylor", integrated(&taylor, parameters, END), 1e-12),
-        ("DOP853", integrated(&dop853, parameters, END), 1e-9),
-        ("Runge-Kutta", integrated(&classical, parameters, END), 1e-9),
-        (
-            "Taylor, a function",
-            integrated_by_function(&taylor, parameters, END),
-            1e-12,
-        ),
-        (
-            "Taylor, functions",
-            integrated_by_functions(&taylor, parameters, END),
-            1e-12,
-        ),
-        (
-            "DOP853, a function",
-            integrated_by_function(&dop853, parameters, END),
-            1e-9,
-        ),
-        (
-            "Runge-Kutta, functions",
-            integrated_by_functions(&classical, parameters, END),
-            1e-9,
-        ),
+        case!("Taylor", taylor, declared, 1e-12),
+        case!("DOP853", dop853, declared, 1e-9),
+        case!("Runge-Kutta", classical, declared, 1e-9),
+        case!("Taylor, a function", taylor, function, 1e-12),
+        case!("Taylor, functions", taylor, functions, 1e-12),
+        case!("DOP853, a function", dop853, function, 1e-9),
+        case!("Runge-Kutta, functions", classical, functions, 1e-9),
     ];
     for (name, found, tolerance) in methods {
         for (found, expected) in found.iter().zip(&expected) {
@@ -165,8 +139,8 @@ fn a_bouncing_ball_has_second_derivatives() {
         let mut parameters = BALL.map(Dual::<Dual>::from_f64);
         parameters[moving] = Dual::variable(Dual::variable(BALL[moving], 0), 0);
         let expected = bounces(parameters, END);
-        let declared = integrated(&Taylor::new(), parameters, END);
-        let given = integrated_by_function(&Taylor::new(), parameters, END);
+        let declared = integrated(Taylor::new(), Floor::Declared, parameters, END);
+        let given = integrated(Taylor::new(), Floor::Function, parameters, END);
         let pairs = declared.iter().zip(&expected);
         for (found, expected) in pairs.chain(given.iter().zip(&expected)) {
             for part in 0..3 {
@@ -183,8 +157,8 @@ fn events_have_the_digits_of_double_doubles() {
     let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
     let parameters = BALL.map(|value| DoubleDouble::from(value) + third);
     let expected = bounces(parameters, 2.5);
-    let declared = integrated(&Taylor::order_40(), parameters, 2.5);
-    let given = integrated_by_function(&Taylor::order_40(), parameters, 2.5);
+    let declared = integrated(Taylor::order_40(), Floor::Declared, parameters, 2.5);
+    let given = integrated(Taylor::order_40(), Floor::Function, parameters, 2.5);
     let pairs = declared.into_iter().zip(expected);
     for (found, expected) in pairs.chain(given.into_iter().zip(expected)) {
         let error = (found - expected).to_f64().abs();
@@ -203,13 +177,9 @@ fn a_time_without_a_derivative_is_not_a_number_in_disguise() {
         rise: number(0.0),
         top: Dual::variable(1.0, 0),
     };
-    let event = |index| {
-        let driver = Taylor::new().driver();
-        let driver = driver.declared_events([(index, Event::either().terminal())]);
-        let start = State::new(number(0.0), [number(0.0)], [number(4.0)]);
-        driver.sample(&ball.dynamics(), start, &[1.0]).unwrap()
-    };
-    let touched = event(Ball::<f64>::LIMIT);
+    let start = State::new(number(0.0), [number(0.0)], [number(4.0)]);
+    let limit = Problem::new(&ball, start).on(Ball::<f64>::LIMIT).stop();
+    let touched = limit.solve(1.0, Taylor::new()).unwrap();
     assert_eq!(touched.events().len(), 1);
     let time = touched.events()[0].t;
     close("the apex", time.value, 0.5, 1e-7);
@@ -250,20 +220,19 @@ where
         g: number(9.81),
         place,
     };
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Pendulum::<f64>::WALL, Event::falling())]);
     let start = State::new(number(0.0), [theta], [number(0.0)]);
-    let mut dynamics = pendulum.dynamics();
-    let motion = driver
-        .sample_reacting(&mut dynamics, start, &[4.0], |_, _, x, _| {
-            x.v[0] = -(x.v[0] * restitution);
-            Reaction::Changed
-        })
-        .unwrap();
-    let (events, last) = (motion.events(), motion.last().x);
+    let wall = Problem::new(&pendulum, start).on(Pendulum::<f64>::WALL);
+    let bouncing = wall.falling().then(|x| x.v[0] = -(x.v[0] * restitution));
+    let motion = bouncing.solve(4.0, Taylor::new()).unwrap();
+    let events = motion.events();
     assert!(events.len() >= 3);
-    [events[0].t, events[1].t, events[2].t, last.q[0], last.v[0]]
+    [
+        events[0].t,
+        events[1].t,
+        events[2].t,
+        motion.q[0],
+        motion.v[0],
+    ]
 }
 
 /// Differences with an error of the fourth order of the step.
@@ -331,25 +300,27 @@ where
     };
     let zero = number(0.0);
     let start = State::new(zero, [first, second, zero, zero, zero], [zero; 5]);
-    let contacts = Cradle::<f64>::CONTACT.map(|contact| (contact, Event::falling()));
-    let driver = Taylor::new().driver().declared_events(contacts);
-    let mut dynamics = cradle.dynamics();
-    let motion = driver
-        .sample_reacting(&mut dynamics, start, &[0.9], |i, _, x, _| {
+    let collide = |i: usize| {
+        move |x: &mut State<T, 5>| {
             let (u, v) = (x.v[i], x.v[i + 1]);
             let sum = m[i] + m[i + 1];
             let mean = (m[i] * u + m[i + 1] * v) / sum;
             x.v[i] = mean + mean - u;
             x.v[i + 1] = mean + mean - v;
-            Reaction::Changed
-        })
-        .unwrap();
-    let last = motion.last().x;
+        }
+    };
+    macro_rules! cradle {
+        ($($i:literal)*) => {
+            Problem::new(&cradle, start)
+                $(.on(Cradle::<f64>::CONTACT[$i]).falling().then(collide($i)))*
+        };
+    }
+    let motion = cradle!(0 1 2 3).solve(0.9, Taylor::new()).unwrap();
     let mut found = [zero; 11];
     found[0] = motion.events()[motion.events().len() - 1].t;
     for i in 0..5 {
-        found[1 + i] = last.q[i];
-        found[6 + i] = last.v[i];
+        found[1 + i] = motion.q[i];
+        found[6 + i] = motion.v[i];
     }
     (motion.events().len(), found)
 }

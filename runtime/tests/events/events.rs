@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
+use std::cell::RefCell;
 
 use crate::common::{Oscillator, assert_close, equation};
 use crate::event_models::{PENDULUM, period, times, under_each_method};
@@ -16,14 +17,19 @@ fn a_pendulum_passes_its_lowest_point_twice_in_a_period() {
     let quarter = 0.25 * period(&PENDULUM, 2.0);
     under_each_method!(|method, error| {
         for end in [20.5 * quarter, -20.5 * quarter] {
-            let driver = method.driver().events(
-                [Event::rising(), Event::falling(), Event::either()],
-                |_, x: &Phase<f64, 1>| [x.q[0], x.q[0], x.v[0]],
-            );
             let start = State::new(0.0, [2.0], [0.0]);
-            let motion = driver.sample(&PENDULUM.dynamics(), start, &[end]).unwrap();
-            assert_eq!(motion.reason(), StopReason::Completed);
-            assert!((0..3).all(|event| motion.outcome().occurred.contains(event)));
+            let motion = Problem::new(&PENDULUM, start)
+                .when(|x| x.q[0])
+                .rising()
+                .record()
+                .when(|x| x.q[0])
+                .falling()
+                .record()
+                .when(|x| x.v[0])
+                .record()
+                .solve(end, method)
+                .unwrap();
+            assert_eq!(motion.reason, StopReason::Completed);
             for (event, first, apart) in [(0, 3.0, 4.0), (1, 1.0, 4.0), (2, 2.0, 2.0)] {
                 let found = times(motion.events(), event);
                 assert_eq!(found.len(), if event == 2 { 10 } else { 5 });
@@ -41,51 +47,61 @@ fn a_pendulum_passes_its_lowest_point_twice_in_a_period() {
 /// Walls that are reached at the same time, in the order in which they are declared.
 #[test]
 fn simultaneous_events_come_in_their_order() {
-    let mut free = equation::<2, _>(|_, _| SVector::from([-1.0, -1.0]));
-    let start = (0.0, SVector::from([2.0, 2.0]));
-    let driver = Dop853::new()
-        .driver()
-        .events([Event::falling(); 3], |_, x: &Vector<2>| {
-            [x[1], x[0] + 0.5, x[0]]
-        });
-    let mut seen = Vec::new();
-    let motion = driver
-        .sample_reacting(&mut free, start, &[5.0], |event, t, x, _| {
-            seen.push((event, t));
+    let free = equation::<2, _>(|_, _| SVector::from([-1.0, -1.0]));
+    let start = At::from((0.0, SVector::from([2.0, 2.0])));
+    let seen = RefCell::new(Vec::new());
+    let react = |event| {
+        let seen = &seen;
+        move |x: &mut At<f64, Vector<2>>| {
+            seen.borrow_mut().push((event, x.t));
             x[0] -= 1.0;
-            Reaction::Changed
-        })
+        }
+    };
+    let motion = Problem::new(&free, start)
+        .when(|x| x[1])
+        .falling()
+        .then(react(0))
+        .when(|x| x[0] + 0.5)
+        .falling()
+        .then(react(1))
+        .when(|x| x[0])
+        .falling()
+        .then(react(2))
+        .solve(5.0, Dop853::new())
         .unwrap();
+    let seen = seen.take();
     let order: Vec<usize> = seen.iter().map(|(event, _)| *event).collect();
     assert_eq!(order, [0, 2]);
     assert_eq!(seen[0].1.to_bits(), seen[1].1.to_bits());
     assert_close(seen[0].1, 2.0, 1e-14);
     // Two reactions have acted on one state.
-    assert_close(motion.last().x[0], 2.0 - 5.0 - 2.0, 1e-13);
+    assert_close(motion[0], 2.0 - 5.0 - 2.0, 1e-13);
 }
 
 /// A terminal event ends the integration, others do not; an observer sees both, and may stop it.
 #[test]
 fn events_are_observed_and_some_are_terminal() {
-    let start = (0.0, SVector::from([1.0, 0.0]));
-    let functions = |t: f64, x: &Vector<2>| [x[0], 7.0 - t];
-    let driver = Dop853::new()
-        .driver()
-        .events([Event::either(), Event::falling().terminal()], functions);
+    let start = At::from((0.0, SVector::from([1.0, 0.0])));
+    let problem = Problem::new(&Oscillator, start)
+        .when(|x| x[0])
+        .record()
+        .when(|x| 7.0 - x.t)
+        .falling()
+        .stop();
     let mut seen = Vec::new();
-    let observing = driver
+    let motion = problem
         .clone()
-        .observe(|progress: &Progress<'_, Vector<2>>| {
-            seen.push((progress.t, progress.kind));
-            ControlFlow::Continue(())
-        });
-    let outcome = observing
-        .run_through(&Oscillator, start, &[2.0, 6.9, 7.1])
+        .each_step(|progress| seen.push((progress.t, progress.kind)))
+        .save([2.0, 6.9, 7.1])
+        .solve(7.1, Dop853::new())
         .unwrap();
-    assert_eq!(outcome.reason, StopReason::Condition);
-    assert!(outcome.met.contains(1) && !outcome.met.contains(0));
-    assert!(outcome.occurred.contains(0) && outcome.occurred.contains(1));
-    assert_close(outcome.last.t, 7.0, 1e-14);
+    assert_eq!(motion.reason, StopReason::Condition);
+    assert!(motion.met.contains(1) && !motion.met.contains(0));
+    assert_eq!(
+        [0, 1].map(|event| times(motion.events(), event).len()),
+        [2, 1]
+    );
+    assert_close(motion.t, 7.0, 1e-14);
     assert!(seen.is_sorted_by(|a, b| a.0 <= b.0), "{seen:?}");
     let events = seen.iter().filter_map(|(t, kind)| match kind {
         ObservationKind::Event(event) => Some((*event, *t)),
@@ -98,13 +114,13 @@ fn events_are_observed_and_some_are_terminal() {
         assert_eq!(found.0, expected.0);
         assert_close(found.1, expected.1, 1e-8);
     }
-    let stopping = driver.observe(|progress: &Progress<'_, Vector<2>>| match progress.kind {
+    let stopping = problem.each_step(|progress| match progress.kind {
         ObservationKind::Event(0) => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     });
-    let outcome = stopping.run_until(&Oscillator, start, 9.0).unwrap();
-    assert_eq!(outcome.reason, StopReason::Observer);
-    assert_close(outcome.last.t, 0.5 * PI, 1e-8);
+    let motion = stopping.solve(9.0, Dop853::new()).unwrap();
+    assert_eq!(motion.reason, StopReason::Observer);
+    assert_close(motion.t, 0.5 * PI, 1e-8);
 }
 
 /// A relay with hysteresis: a mass goes to and fro between two thresholds at unit velocity.
@@ -120,21 +136,15 @@ fn a_relay_switches_the_dynamics() {
             SVector::from([self.push])
         }
     }
-    let driver = Dop853::new().driver();
-    let driver = driver.events([Event::rising(), Event::falling()], |_, x: &Vector<1>| {
-        [x[0] - 0.1, x[0] + 0.1]
-    });
-    let start = (0.0, SVector::from([0.0]));
-    let motion = driver
-        .sample_reacting(
-            &mut Relay { push: 1.0 },
-            start,
-            &[10.0],
-            |event, _, _, relay| {
-                relay.push = [-1.0, 1.0][event];
-                Reaction::Changed
-            },
-        )
+    let start = At::from((0.0, SVector::from([0.0])));
+    let motion = Problem::new(Relay { push: 1.0 }, start)
+        .when(|x| x[0] - 0.1)
+        .rising()
+        .then_with(|_, relay| relay.push = -1.0)
+        .when(|x| x[0] + 0.1)
+        .falling()
+        .then_with(|_, relay| relay.push = 1.0)
+        .solve(10.0, Dop853::new())
         .unwrap();
     assert_eq!(motion.events().len(), 50);
     for (n, occurrence) in motion.events().iter().enumerate() {
@@ -150,12 +160,11 @@ fn a_relay_switches_the_dynamics() {
 /// Two zeros between neighbouring times are missed, and found with more of them.
 #[test]
 fn the_density_of_samples_can_be_set() {
-    let start = (0.0, SVector::from([1.0, 0.0]));
-    let dip = |t: f64, _: &Vector<2>| (t - 0.301) * (t - 0.299);
+    let start = At::from((0.0, SVector::from([1.0, 0.0])));
     let found = |parts: u32| {
-        let driver = RungeKutta::classical(0.5).driver();
-        let driver = driver.events(Event::either(), dip).event_samples(parts);
-        let motion = driver.sample(&Oscillator, start, &[1.0]).unwrap();
+        let dip = Problem::new(&Oscillator, start).when(|x| (x.t - 0.301) * (x.t - 0.299));
+        let problem = dip.samples(parts).record();
+        let motion = problem.solve(1.0, RungeKutta::classical(0.5)).unwrap();
         motion.events().len()
     };
     assert_eq!(found(0), 0);

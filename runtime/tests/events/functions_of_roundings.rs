@@ -83,21 +83,32 @@ fn passes() -> [Passes; 4] {
 #[test]
 fn zeros_of_a_pair_that_are_known_to_roundings_are_reported_once() {
     for (model, start, ends, is_stopped) in passes() {
-        let equations = model.dynamics();
-        let watched = [Event::falling(), Event::rising()].map(|event| (Passing::NEAR, event));
         let [mut last, mut stopped] = [start; 2];
         let [mut seen, mut stops] = [const { Vec::new() }; 2];
         for end in ends.iter().copied() {
-            let driver = Taylor::new().driver().declared_events(watched);
-            let motion = driver.sample(&equations, last, &[end]).unwrap();
+            let motion = Problem::new(&model, last)
+                .on(Passing::NEAR)
+                .falling()
+                .record()
+                .on(Passing::NEAR)
+                .rising()
+                .record()
+                .solve(end, Taylor::new())
+                .unwrap();
             seen.extend(motion.events().iter().map(|event| event.event));
-            last = *motion.last();
+            last = motion.last;
             while stopped.t < end {
-                let watched = watched.map(|(index, event)| (index, event.terminal()));
-                let driver = Taylor::new().driver().declared_events(watched);
-                let outcome = driver.run_until(&equations, stopped, end).unwrap();
-                stops.extend(outcome.met.indices());
-                stopped = outcome.last;
+                let motion = Problem::new(&model, stopped)
+                    .on(Passing::NEAR)
+                    .falling()
+                    .stop()
+                    .on(Passing::NEAR)
+                    .rising()
+                    .stop()
+                    .solve(end, Taylor::new())
+                    .unwrap();
+                stops.extend(motion.met.indices());
+                stopped = motion.last;
             }
         }
         assert_eq!(seen, [0, 1], "{model:?}");
@@ -125,7 +136,6 @@ fn a_reaction_one_rounding_before_the_end_is_made_once() {
     let blown = Blown {
         wind: 0.7580517238909138,
     };
-    let mut equations = blown.dynamics();
     let start = State::new(
         -1.8215684452999041,
         [-2.211245056756958, 0.0],
@@ -133,18 +143,15 @@ fn a_reaction_one_rounding_before_the_end_is_made_once() {
     );
     let (mut last, mut seen) = (start, 0);
     for end in [-0.6647199681899555, -0.5803254335133545, 3.2753344787038894] {
-        let driver = Dop853::new()
+        let method = Dop853::new()
             .relative_tolerance(1e-11)
             .absolute_tolerance(1e-11)
-            .max_step(0.08439453467659974)
-            .driver()
-            .declared_events([(Blown::TURNING, Event::either())]);
-        let react = |_, _, _: &mut Phase<f64, 2>, _: &mut _| {
-            seen += 1;
-            Reaction::Changed
-        };
-        let outcome = driver.run_reacting(&mut equations, &last, end, react);
-        last = outcome.unwrap().last;
+            .max_step(0.08439453467659974);
+        // It begins anew there, although nothing is changed.
+        let problem = Problem::new(&blown, last)
+            .on(Blown::TURNING)
+            .then_with(|_, _| seen += 1);
+        last = problem.solve(end, method).unwrap().last;
     }
     assert_eq!(seen, 2);
 }

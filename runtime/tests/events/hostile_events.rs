@@ -1,6 +1,7 @@
 //! Declared events against functions whose zeros are known: random trees of |x|, min and max, jumps, clusters of zeros.
 //! They are declared once and filled with random numbers, so that many cases cost one model.
 
+use crate::directions::{Direction, directed};
 use crate::random_numbers::Random;
 use lagrangian::prelude::*;
 
@@ -67,20 +68,19 @@ fn changes(function: impl Fn(f64) -> f64, mut corners: Vec<f64>, end: f64) -> Ve
 
 /// The occurrences of one declared event from x = 0 until t = 1, by steps of at most this length.
 fn found<I>(
-    method: &I,
+    method: I,
     model: &Particle,
     index: usize,
-    event: Event,
+    direction: Direction,
     start: f64,
     end: f64,
 ) -> Vec<f64>
 where
-    I: IntegrationMethod
-        + for<'a> Integrator<f64, lagrangian::EquationsOfMotion<'a, Particle, f64, 1>>,
+    I: for<'a> Integrator<f64, lagrangian::EquationsOfMotion<'a, Particle, f64, 1>>,
 {
-    let driver = method.driver().declared_events([(index, event)]);
-    let start = State::new(start, [start], [1.0]);
-    let motion = driver.sample(&model.dynamics(), start, &[end]).unwrap();
+    let problem = Problem::new(model, State::new(start, [start], [1.0])).on(index);
+    let problem = directed!(direction, problem).record();
+    let motion = problem.solve(end, method).unwrap();
     motion
         .events()
         .iter()
@@ -160,16 +160,16 @@ fn cross_corners(cases: usize) {
             if expected.windows(2).any(|pair| pair[1].0 - pair[0].0 < 1e-6) {
                 continue;
             }
-            for (event, wanted) in [
-                (Event::rising(), Some(true)),
-                (Event::falling(), Some(false)),
-                (Event::either(), None),
+            for (direction, wanted) in [
+                (Direction::Rising, Some(true)),
+                (Direction::Falling, Some(false)),
+                (Direction::Either, None),
             ] {
                 let times = expected
                     .iter()
                     .filter(|(_, rises)| wanted.is_none_or(|wanted| wanted == *rises));
                 let times: Vec<f64> = times.map(|(t, _)| *t).collect();
-                let found = found(&method, &model, index, event, 0.0, 1.0);
+                let found = found(method, &model, index, direction, 0.0, 1.0);
                 if found.len() > times.len() {
                     // A zero that is touched at a corner counts as reached; it is no change of sign.
                     let function = |x: f64| {
@@ -185,12 +185,12 @@ fn cross_corners(cases: usize) {
                         .collect();
                     assert!(
                         more.iter().all(|t| function(**t).abs() < 1e-13),
-                        "case {case}, {what} {event:?} of {model:?}: {found:?} {times:?}"
+                        "case {case}, {what} {direction:?} of {model:?}: {found:?} {times:?}"
                     );
                     continue;
                 }
                 compare(
-                    &format!("case {case}, {what}, {event:?}"),
+                    &format!("case {case}, {what}, {direction:?}"),
                     &model,
                     &found,
                     &times,
@@ -204,26 +204,26 @@ fn cross_corners(cases: usize) {
 /// |u| touches zero at its corner once, from above; a small constant lifts it off, or splits the zero into two.
 #[test]
 fn a_corner_at_zero_is_reached_once() {
-    let lifted = |lift: f64, index: usize, event: Event| {
+    let lifted = |lift: f64, index: usize, direction: Direction| {
         let model = Particle {
             a: [0.0; 5],
             b: [0.0; 4],
             c: [0.375, 0.0, 0.0, lift],
         };
-        found(&Taylor::new(), &model, index, event, 0.0, 1.0)
+        found(Taylor::new(), &model, index, direction, 0.0, 1.0)
     };
-    for (event, touches) in [
-        (Event::either(), 1),
-        (Event::falling(), 1),
-        (Event::rising(), 0),
+    for (direction, touches) in [
+        (Direction::Either, 1),
+        (Direction::Falling, 1),
+        (Direction::Rising, 0),
     ] {
-        let times = lifted(0.0, Particle::ZIGZAG, event);
-        assert_eq!(times.len(), touches, "{event:?} {times:?}");
+        let times = lifted(0.0, Particle::ZIGZAG, direction);
+        assert_eq!(times.len(), touches, "{direction:?} {times:?}");
         assert!(times.iter().all(|t| (t - 0.375).abs() < 1e-13));
     }
     for lift in [1e-12, 1e-9, 1e-6, 1e-3] {
-        assert!(lifted(-lift, Particle::ZIGZAG, Event::either()).is_empty());
-        let times = lifted(lift, Particle::ZIGZAG, Event::either());
+        assert!(lifted(-lift, Particle::ZIGZAG, Direction::Either).is_empty());
+        let times = lifted(lift, Particle::ZIGZAG, Direction::Either);
         assert_eq!(times.len(), 2, "{lift:e} {times:?}");
         assert!((times[0] - 0.375 + lift).abs() < 1e-14 && (times[1] - 0.375 - lift).abs() < 1e-14);
     }
@@ -239,10 +239,10 @@ fn a_start_at_a_corner_is_no_obstacle() {
             c: [0.25, 0.0, 0.0, lift],
         };
         let times = found(
-            &Taylor::new(),
+            Taylor::new(),
             &model,
             Particle::ZIGZAG,
-            Event::either(),
+            Direction::Either,
             0.25,
             1.0,
         );
@@ -274,9 +274,10 @@ fn cross_jumps(cases: usize) {
             c,
         };
         let [low, high] = [c[0].min(c[1]), c[0].max(c[1])];
-        let method = Taylor::new();
-        let falls = found(&method, &model, Particle::SIGNS, Event::falling(), 0.0, 1.0);
-        let rises = found(&method, &model, Particle::SIGNS, Event::rising(), 0.0, 1.0);
+        let found =
+            |model, index, direction| found(Taylor::new(), model, index, direction, 0.0, 1.0);
+        let falls = found(&model, Particle::SIGNS, Direction::Falling);
+        let rises = found(&model, Particle::SIGNS, Direction::Rising);
         compare(
             &format!("case {case}, falls"),
             &model,
@@ -307,7 +308,7 @@ fn cross_jumps(cases: usize) {
         }
         expected.retain(|x| *x > 0.0 && *x < 1.0);
         expected.sort_by(f64::total_cmp);
-        let times = found(&method, &model, Particle::BENT, Event::either(), 0.0, 1.0);
+        let times = found(&model, Particle::BENT, Direction::Either);
         compare(
             &format!("case {case}, bent"),
             &model,
@@ -381,15 +382,15 @@ fn count_clusters(cases: usize) {
         }
         let max_step = [10.0, 0.25, 1.0 / 64.0][case % 3];
         let method = Taylor::new().max_step(max_step);
-        for (event, expected) in [
-            (Event::either(), all),
-            (Event::falling(), falling),
-            (Event::rising(), rising),
+        for (direction, expected) in [
+            (Direction::Either, all),
+            (Direction::Falling, falling),
+            (Direction::Rising, rising),
         ] {
-            let times = found(&method, &model, Particle::CLUSTER, event, 0.0, 1.0);
+            let times = found(method, &model, Particle::CLUSTER, direction, 0.0, 1.0);
             // A triple zero is known to a third of the digits, a fourfold one to a quarter.
             compare(
-                &format!("case {case}, {event:?}"),
+                &format!("case {case}, {direction:?}"),
                 &model,
                 &times,
                 &expected,

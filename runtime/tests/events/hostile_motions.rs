@@ -1,5 +1,6 @@
 //! Reactions and zeros at the ends of steps against motions in closed form: particles in boxes, fields that switch.
 
+use crate::directions::{Direction, directed};
 use crate::random_numbers::Random;
 use lagrangian::prelude::*;
 
@@ -22,28 +23,40 @@ fn folded(x: f64) -> f64 {
     if rest > 1.0 { 2.0 - rest } else { rest }
 }
 
-fn in_a_box<I>(method: &I, error: f64)
+/// When which wall is hit until t = 7.7.
+fn hits(place: [f64; 3], speed: [f64; 3]) -> Vec<(f64, usize)> {
+    let mut hits = Vec::new();
+    for i in (0..3).filter(|i| speed[*i] != 0.0) {
+        for wall in -20..20 {
+            let time = (f64::from(wall) - place[i]) / speed[i];
+            if time > 0.0 && time < 7.7 {
+                hits.push((time, if wall % 2 == 0 { i } else { 3 + i }));
+            }
+        }
+    }
+    hits.sort_by(|a, b| a.0.total_cmp(&b.0));
+    hits
+}
+
+fn in_a_box<I>(method: I, error: f64)
 where
-    I: IntegrationMethod + for<'a> Integrator<f64, lagrangian::EquationsOfMotion<'a, Box3, f64, 3>>,
+    I: Copy + for<'a> Integrator<f64, lagrangian::EquationsOfMotion<'a, Box3, f64, 3>>,
 {
     let mut random = Random(12345);
     for case in 0..30 {
         // Commensurable: the corners of the lattice are met exactly.
         let place = [0.0; 3].map(|_| (1.0 + f64::from(random.below(7))) / 8.0);
         let speed = [0.0; 3].map(|_| (f64::from(random.below(17)) - 8.0) / 4.0);
-        let events: [(usize, Event); 6] = core::array::from_fn(|i| (i, Event::falling()));
-        let start = State::new(0.0, place, speed);
-        let driver = method.driver().declared_events(events);
-        let room = Box3 { size: 1.0 };
-        let mut dynamics = room.dynamics();
+        let (room, start) = (Box3 { size: 1.0 }, State::new(0.0, place, speed));
+        let bounce = |i: usize| move |x: &mut State<f64, 3>| x.v[i] *= -1.0;
+        macro_rules! with_walls {
+            ($($wall:literal)*) => {
+                Problem::new(&room, start)$(.on($wall).falling().then(bounce($wall % 3)))*
+            };
+        }
         let times = [0.9, 3.3, 7.7];
-        let motion = driver
-            .sample_reacting(&mut dynamics, start, &times, |event, _, x, _| {
-                x.v[event % 3] *= -1.0;
-                Reaction::Changed
-            })
-            .unwrap();
-        let mut hits = Vec::new();
+        let motion = with_walls!(0 1 2 3 4 5).save(times);
+        let motion = motion.solve(7.7, method).unwrap();
         for i in 0..3 {
             for (sample, time) in motion.samples().iter().zip(times) {
                 let expected = folded(place[i] + speed[i] * time);
@@ -53,17 +66,8 @@ where
                     "case {case}: {found} {expected}"
                 );
             }
-            if speed[i] != 0.0 {
-                for wall in -20..20 {
-                    let time = (f64::from(wall) - place[i]) / speed[i];
-                    if time > 0.0 && time < 7.7 {
-                        let index = if wall % 2 == 0 { i } else { 3 + i };
-                        hits.push((time, index));
-                    }
-                }
-            }
         }
-        hits.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let hits = hits(place, speed);
         assert_eq!(
             motion.events().len(),
             hits.len(),
@@ -95,8 +99,8 @@ where
 
 #[test]
 fn a_particle_in_a_box_meets_walls_edges_and_corners() {
-    in_a_box(&Taylor::new(), 1e-12);
-    in_a_box(&Dop853::new(), 1e-9);
+    in_a_box(Taylor::new(), 1e-12);
+    in_a_box(Dop853::new(), 1e-9);
 }
 
 /// A particle in a field that each passage of a place reverses: a parameter changes, the state does not.
@@ -136,32 +140,25 @@ fn reactions_that_change_parameters_follow_the_parabolas() {
     for case in 0..60 {
         let field = 0.5 + random.uniform();
         let [x, v] = [1.0 + random.uniform(), 2.0 * random.uniform() - 1.0];
-        let mut dynamics = Gate {
+        let gate = Gate {
             m: 0.7,
             field: -field,
             place: 0.0,
             when: 1.0,
-        }
-        .into_dynamics();
-        let driver = Taylor::new()
-            .driver()
-            .declared_events([(Gate::GATE, Event::either()), (Gate::LATE, Event::rising())]);
-        let start = State::new(0.0, [x], [v]);
+        };
         let mut lates = 0;
-        let motion =
-            driver.sample_reacting(&mut dynamics, start, &[6.0], |event, t, _, dynamics| {
-                dynamics.change(|gate| {
-                    if event == 0 {
-                        gate.field *= -1.0;
-                    } else {
-                        lates += 1;
-                        assert!((t - f64::from(lates)).abs() < 1e-14);
-                        gate.when += 1.0;
-                    }
-                });
-                Reaction::Changed
-            });
-        let motion = motion.unwrap();
+        let motion = Problem::new(gate, State::new(0.0, [x], [v]))
+            .on(Gate::GATE)
+            .then_with(|_, dynamics| dynamics.change(|gate| gate.field *= -1.0))
+            .on(Gate::LATE)
+            .rising()
+            .then_with(|x, dynamics| {
+                lates += 1;
+                assert!((x.t - f64::from(lates)).abs() < 1e-14);
+                dynamics.change(|gate| gate.when += 1.0);
+            })
+            .solve(6.0, Taylor::new())
+            .unwrap();
         let (mut t, mut x, mut v, mut f) = (0.0, x, v, -field);
         let mut expected = Vec::new();
         loop {
@@ -192,7 +189,7 @@ fn reactions_that_change_parameters_follow_the_parabolas() {
                 "case {case}: {found} {expected}"
             );
         }
-        assert!((motion.last().x.q[0] - x).abs() < 1e-10, "case {case}");
+        assert!((motion.q[0] - x).abs() < 1e-10, "case {case}");
         // At the end itself there is one more or not.
         assert!(lates == 5 || lates == 6, "case {case}: {lates}");
     }
@@ -202,40 +199,30 @@ fn reactions_that_change_parameters_follow_the_parabolas() {
 /// steps, nor where an integration is stopped and goes on there.
 #[test]
 fn zeros_at_the_ends_of_steps_are_counted_once() {
-    for event in [Event::rising(), Event::either()] {
+    for direction in [Direction::Rising, Direction::Either] {
         for parts in [1.0, 3.0, 7.0, 10.0, 64.0] {
             for n in [1, 2, 3, 5, 11, 23] {
                 let step = 1.0 / parts;
                 let place = f64::from(n) * step;
                 for place in [place.next_down(), place, place.next_up()] {
-                    let dynamics = Gate {
+                    let gate = Gate {
                         m: 1.0,
                         field: 0.0,
                         place,
                         when: place,
                     };
-                    let dynamics = dynamics.dynamics();
-                    let driver = || {
-                        Taylor::new()
-                            .max_step(step)
-                            .driver()
-                            .declared_events([(Gate::LATE, event), (Gate::GATE, event)])
-                    };
-                    let start = State::new(0.0, [0.0], [1.0]);
-                    let end = place + 2.5 * step;
-                    let whole = driver().sample(&dynamics, start, &[end]).unwrap();
-                    assert_eq!(whole.events().len(), 2, "{event:?} {parts} {n} {place}");
+                    let problem = Problem::new(&gate, State::new(0.0, [0.0], [1.0]));
+                    let problem = directed!(direction, problem.on([Gate::LATE, Gate::GATE]));
+                    let problem = problem.record();
+                    let (method, end) = (Taylor::new().max_step(step), place + 2.5 * step);
+                    let whole = problem.clone().solve(end, method).unwrap();
+                    assert_eq!(whole.events().len(), 2, "{direction:?} {parts} {n} {place}");
                     let mut seen = 0;
-                    let observer = |progress: &Progress<'_, Phase<f64, 1>>| {
-                        seen += usize::from(matches!(progress.kind, ObservationKind::Event(_)));
-                        core::ops::ControlFlow::Continue(())
-                    };
-                    {
-                        let driver = driver().observe(observer);
-                        let mut running = driver.start(&dynamics, start).unwrap();
-                        while running.step_towards(end).unwrap().is_some() {}
+                    let mut running = problem.start(method).unwrap();
+                    while let Some(step) = running.step(end).unwrap() {
+                        seen += step.events().len();
                     }
-                    assert_eq!(seen, 2, "step by step: {event:?} {parts} {n} {place}");
+                    assert_eq!(seen, 2, "step by step: {direction:?} {parts} {n} {place}");
                 }
             }
         }

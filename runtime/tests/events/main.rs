@@ -2,6 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod directions;
 mod event_models;
 mod random_numbers;
 mod two_runs;

@@ -1,8 +1,11 @@
 //! Reactions to events, under every method: impacts, switches, endless ones.
 
+use core::cell::Cell;
 use core::f64::consts::PI;
+use core::ops::ControlFlow;
 
 use crate::common::{Oscillator, assert_close};
+use crate::directions::{Direction, directed};
 use crate::event_models::{BALL, PENDULUM, Pendulum, period, times, under_each_method};
 use lagrangian::prelude::*;
 use nalgebra::SVector;
@@ -14,34 +17,27 @@ type Vector<const N: usize> = SVector<f64, N>;
 fn a_ball_bounces_until_it_is_at_rest() {
     under_each_method!(|method, _error| {
         for floor in [0.0, 0.1, 100.1, -1e4] {
-            for (crossing, restitution) in [
-                (Crossing::Falling, 0.5),
-                (Crossing::Either, 0.5),
-                (Crossing::Falling, 0.9),
-                (Crossing::Falling, 0.1),
+            for (direction, restitution) in [
+                (Direction::Falling, 0.5),
+                (Direction::Either, 0.5),
+                (Direction::Falling, 0.9),
+                (Direction::Falling, 0.1),
             ] {
-                let driver = method
-                    .driver()
-                    .events(Event::new(crossing), |_, x: &Phase<f64, 1>| x.q[0] - floor);
                 let start = State::new(0.0, [floor + 1.0], [0.0]);
-                let bounce = |_, _, x: &mut Phase<f64, 1>, _: &mut _| {
-                    x.v[0] *= -restitution;
-                    Reaction::Changed
-                };
-                let motion = driver
-                    .sample_reacting(&mut BALL.dynamics(), start, &[100.0], bounce)
-                    .unwrap();
-                assert_eq!(motion.reason(), StopReason::Zeno, "{floor} {restitution}");
-                assert!(motion.outcome().met.contains(0));
+                let ball = Problem::new(&BALL, start).when(|x| x.q[0] - floor);
+                let ball = directed!(direction, ball).then(|x| x.v[0] *= -restitution);
+                let motion = ball.solve(100.0, method).unwrap();
+                assert_eq!(motion.reason, StopReason::Zeno, "{floor} {restitution}");
+                assert!(motion.met.contains(0));
                 let fall = (2.0 / BALL.g).sqrt();
                 let rest = fall * (1.0 + 2.0 * restitution / (1.0 - restitution));
                 // Heights are rounded, and the last eight flights are within their rounding errors. After a flight
                 // that is within them, all that would follow last e/(1 − e) times as long.
                 let rounding = (8.0 * f64::EPSILON * (floor.abs() + 1.0)).sqrt();
                 let rounding = rounding * (restitution / (1.0 - restitution)).max(1.0);
-                assert_close(motion.last().t, rest, 1e-8 + 16.0 * rounding);
-                assert_close(motion.last().x.q[0], floor, 1e-13 * (floor.abs() + 1.0));
-                assert_close(motion.last().x.v[0], 0.0, 1e-8 + 40.0 * rounding);
+                assert_close(motion.t, rest, 1e-8 + 16.0 * rounding);
+                assert_close(motion.q[0], floor, 1e-13 * (floor.abs() + 1.0));
+                assert_close(motion.v[0], 0.0, 1e-8 + 40.0 * rounding);
                 let (mut expected, mut flight) = (fall, 2.0 * fall);
                 for (n, time) in (1..=10).map(f64::from).zip(times(motion.events(), 0)) {
                     // The error of a height in that of the time when it is passed, over all bounces.
@@ -62,22 +58,14 @@ fn a_ball_bounces_until_it_is_at_rest() {
 #[test]
 fn an_elastic_ball_bounces_forever() {
     under_each_method!(|method, error| {
-        let driver = method
-            .driver()
-            .events(Event::falling(), |_, x: &Phase<f64, 1>| x.q[0]);
         let start = State::new(0.0, [1.0], [0.0]);
-        let bounce = |_, _, x: &mut Phase<f64, 1>, _: &mut _| {
-            x.v[0] = -x.v[0];
-            Reaction::Changed
-        };
+        let ball = Problem::new(&BALL, start).when(|x| x.q[0]).falling();
         let fall = (2.0 / BALL.g).sqrt();
         let end = 400.0 * fall;
-        let motion = driver
-            .sample_reacting(&mut BALL.dynamics(), start, &[end], bounce)
-            .unwrap();
-        assert_eq!(motion.reason(), StopReason::Completed);
+        let motion = ball.then(|x| x.v[0] = -x.v[0]).solve(end, method).unwrap();
+        assert_eq!(motion.reason, StopReason::Completed);
         assert_eq!(motion.events().len(), 200);
-        assert_close(motion.last().x.q[0], 1.0, 1e-9);
+        assert_close(motion.q[0], 1.0, 1e-9);
         // Every bounce rounds the time, on which all later ones depend.
         let rounding = 200.0 * 200.0 * f64::EPSILON * end;
         assert_close(motion.events()[199].t, 399.0 * fall, error + rounding);
@@ -89,23 +77,16 @@ fn an_elastic_ball_bounces_forever() {
 fn a_pendulum_bounces_off_a_wall() {
     let half = 0.5 * period(&PENDULUM, 1.5);
     under_each_method!(|method, error| {
-        let driver = method
-            .driver()
-            .events(Event::falling(), |_, x: &Phase<f64, 1>| x.q[0]);
         let start = State::new(0.0, [1.5], [0.0]);
-        let mut dynamics = PENDULUM.dynamics();
-        let motion = driver
-            .sample_reacting(&mut dynamics, start, &[10.25 * half], |_, _, x, _| {
-                x.v[0] = -x.v[0];
-                Reaction::Changed
-            })
-            .unwrap();
+        let wall = Problem::new(&PENDULUM, start).when(|x| x.q[0]).falling();
+        let bouncing = wall.then(|x| x.v[0] = -x.v[0]);
+        let motion = bouncing.solve(10.25 * half, method).unwrap();
         let found = times(motion.events(), 0);
         assert_eq!(found.len(), 10);
         for (n, time) in (0..).map(f64::from).zip(found) {
             assert_close(time, (n + 0.5) * half, error * 20.0);
         }
-        let energies = [start, motion.last().state()].map(|state| PENDULUM.energy(&state));
+        let energies = [start, motion.last].map(|state| PENDULUM.energy(&state));
         assert_close(energies[1], energies[0], error * 20.0);
     });
 }
@@ -119,21 +100,27 @@ fn a_reaction_changes_parameters() {
     };
     let quarters = [PENDULUM.l, lengthened.l].map(|l| 0.25 * 2.0 * PI * (l / PENDULUM.g).sqrt());
     under_each_method!(|method, error| {
-        let driver = method.driver().events(
-            [Event::falling(), Event::rising()],
-            |_, x: &Phase<f64, 1>| [x.q[0]; 2],
-        );
         let start = State::new(0.0, [1e-4], [0.0]);
-        let mut pendulum = PENDULUM.into_dynamics();
-        let motion = driver
-            .sample_reacting(&mut pendulum, start, &[14.0], |event, _, _, pendulum| {
+        let mut running = Problem::new(PENDULUM, start)
+            .when(|x| x.q[0])
+            .falling()
+            .then_with(|_, pendulum| {
                 pendulum.change(|pendulum| {
                     pendulum.m *= 1.5;
-                    pendulum.l = [2.0 * PENDULUM.l, PENDULUM.l][event];
+                    pendulum.l = 2.0 * PENDULUM.l;
                 });
-                Reaction::Changed
             })
+            .when(|x| x.q[0])
+            .rising()
+            .then_with(|_, pendulum| {
+                pendulum.change(|pendulum| {
+                    pendulum.m *= 1.5;
+                    pendulum.l = PENDULUM.l;
+                });
+            })
+            .start(method)
             .unwrap();
+        let motion = running.advance(14.0).unwrap();
         let mut expected = quarters[0];
         for (n, occurrence) in motion.events().iter().enumerate() {
             assert_eq!(occurrence.event, n % 2);
@@ -144,7 +131,7 @@ fn a_reaction_changes_parameters() {
         let bounces = i32::try_from(motion.events().len()).unwrap();
         assert!(bounces >= 10);
         let grown = PENDULUM.m * 1.5_f64.powi(bounces);
-        assert_close(pendulum.model().m, grown, 1e-12 * grown);
+        assert_close(running.dynamics().model().m, grown, 1e-12 * grown);
     });
 }
 
@@ -183,29 +170,26 @@ fn newtons_cradle_keeps_momentum_and_energy() {
             let half = 0.5 * period(&alone, amplitude);
             let q = SVector::from_fn(|i, _| if i < lifted { -amplitude } else { 0.0 });
             let start = State::new(0.0, q, SVector::<f64, 5>::zeros());
-            let driver = method
-                .driver()
-                .events([Event::falling(); 4], |_, x: &Phase<f64, 5>| {
-                    core::array::from_fn(|i| x.q[i + 1] - x.q[i] + GAP)
-                });
-            let mut largest = 0.0_f64;
-            let motion = driver
-                .sample_reacting(
-                    &mut cradle.dynamics(),
-                    start,
-                    &[7.0 * half],
-                    |i, _, x, _| {
-                        let momentum = x.v.sum();
-                        // A central elastic impact of equal masses.
-                        x.v.swap_rows(i, i + 1);
-                        largest = largest.max((x.v.sum() - momentum).abs());
-                        Reaction::Changed
-                    },
-                )
-                .unwrap();
-            assert_eq!(motion.reason(), StopReason::Completed);
-            assert!(motion.events().len() >= 7 * 4 && largest < 1e-14);
-            let end = motion.last().state();
+            let largest = Cell::new(0.0_f64);
+            let apart = |i: usize| move |x: &State<f64, 5>| x.q[i + 1] - x.q[i] + GAP;
+            let collide = |i: usize| {
+                let largest = &largest;
+                move |x: &mut State<f64, 5>| {
+                    let momentum = x.v.sum();
+                    // A central elastic impact of equal masses.
+                    x.v.swap_rows(i, i + 1);
+                    largest.set(largest.get().max((x.v.sum() - momentum).abs()));
+                }
+            };
+            macro_rules! cradle {
+                ($($i:literal)*) => {
+                    Problem::new(&cradle, start)$(.when(apart($i)).falling().then(collide($i)))*
+                };
+            }
+            let motion = cradle!(0 1 2 3).solve(7.0 * half, method).unwrap();
+            assert_eq!(motion.reason, StopReason::Completed);
+            assert!(motion.events().len() >= 7 * 4 && largest.get() < 1e-14);
+            let end = motion.last;
             let energies = [start, end].map(|state| cradle.energy(&state));
             assert_close(energies[0], energies[1], 1e-12 + error);
             // After an odd number of half periods as many are at the other side.
@@ -220,55 +204,49 @@ fn newtons_cradle_keeps_momentum_and_energy() {
 /// A reaction that changes nothing leaves the motion as it is, to the last bit, and one that stops ends it.
 #[test]
 fn reactions_without_changes_and_reactions_that_stop() {
-    let start = (0.0, SVector::from([1.0, 0.0]));
-    let zero = |_, x: &Vector<2>| x[0];
-    let driver = Dop853::new().driver();
-    let plain = driver.clone().run_until(&Oscillator, start, 20.0).unwrap();
-    let watching = driver.events(Event::either(), zero);
+    let start = At::from((0.0, SVector::from([1.0, 0.0])));
+    let problem = Problem::new(&Oscillator, start);
+    let plain = problem.clone().solve(20.0, Dop853::new()).unwrap();
+    let zero = problem.when(|x| x[0]);
     let mut count = 0;
-    let watched = watching
-        .clone()
-        .run_reacting(&mut Oscillator, start, 20.0, |_, _, _, _| {
-            count += 1;
-            Reaction::Unchanged
-        })
-        .unwrap();
-    assert_eq!((plain.last, count), (watched.last, 6));
-    let stopped = watching
-        .run_reacting(&mut Oscillator, start, 20.0, |_, t, x, _| {
-            if t > 4.0 {
+    let watched = zero.clone().then(|_| count += 1);
+    let watched = watched.solve(20.0, Dop853::new());
+    assert_eq!((plain.last, count), (watched.unwrap().last, 6));
+    let stopped = zero
+        .then(|x| {
+            if x.t > 4.0 {
                 x[1] = 7.0;
-                Reaction::Stop
+                ControlFlow::Break(())
             } else {
-                Reaction::Unchanged
+                ControlFlow::Continue(())
             }
         })
+        .solve(20.0, Dop853::new())
         .unwrap();
     assert_eq!(stopped.reason, StopReason::Condition);
     assert!(stopped.met.contains(0));
-    assert_close(stopped.last.t, 1.5 * PI, 1e-8);
-    assert_close(stopped.last.x[1], 7.0, 0.0);
+    assert_close(stopped.t, 1.5 * PI, 1e-8);
+    assert_close(stopped[1], 7.0, 0.0);
 }
 
 /// Functions that are zero at the start, everywhere, NaN, or that oscillate without end: values, and no hang.
 #[test]
 fn events_without_end_are_no_hang() {
-    let start = (0.0, SVector::from([0.0, 1.0]));
-    let count = |function: fn(f64, &Vector<2>) -> f64| {
-        let driver = Dop853::new().driver().events(Event::either(), function);
+    let start = At::from((0.0, SVector::from([0.0, 1.0])));
+    let count = |function: fn(&At<f64, Vector<2>>) -> f64| {
         let mut reactions = 0;
-        let outcome = driver.run_reacting(&mut Oscillator, start, 1.0, |_, _, _, _| {
-            reactions += 1;
-            Reaction::Changed
-        });
-        (reactions, outcome.unwrap().reason)
+        let zero = Problem::new(&Oscillator, start).when(function);
+        // The method begins anew at each of them.
+        let reacting = zero.then_with(|_, _| reactions += 1);
+        let reason = reacting.solve(1.0, Dop853::new()).unwrap().reason;
+        (reactions, reason)
     };
-    assert_eq!(count(|_, x| x[0]), (0, StopReason::Completed));
-    assert_eq!(count(|_, _| 0.0), (0, StopReason::Completed));
-    assert_eq!(count(|_, _| f64::NAN), (0, StopReason::Completed));
-    let (reactions, _) = count(|t, _| (1e12 * t).sin());
+    assert_eq!(count(|x| x[0]), (0, StopReason::Completed));
+    assert_eq!(count(|_| 0.0), (0, StopReason::Completed));
+    assert_eq!(count(|_| f64::NAN), (0, StopReason::Completed));
+    let (reactions, _) = count(|x| (1e12 * x.t).sin());
     assert!(reactions < 1000, "{reactions}");
-    let (reactions, _) = count(|t, _| (1.0 / (0.5 - t)).sin());
+    let (reactions, _) = count(|x| (1.0 / (0.5 - x.t)).sin());
     assert!(reactions < 1000, "{reactions}");
 }
 
@@ -276,35 +254,22 @@ fn events_without_end_are_no_hang() {
 #[test]
 fn a_changed_state_counts_whatever_the_reaction_says() {
     under_each_method!(|method, error| {
-        let driver = method
-            .driver()
-            .events([Event::falling(); 2], |_, x: &Phase<f64, 1>| {
-                [x.q[0], x.q[0]]
-            });
-        let bounce = |event, _, x: &mut Phase<f64, 1>, _: &mut _| {
-            if event == 0 {
-                x.q[0] += 1.0;
-                return Reaction::Unchanged;
-            }
-            x.v[0] = -x.v[0];
-            Reaction::Changed
-        };
-        let start = State::new(0.0, [1.0], [0.0]);
         let fall = (2.0 / BALL.g).sqrt();
-        let motion = driver
-            .run_reacting(&mut BALL.dynamics(), start, 2.0 * fall, bounce)
+        let problem = Problem::new(&BALL, State::new(0.0, [1.0], [0.0]));
+        let motion = problem
+            .clone()
+            .when(|x| x.q[0])
+            .falling()
+            .then(|x| x.q[0] += 1.0)
+            .when(|x| x.q[0])
+            .falling()
+            .then_with(|x, _| x.v[0] = -x.v[0])
+            .solve(2.0 * fall, method)
             .unwrap();
-        assert_close(motion.last.x.q[0], 2.0, 10.0 * error);
-        let driver = method
-            .driver()
-            .events(Event::falling(), |_, x: &Phase<f64, 1>| x.q[0]);
-        let disowned = |_, _, x: &mut Phase<f64, 1>, _: &mut _| {
-            x.v[0] = -x.v[0];
-            Reaction::Unchanged
-        };
-        let motion = driver
-            .run_reacting(&mut BALL.dynamics(), start, 2.0 * fall, disowned)
-            .unwrap();
-        assert_close(motion.last.x.q[0], 1.0, 10.0 * error);
+        assert_close(motion.q[0], 2.0, 10.0 * error);
+        let disowned = problem.when(|x| x.q[0]).falling();
+        let disowned = disowned.then(|x| x.v[0] = -x.v[0]);
+        let motion = disowned.solve(2.0 * fall, method).unwrap();
+        assert_close(motion.q[0], 1.0, 10.0 * error);
     });
 }

@@ -1,5 +1,6 @@
 //! Event functions that are zero up to rounding, and small ones that are not.
 
+use crate::directions::{Direction, EVERY, directed};
 use lagrangian::prelude::*;
 
 /// An oscillator that goes round the unit circle.
@@ -19,7 +20,7 @@ use lagrangian::prelude::*;
 )]
 struct Circle;
 
-fn functions(_: f64, x: &Phase<f64, 2>) -> [f64; 5] {
+fn functions(x: &State<f64, 2>) -> [f64; 5] {
     let ([a, b], [da, db]) = ([x.q[0], x.q[1]], [x.v[0], x.v[1]]);
     [
         a.hypot(b) - 1.0,
@@ -31,9 +32,9 @@ fn functions(_: f64, x: &Phase<f64, 2>) -> [f64; 5] {
 }
 
 /// How often each event occurs in so many turns, declared and as a closure, and the number of steps.
-fn occurrences(event: Event, turns: f64) -> ([[usize; 5]; 2], usize) {
+fn occurrences(direction: Direction, turns: f64) -> ([[usize; 5]; 2], usize) {
     let start = State::new(0.0, [1.0, 0.0], [0.0, 1.0]);
-    let end = [turns * core::f64::consts::TAU];
+    let end = turns * core::f64::consts::TAU;
     let mut counts = [[0; 5]; 2];
     let mut steps = 0;
     let indices = [
@@ -44,14 +45,14 @@ fn occurrences(event: Event, turns: f64) -> ([[usize; 5]; 2], usize) {
         Circle::NEAR,
     ];
     for index in indices {
-        let driver = Taylor::new().driver().declared_events([(index, event)]);
-        let motion = driver.sample(&Circle.dynamics(), start, &end).unwrap();
+        let circle = Problem::new(&Circle, start);
+        let declared = directed!(direction, circle.clone().on(index)).record();
+        let motion = declared.solve(end, Taylor::new()).unwrap();
         counts[0][index] = motion.events().len();
-        let driver = Taylor::new().driver();
-        let driver = driver.events(event, |t, x: &Phase<f64, 2>| functions(t, x)[index]);
-        let motion = driver.sample(&Circle.dynamics(), start, &end).unwrap();
+        let given = directed!(direction, circle.when(|x| functions(x)[index])).record();
+        let motion = given.solve(end, Taylor::new()).unwrap();
         counts[1][index] = motion.events().len();
-        steps = usize::try_from(motion.statistics().steps).unwrap();
+        steps = usize::try_from(motion.statistics.steps).unwrap();
     }
     (counts, steps)
 }
@@ -59,13 +60,13 @@ fn occurrences(event: Event, turns: f64) -> ([[usize; 5]; 2], usize) {
 #[test]
 fn rounding_makes_few_events_of_a_constant() {
     for turns in [5.0, -5.0, 50.0] {
-        for event in [Event::either(), Event::rising(), Event::falling()] {
-            let (counts, steps) = occurrences(event, turns);
+        for direction in EVERY {
+            let (counts, steps) = occurrences(direction, turns);
             for of_kind in counts {
                 for count in &of_kind[..3] {
                     assert!(
                         *count <= 1 + steps / 2,
-                        "{event:?} {turns}: {counts:?} {steps}"
+                        "{direction:?} {turns}: {counts:?} {steps}"
                     );
                 }
             }
@@ -77,7 +78,7 @@ fn rounding_makes_few_events_of_a_constant() {
 #[test]
 fn small_functions_have_their_events() {
     for turns in [5.3, -5.3] {
-        let (counts, _) = occurrences(Event::either(), turns);
+        let (counts, _) = occurrences(Direction::Either, turns);
         // x = ½ twice in a turn, and once more at a sixth of it.
         assert_eq!([counts[0][3], counts[1][3]], [11, 11]);
         // x = 0 twice in a turn, and once more at a quarter of it.

@@ -92,12 +92,10 @@ fn watched<const K: usize>(events: [usize; K]) -> (u64, Vec<usize>, Vec<f64>) {
         orders: RefCell::default(),
     };
     let start = State::new(0.0, [0.0, 0.5, 0.0], [0.0, 0.0, 20.0]);
-    let driver = Taylor::new()
-        .driver()
-        .declared_events(events.map(|event| (event, Event::either())));
-    let motion = driver.sample(&dynamics, start, &[20.0]).unwrap();
+    let problem = Problem::new(&dynamics, start).on(events).record();
+    let motion = problem.solve(20.0, Taylor::new()).unwrap();
     let times = motion.events().iter().map(|event| event.t).collect();
-    (motion.statistics().steps, dynamics.orders.take(), times)
+    (motion.statistics.steps, dynamics.orders.take(), times)
 }
 
 #[test]
@@ -116,9 +114,10 @@ fn all_terms_are_computed_near_an_event() {
     let full = orders.iter().filter(|order| **order == 28).count();
     assert!(orders.len() > usize::try_from(steps).unwrap() && full > times.len());
     let start = State::new(0.0, [0.0, 0.5, 0.0], [0.0, 0.0, 20.0]);
-    let function = |_: f64, x: &Phase<f64, 3>| x.q[1].sin() * x.q[0].cos() - 0.2;
-    let driver = Taylor::new().driver().events(Event::either(), function);
-    let motion = driver.sample(&TOP.dynamics(), start, &[20.0]).unwrap();
+    let quarter = Problem::new(&TOP, start)
+        .when(|x| x.q[1].sin() * x.q[0].cos() - 0.2)
+        .record();
+    let motion = quarter.solve(20.0, Taylor::new()).unwrap();
     assert!(times.len() > 2, "{times:?} {}", motion.events().len());
     assert_eq!(times.len(), motion.events().len());
     for (t, sampled) in times.iter().zip(motion.events()) {
@@ -144,10 +143,8 @@ struct Particle {
 fn events_of_terms_of_high_order_alone_are_found() {
     let particle = Particle { m: 1.0 };
     let start = State::new(0.0, [0.0], [1.0]);
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Particle::DIP, Event::either())]);
-    let motion = driver.sample(&particle.dynamics(), start, &[1.0]).unwrap();
+    let problem = Problem::new(&particle, start).on(Particle::DIP).record();
+    let motion = problem.solve(1.0, Taylor::new()).unwrap();
     assert_eq!(motion.events().len(), 2);
     for event in motion.events() {
         let t: f64 = event.t;

@@ -1,11 +1,10 @@
-//! Settings of a driver count together, in any order: each of two conditions stops, each of two lists of events is reported,
-//! each of two observers is called, and the outcome says which it was.
+//! Settings of a problem count together, in any order: each of two conditions stops, each of two lists of events is reported,
+//! each of two observers is called, and the solution says which it was.
 
-use core::cell::Cell;
+use core::cell::{Cell, RefCell};
 use core::ops::ControlFlow;
 
 use lagrangian::prelude::*;
-use lagrangian::{EquationsOfMotion, StopCondition};
 
 /// A stone that falls from a height of 5 for 1 s.
 #[derive(Lagrangian)]
@@ -18,58 +17,51 @@ use lagrangian::{EquationsOfMotion, StopCondition};
 )]
 struct Stone;
 
-type X = Phase<f64, 1>;
-type Equations<'a> = EquationsOfMotion<'a, Stone, f64, 1>;
+type X = State<f64, 1>;
 
 const FLOOR: f64 = 1.0;
 /// √(2 · 3/10).
 const LEDGE: f64 = 0.774_596_669_241_483_4;
 
-fn height(_: f64, x: &X) -> f64 {
+fn height(x: &X) -> f64 {
     x.q[0]
 }
 
-fn above_ledge(_: f64, x: &X) -> f64 {
+fn above_ledge(x: &X) -> f64 {
     x.q[0] - 2.0
 }
 
+fn start() -> X {
+    State::new(0.0, [5.0], [0.0])
+}
+
 /// The end of a fall: why, which, and when.
-fn fall<I, C>(driver: Driver<I, C>) -> (StopReason, Vec<usize>, f64)
-where
-    I: for<'a> Integrator<f64, Equations<'a>>,
-    C: for<'a> StopCondition<f64, Equations<'a>>,
-{
-    let start = State::new(0.0, [5.0], [0.0]);
-    let outcome = driver.run_until(&Stone.dynamics(), start, 1.5).unwrap();
-    (
-        outcome.reason,
-        outcome.met.indices().collect(),
-        outcome.last.t,
-    )
+fn end(motion: &Solution<f64, Phase<f64, 1>>) -> (StopReason, Vec<usize>, f64) {
+    (motion.reason, motion.met.indices().collect(), motion.t)
 }
 
 /// The settings, by their numbers.
 macro_rules! set {
-    (0, $driver:expr) => {
-        $driver.stop_when(|_, x: &X| x.v[0] < -9.0)
+    (0, $problem:expr) => {
+        $problem.stop_when(|x| x.v[0] < -9.0)
     };
-    (1, $driver:expr) => {
-        $driver.stop_at_zero(above_ledge)
+    (1, $problem:expr) => {
+        $problem.when(above_ledge).stop()
     };
-    (2, $driver:expr) => {
-        $driver.stop_at_crossing(Event::falling(), height)
+    (2, $problem:expr) => {
+        $problem.when(height).falling().stop()
     };
-    (3, $driver:expr) => {
-        $driver.events(Crossing::Falling, above_ledge)
+    (3, $problem:expr) => {
+        $problem.when(above_ledge).falling().record()
     };
-    (4, $driver:expr) => {
-        $driver.events(Event::falling().terminal(), height)
+    (4, $problem:expr) => {
+        $problem.when(|x| [height(x)]).falling().stop()
     };
-    (5, $driver:expr) => {
-        $driver.declared_events([(Stone::LEDGE, Event::falling())])
+    (5, $problem:expr) => {
+        $problem.on(Stone::LEDGE).falling().record()
     };
-    (6, $driver:expr) => {
-        $driver.declared_events([(Stone::LEDGE, Event::falling().terminal())])
+    (6, $problem:expr) => {
+        $problem.on(Stone::LEDGE).falling().stop()
     };
 }
 
@@ -106,9 +98,10 @@ macro_rules! with_each {
         with_each!($method, $first, 0 1 2 3 4 5 6);
     };
     ($method:expr, $first:tt, $($second:tt)*) => {$({
-        let driver = set!($second, set!($first, $method.driver()));
+        let problem = set!($second, set!($first, Problem::new(&Stone, start())));
+        let motion = problem.solve(1.5, $method).unwrap();
         let what = concat!(stringify!($first), " then ", stringify!($second));
-        check(what, &fall(driver), [TIMES[$first], TIMES[$second]]);
+        check(what, &end(&motion), [TIMES[$first], TIMES[$second]]);
     })*};
 }
 
@@ -134,49 +127,60 @@ fn all_pairs_of_conditions_and_events_count() {
 /// Events of two lists are numbered through, come in the order of time, and each has its reaction.
 #[test]
 fn two_lists_of_events_are_numbered_through() {
-    let start = State::new(0.0, [5.0], [0.0]);
-    let driver = Taylor::new()
-        .driver()
-        .events([Event::falling(); 2], |_, x: &X| {
-            [x.q[0] - 1.0, x.q[0] - 3.0]
-        })
-        .stop_when(|t, _: &X| t > 9.0)
-        .declared_events([
-            (Stone::LEDGE, Event::falling()),
-            (Stone::FLOOR, Event::falling()),
-        ]);
-    let motion = driver
-        .clone()
-        .sample(&Stone.dynamics(), start, &[0.5, 0.8, 1.2])
+    let motion = Problem::new(&Stone, start())
+        .when(|x| [x.q[0] - 1.0, x.q[0] - 3.0])
+        .falling()
+        .record()
+        .stop_when(|x| x.t > 9.0)
+        .on([Stone::LEDGE, Stone::FLOOR])
+        .falling()
+        .record()
+        .save([0.5, 0.8, 1.2])
+        .solve(1.2, Taylor::new())
         .unwrap();
-    let events: Vec<usize> = motion.events().iter().map(|told| told.event).collect();
-    assert_eq!(events, [1, 3, 0, 4]);
+    let numbers = |events: &[Occurrence<Phase<f64, 1>>]| -> Vec<usize> {
+        events.iter().map(|told| told.event).collect()
+    };
+    assert_eq!(numbers(motion.events()), [1, 3, 0, 4]);
     for (told, drop) in motion.events().iter().zip([2.0, 3.0, 4.0, 5.0]) {
         assert!((told.t - f64::sqrt(0.2 * drop)).abs() < 1e-14);
     }
-    let mut reactions = Vec::new();
-    let outcome = driver
-        .run_reacting(&mut Stone.dynamics(), start, 2.0, |event, _, x, _| {
-            reactions.push(event);
-            if event == 4 {
+    // Which reaction, and at which height.
+    let reactions = RefCell::new(Vec::new());
+    let told = |list: usize, x: &X| reactions.borrow_mut().push((list, x.q[0].round()));
+    let motion = Problem::new(&Stone, start())
+        .when(|x| [x.q[0] - 1.0, x.q[0] - 3.0])
+        .falling()
+        .then(|x| told(0, x))
+        .stop_when(|x| x.t > 9.0)
+        .on([Stone::LEDGE, Stone::FLOOR])
+        .falling()
+        .then(|x| {
+            told(1, x);
+            if x.q[0] < 1.0 {
                 x.v[0] = -x.v[0];
-                return Reaction::Changed;
             }
-            Reaction::Unchanged
         })
+        .solve(2.0, Taylor::new())
         .unwrap();
-    assert_eq!(reactions, [1, 3, 0, 4]);
-    assert!((outcome.last.x.q[0] - 5.0).abs() < 1e-12);
+    assert_eq!(reactions.take(), [(0, 3.0), (1, 2.0), (0, 1.0), (1, 0.0)]);
+    assert_eq!(numbers(motion.events()), [1, 3, 0, 4]);
+    assert!((motion.q[0] - 5.0).abs() < 1e-12);
 }
 
 /// Two functions of two lists with one zero: both are reported, at one time, and both stop.
 #[test]
 fn simultaneous_events_of_two_lists_occur_together() {
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Stone::FLOOR, Event::falling().terminal())])
-        .stop_at_crossing(Crossing::Falling, height);
-    let (reason, met, time) = fall(driver);
+    let motion = Problem::new(&Stone, start())
+        .on(Stone::FLOOR)
+        .falling()
+        .stop()
+        .when(height)
+        .falling()
+        .stop()
+        .solve(1.5, Taylor::new())
+        .unwrap();
+    let (reason, met, time) = end(&motion);
     assert_eq!((reason, met), (StopReason::Condition, vec![0, 1]));
     assert!((time - FLOOR).abs() < 1e-14);
 }
@@ -187,7 +191,7 @@ fn two_observers_are_called_and_each_may_stop() {
         let calls = [const { Cell::new(0) }; 2];
         let observer = |index: usize| {
             let calls = &calls;
-            move |progress: &Progress<'_, X>| {
+            move |progress: &Progress<'_, Phase<f64, 1>>| {
                 calls[index].set(calls[index].get() + 1);
                 if index == stopping && progress.t > 0.5 {
                     ControlFlow::Break(())
@@ -196,12 +200,11 @@ fn two_observers_are_called_and_each_may_stop() {
                 }
             }
         };
-        let driver = Dop853::new().max_step(0.125).driver();
-        let driver = driver.observe(observer(0)).observe(observer(1));
-        let start = State::new(0.0, [5.0], [0.0]);
-        let outcome = driver.run_until(&Stone.dynamics(), start, 1.5).unwrap();
-        assert_eq!(outcome.reason, StopReason::Observer);
-        assert!(outcome.met.contains(stopping) && !outcome.met.contains(1 - stopping));
+        let problem = Problem::new(&Stone, start());
+        let problem = problem.each_step(observer(0)).each_step(observer(1));
+        let motion = problem.solve(1.5, Dop853::new().max_step(0.125)).unwrap();
+        assert_eq!(motion.reason, StopReason::Observer);
+        assert!(motion.met.contains(stopping) && !motion.met.contains(1 - stopping));
         assert_eq!(calls[0].get(), calls[1].get());
         assert!(calls[0].get() > 3);
     }
@@ -210,33 +213,36 @@ fn two_observers_are_called_and_each_may_stop() {
 /// A crossing that is watched for does not stop the integration, and has its reactions.
 #[test]
 fn a_crossing_is_an_event_with_reactions() {
-    let driver = Dop853::new().driver().events(Crossing::Falling, height);
-    let start = State::new(0.0, [5.0], [0.0]);
     let mut reactions = 0;
-    let outcome = driver.run_reacting(&mut Stone.dynamics(), start, 1.5, |_, _, x, _| {
-        reactions += 1;
-        x.v[0] = -x.v[0];
-        Reaction::Changed
-    });
-    let outcome = outcome.unwrap();
-    assert_eq!((reactions, outcome.reason), (1, StopReason::Completed));
+    let motion = Problem::new(&Stone, start())
+        .when(height)
+        .falling()
+        .then(|x| {
+            reactions += 1;
+            x.v[0] = -x.v[0];
+        })
+        .solve(1.5, Dop853::new())
+        .unwrap();
+    assert_eq!((reactions, motion.reason), (1, StopReason::Completed));
 }
 
 /// What is known of two lists goes through a checkpoint.
 #[test]
 fn two_lists_go_on_from_a_checkpoint() {
-    let driver = Taylor::new()
-        .driver()
-        .events(Event::falling(), above_ledge)
-        .declared_events([(Stone::FLOOR, Event::falling().terminal())]);
-    let dynamics = Stone.dynamics();
-    let start = State::new(0.0, [5.0], [0.0]);
-    let mut running = driver.clone().start(&dynamics, start).unwrap();
-    assert!(running.advance_to(LEDGE).unwrap().occurred.contains(0));
+    let problem = Problem::new(&Stone, start())
+        .when(above_ledge)
+        .falling()
+        .record()
+        .on(Stone::FLOOR)
+        .falling()
+        .stop();
+    let mut running = problem.clone().start(Taylor::new()).unwrap();
+    let first = running.advance(LEDGE).unwrap();
+    assert!(first.events().iter().any(|told| told.event == 0));
     let stored = running.checkpoint();
-    let mut running = driver.resume(&dynamics, stored).unwrap();
-    let outcome = running.advance_to(1.1).unwrap();
-    assert!(!outcome.occurred.contains(0));
-    assert_eq!(outcome.reason, StopReason::Condition);
-    assert_eq!(outcome.met.indices().collect::<Vec<_>>(), [1]);
+    let mut running = problem.resume(stored, Taylor::new()).unwrap();
+    let motion = running.advance(1.1).unwrap();
+    assert!(motion.events().iter().all(|told| told.event != 0));
+    assert_eq!(motion.reason, StopReason::Condition);
+    assert_eq!(motion.met.indices().collect::<Vec<_>>(), [1]);
 }

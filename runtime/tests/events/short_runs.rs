@@ -1,8 +1,9 @@
 //! Runs of some roundings of the time, one after the other, of which the last ends at an event or next to it.
 #![allow(clippy::unreadable_literal)] // Numbers of generated motions.
 
+use crate::directions::{Direction, EVERY, directed};
+use lagrangian::EquationsOfMotion;
 use lagrangian::prelude::*;
-use lagrangian::{EquationsOfMotion, ObservationKind, Progress};
 
 /// An oscillator beside a clock.
 #[derive(Lagrangian, Clone, Copy, Debug)]
@@ -19,32 +20,29 @@ struct Oscillator {
 
 /// The times of an event in runs that end at these times.
 fn seen<I>(
-    method: &I,
+    method: I,
     start: State<f64, 1>,
     times: &[f64],
-    event: Event,
+    direction: Direction,
     declared: bool,
 ) -> Vec<f64>
 where
-    I: IntegrationMethod + for<'a> Integrator<f64, EquationsOfMotion<'a, Oscillator, f64, 1>>,
+    I: Copy + for<'a> Integrator<f64, EquationsOfMotion<'a, Oscillator, f64, 1>>,
 {
     let model = Oscillator { k: 1.0 };
-    let equations = model.dynamics();
-    let cube = |t: f64, _: &Phase<f64, 1>| [t.powi(3) - 5.0];
     let (mut last, mut seen) = (start, Vec::new());
-    for time in times {
-        let driver = method.driver();
+    for &time in times {
+        let problem = Problem::new(&model, last);
         let motion = if declared {
-            let driver = driver.declared_events([(Oscillator::CUBE, event)]);
-            driver.sample(&equations, &last, &[*time])
+            let cube = directed!(direction, problem.on(Oscillator::CUBE));
+            cube.record().solve(time, method)
         } else {
-            driver
-                .events([event], cube)
-                .sample(&equations, &last, &[*time])
+            let cube = directed!(direction, problem.when(|x| [x.t.powi(3) - 5.0]));
+            cube.record().solve(time, method)
         };
         let motion = motion.unwrap();
         seen.extend(motion.events().iter().map(|event| event.t));
-        last = *motion.last();
+        last = motion.last;
     }
     seen
 }
@@ -54,25 +52,28 @@ fn runs_of_some_roundings_report_an_event_once() {
     let zero = 5.0_f64.cbrt();
     let near = |ulps: i64| f64::from_bits(zero.to_bits().wrapping_add_signed(ulps));
     let start = State::new(0.2, [0.3], [0.4]);
-    for (event, count) in [
-        (Event::rising(), 1),
-        (Event::falling(), 0),
-        (Event::either(), 1),
-    ] {
+    for direction in EVERY {
+        let count = usize::from(direction != Direction::Falling);
         for from in (-13..=11).step_by(2) {
             for to in (from + 1..=13).step_by(3) {
                 let times = [near(from), near(to), 2.5];
                 for declared in [true, false] {
                     let found = [
-                        seen(&Taylor::new(), start, &times, event, declared),
-                        seen(&Dop853::new(), start, &times, event, declared),
-                        seen(&RungeKutta::classical(0.2), start, &times, event, declared),
+                        seen(Taylor::new(), start, &times, direction, declared),
+                        seen(Dop853::new(), start, &times, direction, declared),
+                        seen(
+                            RungeKutta::classical(0.2),
+                            start,
+                            &times,
+                            direction,
+                            declared,
+                        ),
                     ];
                     for times in found {
                         assert_eq!(
                             times.len(),
                             count,
-                            "{event:?} from {from} to {to}: {times:?}"
+                            "{direction:?} from {from} to {to}: {times:?}"
                         );
                     }
                 }
@@ -87,17 +88,18 @@ fn a_periodic_function_is_not_zero_between_its_zeros() {
     let quarter = core::f64::consts::FRAC_PI_2;
     let model = Oscillator { k: 1.0 };
     let start = State::new(0.0, [quarter - 1e-9], [0.5]);
-    let wave = |_: f64, x: &Phase<f64, 1>| [(2.0 * x.q[0]).sin()];
-    let whole = Taylor::new().driver().events([Event::either()], wave);
-    let whole = whole.sample(&model.dynamics(), start, &[4.0]).unwrap();
+    let run = |start: State<f64, 1>, end| {
+        let wave = Problem::new(&model, start).when(|x| [(2.0 * x.q[0]).sin()]);
+        wave.record().solve(end, Taylor::new()).unwrap()
+    };
+    let whole = run(start, 4.0);
     assert!(whole.events().len() >= 3);
     for event in whole.events() {
         for ulps in 0..9 {
             let end = f64::from_bits(event.t.to_bits() + ulps - 4);
-            let driver = || Taylor::new().driver().events([Event::either()], wave);
-            let first = driver().sample(&model.dynamics(), start, &[end]).unwrap();
-            let second = driver().sample(&model.dynamics(), first.last(), &[4.0]);
-            let count = first.events().len() + second.unwrap().events().len();
+            let first = run(start, end);
+            let second = run(first.last, 4.0);
+            let count = first.events().len() + second.events().len();
             assert_eq!(count, whole.events().len(), "{end:e}");
         }
     }
@@ -107,13 +109,14 @@ fn a_periodic_function_is_not_zero_between_its_zeros() {
 #[test]
 fn an_event_is_not_reported_where_another_one_occurs() {
     let model = Oscillator { k: 1.0 };
-    let watched = [
-        (Oscillator::EARLY, Event::either()),
-        (Oscillator::BOTH, Event::rising()),
-    ];
-    let driver = Taylor::new().driver().declared_events(watched);
-    let start = State::new(-0.1, [0.2], [0.0]);
-    let motion = driver.sample(&model.dynamics(), start, &[3.2]).unwrap();
+    let motion = Problem::new(&model, State::new(-0.1, [0.2], [0.0]))
+        .on(Oscillator::EARLY)
+        .record()
+        .on(Oscillator::BOTH)
+        .rising()
+        .record()
+        .solve(3.2, Taylor::new())
+        .unwrap();
     let found: Vec<usize> = motion.events().iter().map(|event| event.event).collect();
     assert_eq!(found, [0, 1]);
     assert!((motion.events()[1].t - 2.5).abs() < 1e-12);
@@ -123,10 +126,15 @@ fn an_event_is_not_reported_where_another_one_occurs() {
 #[test]
 fn the_directions_of_a_pair_are_told_apart() {
     let model = Oscillator { k: 1.0 };
-    let watched = [Event::rising(), Event::falling()].map(|event| (Oscillator::PAIR, event));
-    let driver = Taylor::new().driver().declared_events(watched);
-    let start = State::new(-0.1, [0.2], [0.0]);
-    let motion = driver.sample(&model.dynamics(), start, &[3.2]).unwrap();
+    let motion = Problem::new(&model, State::new(-0.1, [0.2], [0.0]))
+        .on(Oscillator::PAIR)
+        .rising()
+        .record()
+        .on(Oscillator::PAIR)
+        .falling()
+        .record()
+        .solve(3.2, Taylor::new())
+        .unwrap();
     let found = motion.events().iter().map(|event| (event.event, event.t));
     let found: Vec<(usize, f64)> = found.collect();
     assert_eq!(found.len(), 2);
@@ -146,20 +154,20 @@ fn a_reaction_leaves_no_event_in_the_other_direction() {
     for from in -13..=0 {
         for to in 1..=13 {
             let model = Oscillator { k: 1.0 };
-            let mut equations = model.dynamics();
-            let (mut last, mut seen) = (State::new(0.2, [0.3], [0.4]), Vec::new());
+            let mut last = State::new(0.2_f64, [0.3], [0.4]);
+            let [mut seen, mut opposite] = [0; 2];
             for time in [near(from), near(to), 2.5] {
-                let cube = |t: f64, _: &Phase<f64, 1>| [t.powi(3) - 5.0; 2];
-                let driver = Dop853::new().driver();
-                let driver = driver.events([Event::falling(), Event::rising()], cube);
-                let react = |event, _, _: &mut Phase<f64, 1>, _: &mut _| {
-                    seen.push(event);
-                    Reaction::Changed
-                };
-                let outcome = driver.run_reacting(&mut equations, &last, time, react);
-                last = outcome.unwrap().last;
+                // The method begins anew at each event.
+                let problem = Problem::new(&model, last)
+                    .when(|x| x.t.powi(3) - 5.0)
+                    .falling()
+                    .then_with(|_, _| opposite += 1)
+                    .when(|x| x.t.powi(3) - 5.0)
+                    .rising()
+                    .then_with(|_, _| seen += 1);
+                last = problem.solve(time, Dop853::new()).unwrap().last;
             }
-            assert_eq!(seen, [1], "from {from} to {to}");
+            assert_eq!([opposite, seen], [0, 1], "from {from} to {to}");
         }
     }
 }
@@ -202,28 +210,21 @@ where
 #[test]
 fn an_advance_of_some_roundings_to_a_zero_has_its_event() {
     let model = Oscillator { k: 1.0 };
-    let equations = model.dynamics();
     let start = State::new(0.2, [0.3], [0.4]);
-    let wave = |t: f64, _: &Phase<f64, 1>| [(3.0 * t).cos() - 0.12751145782990958];
-    for event in [Event::falling(), Event::either()] {
-        let method = || Dop853::new().max_step(0.5);
-        let whole = method().driver().events([event], wave);
-        let whole = whole.sample(&equations, start, &[7.0]).unwrap();
+    let method = Dop853::new().max_step(0.5);
+    for direction in [Direction::Falling, Direction::Either] {
+        let wave = Problem::new(&model, start).when(|x| [(3.0 * x.t).cos() - 0.12751145782990958]);
+        let problem = directed!(direction, wave).record();
+        let whole = problem.clone().solve(7.0, method).unwrap();
         for time in whole.events().iter().map(|event| event.t) {
             for from in [-33, -10, -5, -1, 0] {
                 for to in (from + 1..=3).step_by(4) {
                     let near =
                         |ulps: i64| f64::from_bits(f64::to_bits(time).wrapping_add_signed(ulps));
-                    let mut seen = 0;
-                    let driver = method().driver().events([event], wave);
-                    let driver = driver.observe(|progress: &Progress<'_, _>| {
-                        seen += usize::from(matches!(progress.kind, ObservationKind::Event(_)));
-                        core::ops::ControlFlow::Continue(())
-                    });
-                    let mut running = driver.start(&equations, start).unwrap();
-                    for end in [near(from), near(to), 7.0] {
-                        running.advance_to(end).unwrap();
-                    }
+                    let mut running = problem.clone().start(method).unwrap();
+                    let parts = [near(from), near(to), 7.0];
+                    let parts = parts.map(|end| running.advance(end).unwrap().events().len());
+                    let seen: usize = parts.iter().sum();
                     assert_eq!(seen, whole.events().len(), "{time} from {from} to {to}");
                 }
             }
@@ -235,16 +236,20 @@ fn an_advance_of_some_roundings_to_a_zero_has_its_event() {
 #[test]
 fn a_zero_at_the_time_zero_is_an_event_in_one_direction() {
     let model = Oscillator { k: 1.0 };
-    let equations = model.dynamics();
-    let watched = [Event::falling(), Event::rising()];
-    let watched = watched.map(|event| (Oscillator::WAVE, event.terminal()));
     for begin in (0..100).map(|k| 0.1 + 0.0137 * f64::from(k)) {
         let (mut last, mut seen) = (State::new(begin, [0.3], [0.4]), Vec::new());
         while last.t > -1.0 {
-            let driver = Taylor::new().driver().declared_events(watched);
-            let outcome = driver.run_until(&equations, &last, -1.0).unwrap();
-            seen.extend(outcome.met.indices());
-            last = outcome.last;
+            let motion = Problem::new(&model, last)
+                .on(Oscillator::WAVE)
+                .falling()
+                .stop()
+                .on(Oscillator::WAVE)
+                .rising()
+                .stop()
+                .solve(-1.0, Taylor::new())
+                .unwrap();
+            seen.extend(motion.met.indices());
+            last = motion.last;
         }
         assert_eq!(seen, [0], "from {begin}");
     }
@@ -254,11 +259,15 @@ fn a_zero_at_the_time_zero_is_an_event_in_one_direction() {
 #[test]
 fn a_resumed_run_does_not_repeat_the_event_at_its_beginning() {
     let model = Pendulum {};
-    let equations = model.dynamics();
     let start = State::new(0.0, [-1.0474877091787331], [0.8359583815790192]);
-    let watched = [Event::rising(), Event::falling()].map(|event| (Pendulum::GROWTH, event));
-    let whole = Taylor::new().driver().declared_events(watched);
-    let whole = whole.sample(&equations, start, &[4.0]).unwrap();
+    let problem = Problem::new(&model, start)
+        .on(Pendulum::GROWTH)
+        .rising()
+        .record()
+        .on(Pendulum::GROWTH)
+        .falling()
+        .record();
+    let whole = problem.clone().solve(4.0, Taylor::new()).unwrap();
     let times: Vec<f64> = whole.events().iter().map(|event| event.t).collect();
     assert!(times.len() > 1);
     for time in times {
@@ -268,16 +277,12 @@ fn a_resumed_run_does_not_repeat_the_event_at_its_beginning() {
                 let mut seen = 0;
                 let mut checkpoint = None;
                 for end in [near(from), near(to), 4.0] {
-                    let driver = Taylor::new().driver().declared_events(watched);
-                    let driver = driver.observe(|progress: &Progress<'_, _>| {
-                        seen += usize::from(matches!(progress.kind, ObservationKind::Event(_)));
-                        core::ops::ControlFlow::Continue(())
-                    });
+                    let problem = problem.clone();
                     let mut running = match checkpoint.take() {
-                        Some(checkpoint) => driver.resume(&equations, checkpoint).unwrap(),
-                        None => driver.start(&equations, start).unwrap(),
+                        Some(checkpoint) => problem.resume(checkpoint, Taylor::new()).unwrap(),
+                        None => problem.start(Taylor::new()).unwrap(),
                     };
-                    running.advance_to(end).unwrap();
+                    seen += running.advance(end).unwrap().events().len();
                     checkpoint = Some(running.checkpoint());
                 }
                 assert_eq!(seen, whole.events().len(), "{time} from {from} to {to}");
@@ -304,9 +309,7 @@ fn a_short_run_is_one_step() {
     for (t, ulps) in [(0.3_f64, 1), (0.3, 7), (1e3, 3), (-1e-5, 9)] {
         let end = f64::from_bits(t.to_bits() + ulps);
         let start = State::new(t, [0.3], [0.4]);
-        let outcome = Dop853::new()
-            .driver()
-            .run_until(&model.dynamics(), start, end);
-        assert_eq!(outcome.unwrap().statistics.steps, 1, "{ulps} from {t}");
+        let motion = Problem::new(&model, start).solve(end, Dop853::new());
+        assert_eq!(motion.unwrap().statistics.steps, 1, "{ulps} from {t}");
     }
 }

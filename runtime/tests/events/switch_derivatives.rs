@@ -38,23 +38,18 @@ fn a_switch_has_the_gradient_of_its_closed_form() {
         place + speed * end + number(0.5) * after * end * end,
         speed + after * end,
     ];
-    let mut dynamics = Switched {
+    let switched = Switched {
         field: before,
         place,
-    }
-    .into_dynamics();
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Switched::<f64>::SWITCH, Event::rising())]);
+    };
     let start = State::new(number(0.0), [number(0.0)], [number(0.0)]);
-    let motion = driver
-        .sample_reacting(&mut dynamics, start, &[1.5], |_, _, _, dynamics| {
-            dynamics.change(|model| model.field = after);
-            Reaction::Changed
-        })
+    let motion = Problem::new(switched, start)
+        .on(Switched::<f64>::SWITCH)
+        .rising()
+        .then_with(|_, dynamics| dynamics.change(|model| model.field = after))
+        .solve(1.5, Taylor::new())
         .unwrap();
-    let last = motion.last().x;
-    for (found, expected) in [last.q[0], last.v[0]].iter().zip(&expected) {
+    for (found, expected) in [motion.q[0], motion.v[0]].iter().zip(&expected) {
         close("a value", found.value, expected.value, 1e-14);
         for part in 0..3 {
             let [found, expected] = [found, expected].map(|x| x.derivative_part(part));

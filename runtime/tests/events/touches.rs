@@ -1,5 +1,6 @@
 //! Event functions that touch zero, or have two zeros next to each other, where one run ends and another begins.
 
+use crate::directions::{Direction, EVERY, directed};
 use crate::random_numbers::Random;
 use crate::two_runs::{ENDS, X, in_two_runs, run};
 use lagrangian::prelude::*;
@@ -55,13 +56,15 @@ fn each_zero_once(indices: &[usize], seed: u64, cases: usize) {
     let mut random = Random(seed);
     for case in 0..cases {
         let (model, start, end) = thrown(&mut random, case);
-        let equations = model.dynamics();
         let method = [Taylor::new(), Taylor::new().max_step(0.1)][(case / 2) % 2];
-        for event in [Event::either(), Event::rising(), Event::falling()] {
+        for direction in EVERY {
             for &index in indices {
-                let watching = |event| method.driver().declared_events([(index, event)]);
-                let all = run(&watching(Event::either()), &equations, &start, end).0;
-                let whole = run(&watching(event), &equations, &start, end).0;
+                let watching = |direction, start: &At<f64, X>| {
+                    directed!(direction, Problem::new(&model, *start).on(index)).record()
+                };
+                let problem = |start: &At<f64, X>| watching(direction, start);
+                let all = run(watching(Direction::Either, &start), method, end);
+                let whole = run(problem(&start), method, end);
                 for kind in ENDS {
                     let place = random.below(u16::try_from(all.len()).unwrap());
                     let time = all[usize::from(place)].1;
@@ -74,11 +77,11 @@ fn each_zero_once(indices: &[usize], seed: u64, cases: usize) {
                                 * power(&mut random, -15.0, -4.0)
                         }
                     };
-                    let parts = in_two_runs(&watching(event), &equations, &start, (at, end), kind);
+                    let parts = in_two_runs(problem, method, &start, (at, end), kind);
                     assert_eq!(
                         parts.len(),
                         whole.len(),
-                        "{kind:?} at {at:e} = {time:e} {:+e}, {event:?} {index} of {model:?} from {start:?}: {parts:?} {whole:?}",
+                        "{kind:?} at {at:e} = {time:e} {:+e}, {direction:?} {index} of {model:?} from {start:?}: {parts:?} {whole:?}",
                         at - time
                     );
                 }
@@ -116,9 +119,8 @@ fn no_event_comes_before_its_zero() {
             d,
         };
         let start = State::new(-0.3, [0.4, 0.0], [0.0, 1.0]);
-        let driver = Taylor::new().driver();
-        let driver = driver.declared_events([(Stone::PAIR, Event::either())]);
-        let times = run(&driver, &model.dynamics(), &start, 2.5).0;
+        let pair = Problem::new(&model, start).on(Stone::PAIR).record();
+        let times = run(pair, Taylor::new(), 2.5);
         assert_eq!(times.len(), 2);
         for (time, sign) in times.iter().zip([-1.0, 1.0]) {
             let error = time.1 - (c + sign * d.sqrt());

@@ -8,22 +8,19 @@ use lagrangian::{Dynamics, Resume, StopCondition};
 
 pub(crate) type X = Phase<f64, 2>;
 
-/// The events of a run with their times, and its last state.
-pub(crate) fn run<D, I, C>(
-    driver: &Driver<I, C>,
-    equations: &D,
-    start: &At<f64, X>,
-    end: f64,
-) -> (Vec<(usize, f64)>, At<f64, X>)
+/// A problem with conditions and events.
+pub(crate) type Watching<D, C> = Problem<f64, D, lagrangian::problem::End, C>;
+
+/// The events of a run with their times.
+pub(crate) fn run<D, I, C>(problem: Watching<D, C>, method: I, end: f64) -> Vec<(usize, f64)>
 where
     D: Dynamics<f64, State = X>,
-    I: Clone + Integrator<f64, D>,
-    C: Clone + StopCondition<f64, D>,
+    I: Integrator<f64, D>,
+    C: StopCondition<f64, D>,
 {
-    let motion = driver.clone().sample(equations, start, &[end]);
-    let motion = motion.unwrap();
+    let motion = problem.solve(end, method).unwrap();
     let events = motion.events().iter().map(|event| (event.event, event.t));
-    (events.collect(), *motion.last())
+    events.collect()
 }
 
 /// How the first of two runs ends.
@@ -48,73 +45,70 @@ pub(crate) const ENDS: [End; 7] = [
     End::Checkpoint,
 ];
 
+fn stopping(stops: bool) -> ControlFlow<()> {
+    if stops {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    }
+}
+
 /// The events of two runs, the first of which ends at a time, or wherever its observer or step limit ends it.
 pub(crate) fn in_two_runs<D, I, C>(
-    driver: &Driver<I, C>,
-    equations: &D,
+    problem: impl Fn(&At<f64, X>) -> Watching<D, C>,
+    method: I,
     start: &At<f64, X>,
     (at, end): (f64, f64),
     kind: End,
 ) -> Vec<(usize, f64)>
 where
     D: Dynamics<f64, State = X>,
-    I: Clone + Resume<f64, D>,
-    C: Clone + StopCondition<f64, D>,
+    I: Copy + Resume<f64, D>,
+    C: StopCondition<f64, D>,
 {
-    let seen = RefCell::new(Vec::new());
-    let noting = driver.clone().observe(|progress: &Progress<'_, X>| {
-        if let ObservationKind::Event(event) = progress.kind {
-            seen.borrow_mut().push((event, progress.t));
-        }
-        ControlFlow::Continue(())
-    });
-    let stopping = |stops: bool| {
-        if stops {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+    let seen = &RefCell::new(Vec::new());
+    let noting = || {
+        problem(start).each_step(move |progress| {
+            if let ObservationKind::Event(event) = progress.kind {
+                seen.borrow_mut().push((event, progress.t));
+            }
+        })
     };
     let last = match kind {
-        End::Time => noting.run_until(equations, start, at).unwrap().last,
+        End::Time => noting().solve(at, method).unwrap().last,
         End::Sample => {
-            let at_sample =
-                |progress: &Progress<'_, X>| stopping(progress.kind == ObservationKind::Sample);
-            let driver = noting.observe(at_sample);
-            let outcome = driver.run_through(equations, start, &[at, end]).unwrap();
-            assert!(outcome.reason == StopReason::Observer && outcome.met.contains(1));
-            outcome.last
+            let first = noting()
+                .each_step(|progress| stopping(progress.kind == ObservationKind::Sample))
+                .save([at])
+                .solve(end, method)
+                .unwrap();
+            assert!(first.reason == StopReason::Observer && first.met.contains(1));
+            first.last
         }
         End::Steps => {
-            let driver = noting.max_steps(3);
-            driver
-                .run_through(equations, start, &[at, end])
-                .unwrap()
-                .last
+            let first = noting().max_steps(3).save([at]);
+            first.solve(end, method).unwrap().last
         }
         End::Event => {
-            let at_event = |progress: &Progress<'_, X>| {
-                stopping(matches!(progress.kind, ObservationKind::Event(_)))
-            };
-            let driver = noting.observe(at_event);
-            driver.run_until(equations, start, end).unwrap().last
+            let first = noting()
+                .each_step(|progress| stopping(matches!(progress.kind, ObservationKind::Event(_))));
+            first.solve(end, method).unwrap().last
         }
         End::Call | End::Dynamics | End::Checkpoint => {
-            let mut running = noting.clone().start(equations, start).unwrap();
-            running.advance_to(at).unwrap();
+            let mut running = noting().start(method).unwrap();
+            running.advance(at).unwrap();
             match kind {
-                End::Dynamics => running.change_dynamics(equations).unwrap(),
+                End::Dynamics => running.change(|_, _| {}).unwrap(),
                 End::Checkpoint => {
-                    let stored = running.checkpoint();
-                    running = noting.clone().resume(equations, stored).unwrap();
+                    running = noting().resume(running.checkpoint(), method).unwrap();
                 }
                 _ => {}
             }
-            running.advance_to(end).unwrap();
-            running.sample()
+            running.advance(end).unwrap();
+            running.state()
         }
     };
     let mut all = seen.take();
-    all.extend(run(driver, equations, &last, end).0);
+    all.extend(run(problem(&last), method, end));
     all
 }
