@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 use std::cell::RefCell;
 
 use lagrangian::prelude::*;
-use lagrangian::{Dynamics, Resume, StopCondition};
+use lagrangian::{Dynamics, Resume, Detection};
 
 pub(crate) type X = Phase<f64, 2>;
 
@@ -16,7 +16,7 @@ pub(crate) fn run<D, I, C>(problem: Watching<D, C>, method: I, end: f64) -> Vec<
 where
     D: Dynamics<f64, State = X>,
     I: Integrator<f64, D>,
-    C: StopCondition<f64, D>,
+    C: Detection<f64, D>,
 {
     let motion = problem.solve(end, method).unwrap();
     let events = motion.events().iter().map(|event| (event.event, event.t));
@@ -64,7 +64,7 @@ pub(crate) fn in_two_runs<D, I, C>(
 where
     D: Dynamics<f64, State = X>,
     I: Copy + Resume<f64, D>,
-    C: StopCondition<f64, D>,
+    C: Detection<f64, D>,
 {
     let seen = &RefCell::new(Vec::new());
     let noting = || {

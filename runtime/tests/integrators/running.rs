@@ -314,25 +314,35 @@ fn errors_convert() {
 /// A solution is known until the time at which the observer has stopped, also at an event or a sample within a step.
 #[test]
 fn a_solution_that_the_observer_stops_is_known_until_then() {
-    for kind in [ObservationKind::Event(0), ObservationKind::Sample] {
-        let solution = from(0.0, [1.0, 0.0])
-            .when(|x| x[0])
-            .record()
-            .each_step(|progress: &Progress<'_, X>| {
-                if progress.kind == kind && progress.t > progress.start {
-                    ControlFlow::Break(())
-                } else {
-                    ControlFlow::Continue(())
-                }
-            })
-            .save(Dense)
-            .solve(10.0, Dop853::new())
-            .unwrap();
-        assert_eq!(solution.reason, StopReason::Observer);
-        let end = solution.t;
-        for part in [0.1, 0.5, 0.999, 1.0] {
-            let x = solution.at(part * end).unwrap();
-            assert_close(x[0], (part * end).cos(), 1e-8);
+    let stop = |kind| {
+        move |progress: &Progress<'_, X>| {
+            if progress.kind == kind {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
         }
+    };
+    let solution = from(0.0, [1.0, 0.0])
+        .when(|x| x[0])
+        .record()
+        .each_step(stop(ObservationKind::Event(0)))
+        .save(Dense)
+        .solve(10.0, Dop853::new())
+        .unwrap();
+    assert_eq!(solution.reason, StopReason::Observer);
+    let end = solution.t;
+    for part in [0.1, 0.5, 0.999, 1.0] {
+        let x = solution.at(part * end).unwrap();
+        assert_close(x[0], (part * end).cos(), 1e-8);
     }
+
+    let solution = from(0.0, [1.0, 0.0])
+        .each_step(stop(ObservationKind::Sample))
+        .save([2.5, 7.0])
+        .solve(10.0, Dop853::new())
+        .unwrap();
+    assert_eq!(solution.reason, StopReason::Observer);
+    assert_eq!((solution.t, solution.samples().len()), (2.5, 1));
+    assert_close(solution[0], 2.5_f64.cos(), 1e-8);
 }

@@ -142,8 +142,11 @@ impl<V: Values> Memory<V> {
         let is_touching = self.touching.contains(event);
         let last = self.zero_at.as_slice().get(event).copied();
         let last = last.filter(|last| !last.is_nan());
-        let mut before = self.sign_before(event);
-        if (is_zero || is_touching) && has_sign(before) {
+        // What is known beyond the end, at which another list of events has stopped, may be the sign behind it.
+        let is_beyond = step.comes_before(ending.t, self.until);
+        let known = self.sign_before(event);
+        let mut before = if is_beyond { f64::NAN } else { known };
+        if (is_zero || is_touching) && (is_beyond || has_sign(before)) {
             // The last sign may be the one that rounding has put before the end: that apart from it counts, unless the zero between
             // them is known.
             let apart = ending.sides.as_ref().and_then(|sides| sides.before(event));
