@@ -5,7 +5,8 @@ use crate::directions::{Direction, EVERY, directed};
 use crate::random_numbers::Random;
 use crate::two_runs::{ENDS, Watching, X, in_two_runs, run};
 use lagrangian::prelude::*;
-use lagrangian::{EquationsOfMotion, Resume, Detection};
+use lagrangian::problem::Detection;
+use lagrangian::{EquationsOfMotion, Resume};
 
 /// A falling stone, and events at which it is 1 s after the start.
 #[derive(Lagrangian)]

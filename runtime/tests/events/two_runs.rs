@@ -4,7 +4,8 @@ use core::ops::ControlFlow;
 use std::cell::RefCell;
 
 use lagrangian::prelude::*;
-use lagrangian::{Dynamics, Resume, Detection};
+use lagrangian::problem::Detection;
+use lagrangian::{Dynamics, Resume};
 
 pub(crate) type X = Phase<f64, 2>;
 

@@ -88,7 +88,10 @@ fn the_component_with_the_pole_is_named() {
     let in_lanes = Taylor::new()
         .ensemble::<2>()
         .collect(&DecayAndPole, [(start, 2.0)]);
-    for error in [alone.unwrap_err().error(), *in_lanes[0].as_ref().unwrap_err()] {
+    for error in [
+        alone.unwrap_err().error(),
+        *in_lanes[0].as_ref().unwrap_err(),
+    ] {
         let IntegrationError::StepTooSmall { component, .. } = error else {
             panic!("{error}");
         };

@@ -4,7 +4,6 @@ use lagrangian::ReconstructedPhase;
 use lagrangian::prelude::*;
 use lagrangian_tests::{Random, assert_close};
 
-
 /// A mass on an orbit about a center whose pull changes in time, in a medium that resists radial motion.
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(

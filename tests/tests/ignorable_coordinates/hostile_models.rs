@@ -4,7 +4,6 @@
 use lagrangian::prelude::*;
 use lagrangian_tests::{Random, assert_close};
 
-
 /// One ignorable angle beside a slider with jumps, corners and roots, whose input acts through the ignorable velocity.
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(

@@ -5,8 +5,8 @@
 use std::cell::RefCell;
 
 use lagrangian::prelude::*;
-use lagrangian::problem::{End, Run};
 use lagrangian::problem::Detection;
+use lagrangian::problem::{End, Run};
 use lagrangian::{Checkpoint, EquationsOfMotion, Resume};
 use serde::{Serialize, de::DeserializeOwned};
 
