@@ -4,7 +4,7 @@
 //! ranges of the elementary functions (`scalar/sine_cosine.rs`, `scalar/double_double/constants.rs`), which follow
 //! from the format of the numbers.
 
-/// Steps, rejected ones included, after which a driver gives up by default: more than a motion
+/// Steps, rejected ones included, after which an integration gives up by default: more than a motion
 /// needs, but an end to a run whose steps have become tiny.
 pub(crate) const MAX_STEPS: u64 = 100_000_000;
 

@@ -13,15 +13,17 @@ use crate::scalar::{Lanes, Scalar};
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and the `K` states z of its
 /// controller: the state that an integrator steps under [`WithController`](crate::WithController).
 ///
-/// The initial value is a pair of a [`State`] and z:
+/// [`Problem::feedback_with_states`](crate::Problem::feedback_with_states) begins at a [`State`] and z. Elsewhere the initial value
+/// is one of these at a time:
 ///
 /// ```
-/// use lagrangian::{At, AugmentedPhase, InitialValue, State};
+/// use lagrangian::prelude::*;
 ///
 /// let state = State::new(2.0, [0.5], [0.0]);
-/// let start: At<f64, AugmentedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_initial();
+/// let x = AugmentedPhase { q: state.q, v: state.v, controller: SVector::from([0.0, 0.25]) };
+/// let start = At { t: state.t, x };
 /// assert_eq!(start.state(), state);
-/// assert_eq!(start.x.controller[1], 0.25);
+/// assert_eq!(start.controller[1], 0.25);
 /// ```
 ///
 /// Its components are the coordinates, the velocities, then the states of the controller.

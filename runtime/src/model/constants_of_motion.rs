@@ -37,8 +37,9 @@ use crate::scalar::Scalar;
 /// assert_eq!(orbit.constants_of_motion(&start)[0], 2.0 * 1.2);
 ///
 /// let mut watch = orbit.watch_constants(&start);
-/// let driver = Dop853::new().relative_tolerance(1e-10).driver().observe(&mut watch);
-/// driver.run_until(&orbit.dynamics(), start, 50.0)?;
+/// Problem::new(&orbit, start)
+///     .each_step(|progress| (&mut watch).observe(progress))
+///     .solve(50.0, Dop853::new().relative_tolerance(1e-10))?;
 /// let [momentum, energy] = watch.largest_changes();
 /// assert_eq!(energy.name, "energy");
 /// assert!(momentum.change.abs() < 1e-8 && energy.change.abs() < 1e-8);
@@ -64,7 +65,7 @@ pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
     /// Their values at a state.
     fn constants_of_motion(&self, state: &State<S, N>) -> SVector<S, C>;
 
-    /// An observer of the changes of the constants since this state, for a [`Driver`](crate::Driver) of any method.
+    /// An observer of the changes of the constants since this state, for a [`Problem`](crate::Problem) under any method.
     fn watch_constants(&self, start: &State<S, N>) -> ConstantsWatch<'_, Self, S, N, C>
     where
         Self: Sized,
@@ -84,8 +85,8 @@ pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
 }
 
 /// An observer of how constants of motion change in the course of an integration, at the ends of steps, samples and
-/// events. It is given to a driver by reference: `driver.observe(&mut watch)`. A reaction that changes the state, such as an
-/// impact, changes constants, too.
+/// events: `problem.each_step(|progress| (&mut watch).observe(progress))`. A reaction that changes the state, such as an impact,
+/// changes constants, too.
 #[derive(Clone, Debug)]
 pub struct ConstantsWatch<'a, M, S: Scalar, const N: usize, const C: usize> {
     model: &'a M,

@@ -14,15 +14,17 @@ use crate::scalar::{Lanes, Scalar};
 /// Coordinates q and velocities q̇ of a reduced model with `N` degrees of freedom, and the `K` ignorable coordinates of the
 /// full one: the state that an integrator steps under [`Reconstruction`](crate::Reconstruction).
 ///
-/// The initial value is a pair of a [`State`] of the reduced model and the ignorable coordinates:
+/// The initial value is made from a [`State`] of the reduced model and the ignorable coordinates:
 ///
 /// ```
-/// use lagrangian::{At, InitialValue, ReconstructedPhase, State};
+/// use lagrangian::prelude::*;
+/// use lagrangian::ReconstructedPhase;
 ///
 /// let state = State::new(2.0, [0.5], [0.0]);
-/// let start: At<f64, ReconstructedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into_initial();
+/// let x = ReconstructedPhase { q: state.q, v: state.v, ignorable: SVector::from([0.0, 0.25]) };
+/// let start = At { t: state.t, x };
 /// assert_eq!(start.state(), state);
-/// assert_eq!(start.x.ignorable[1], 0.25);
+/// assert_eq!(start.ignorable[1], 0.25);
 /// ```
 ///
 /// Its components are the coordinates, the velocities, then the ignorable coordinates.
