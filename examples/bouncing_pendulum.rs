@@ -30,19 +30,16 @@ fn main() -> Result<(), IntegrationError> {
         g: 9.81,
     };
     let start = State::new(0.0, [1.2], [0.0]);
-    let driver = Taylor::new().driver().declared_events([
-        (Pendulum::WALL, Event::falling()),
-        (Pendulum::TURNING, Event::falling()),
-    ]);
-    let mut dynamics = pendulum.dynamics();
-    let motion = driver.sample_reacting(&mut dynamics, start, &[1000.0], |event, _, x, _| {
-        if event == 0 {
-            x.v[Pendulum::THETA] *= -RESTITUTION;
-            Reaction::Changed
-        } else {
-            Reaction::Unchanged
-        }
-    })?;
+    let motion = Problem::new(&pendulum, start)
+        .on([Pendulum::WALL, Pendulum::TURNING])
+        .falling()
+        .then(|x| {
+            // The angle is zero at the wall, the velocity at a turning point.
+            if x.q[Pendulum::THETA].abs() < x.v[Pendulum::THETA].abs() {
+                x.v[Pendulum::THETA] *= -RESTITUTION;
+            }
+        })
+        .solve(1000.0, Taylor::new())?;
 
     let events = motion.events().iter();
     let (impacts, turns): (Vec<&Occurrence<_>>, Vec<_>) = events.partition(|x| x.event == 0);
@@ -56,7 +53,7 @@ fn main() -> Result<(), IntegrationError> {
     println!(
         "{} impacts until t = {} s, {small:.4} s apart in the end: small swings take half a period each",
         impacts.len(),
-        motion.last().t
+        motion.t
     );
     // Each impact keeps the square of the restitution of the energy above the lowest point.
     let lowest = State::new(0.0, [0.0], [0.0]);

@@ -46,11 +46,13 @@ fn main() -> Result<(), IntegrationError> {
 
     // The law is evaluated at every stage of every step, as a continuous controller would be.
     let start = State::new(0.0, [0.0, 0.4], [0.0, 0.0]);
-    let times: Vec<f64> = (0..=12).map(|k| 0.5 * f64::from(k)).collect();
-    let motion = Dop853::new().sample(&model.controlled_by(feedback), start, &times)?;
+    let motion = Problem::new(&model, start)
+        .feedback(feedback)
+        .save(Every(0.5))
+        .solve(6.0, Dop853::new())?;
 
     println!("  t [s]   x [m]  θ [degrees]  force [N]");
-    for state in motion.states() {
+    for state in motion {
         let (x, theta) = (state.q[CartPole::X], state.q[CartPole::THETA].to_degrees());
         println!(
             "{:7.1} {x:7.3} {theta:12.3} {:10.3}",

@@ -36,12 +36,13 @@ fn main() -> Result<(), IntegrationError> {
         g: 9.81,
     };
     let start = State::new(0.0, [2.0, 2.5], [0.0, 0.0]);
-    let times: Vec<f64> = (0..=10).map(f64::from).collect();
 
-    let motion = Dop853::new().sample(&model.dynamics(), start, &times)?;
+    let motion = Problem::new(&model, start)
+        .save(Every(1.0))
+        .solve(10.0, Dop853::new())?;
     // Nothing does work on the pendulum but gravity: what its energy changes by is numerical error.
     println!("  t [s]  θ₁ [rad]  θ₂ [rad]  energy error [J]");
-    for state in motion.states() {
+    for state in motion {
         let error = model.energy(&state) - model.energy(&start);
         println!(
             "{:7.1} {:9.4} {:9.4}  {error:16.1e}",

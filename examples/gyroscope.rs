@@ -91,17 +91,12 @@ fn released(theta: f64, spin: f64, precession: f64) -> State<f64, 3> {
 
 /// The mean rates of precession and of nutation between turning points of θ, a whole nutation apart.
 fn rates(model: &Gyroscope, start: State<f64, 3>) -> Result<[f64; 2], IntegrationError> {
-    let dynamics = model.dynamics();
-    let next = |from: &State<f64, 3>| -> Result<State<f64, 3>, IntegrationError> {
-        let theta_rate = |_: f64, x: &lagrangian::Phase<f64, 3>| x.v[Gyroscope::THETA];
-        let driver = Taylor::new().driver().stop_at_zero(theta_rate);
-        Ok(driver
-            .run_until(&dynamics, *from, from.t + 5.0)?
-            .last
-            .state())
+    let next = |from: State<f64, 3>| -> Result<State<f64, 3>, IntegrationError> {
+        let turning = Problem::new(model, from).when(|x| x.v[Gyroscope::THETA]);
+        Ok(turning.stop().solve(from.t + 5.0, Taylor::new())?.last)
     };
-    let from = next(&start)?;
-    let to = next(&next(&from)?)?;
+    let from = next(start)?;
+    let to = next(next(from)?)?;
     let period = to.t - from.t;
     let turned = to.q[Gyroscope::PHI] - from.q[Gyroscope::PHI];
     Ok([turned / period, 2.0 * PI / period])
@@ -162,8 +157,8 @@ fn motions(
     let mut motions = Vec::new();
     for (class, factor, name) in RELEASES {
         let start = released(theta, spin, slow * factor);
-        let motion = Taylor::new().sample(&model.dynamics(), start, &times)?;
-        let states: Vec<_> = motion.states().collect();
+        let problem = Problem::new(model, start).save(&times);
+        let states: Vec<_> = problem.solve(1.2, Taylor::new())?.into_iter().collect();
         let drift = states
             .iter()
             .map(|state| (model.energy(state) / model.energy(&start) - 1.0).abs());

@@ -89,12 +89,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let times: Vec<f64> = (1..=400).map(|k| 0.025 * f64::from(k)).collect();
     let start = State::new(0.0, [0.5, 1.2], [0.0, 0.0]);
-    let motion = Dop853::new().sample(&real.controlled_by(law), start, &times)?;
+    let motion = Problem::new(&real, start)
+        .feedback(law)
+        .save(times)
+        .solve(10.0, Dop853::new())?;
 
     let mut noise = Normal(88_172_645_463_325_252);
     let mut identification = Identification::new(Arm::BASE_PARAMETERS);
     let mut measured = Vec::new();
-    for state in motion.states() {
+    for state in motion {
         let torque = law(&state);
         let accelerations = real.accelerations_with(&state, &torque);
         let torque = torque + Vector2::from_fn(|_, _| NOISE * noise.number());

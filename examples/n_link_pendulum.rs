@@ -37,14 +37,15 @@ fn main() -> Result<(), IntegrationError> {
     // It is let go from an arc, from the vertical to the horizontal.
     let arc = SVector::from_iterator((0..20).map(|i| FRAC_PI_2 * f64::from(i) / 19.0));
     let start = State::new(0.0, arc, SVector::zeros());
-    let times: Vec<f64> = (0..=10).map(|k| 0.1 * f64::from(k)).collect();
-    let motion = Dop853::new()
+    let method = Dop853::new()
         .relative_tolerance(1e-10)
-        .absolute_tolerance(1e-10)
-        .sample(&chain.dynamics(), start, &times)?;
+        .absolute_tolerance(1e-10);
+    let motion = Problem::new(&chain, start)
+        .save(Every(0.1))
+        .solve(1.0, method)?;
 
     println!("  t [s]  end x [m]  end y [m]  energy error [J]");
-    for state in motion.states() {
+    for state in motion {
         let (x, y) = links
             .iter()
             .zip(chain.l)

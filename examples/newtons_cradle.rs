@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example newtons_cradle`
 
+use std::cell::Cell;
+
 use lagrangian::prelude::*;
 
 /// Five balls on strings side by side, with a small gap between neighbours that hang at rest.
@@ -43,27 +45,40 @@ fn main() -> Result<(), IntegrationError> {
         gap: 1e-4,
     };
     let start = State::new(0.0, [-0.5, -0.5, 0.0, 0.0, 0.0], [0.0; 5]);
-    let contacts = Cradle::CONTACT.map(|contact| (contact, Event::falling()));
-    let driver = Taylor::new().driver().declared_events(contacts);
-    let times: Vec<f64> = (0..=12).map(|i| 0.25 * f64::from(i)).collect();
-    let mut largest = 0.0_f64;
-    let mut dynamics = cradle.dynamics();
-    let motion = driver.sample_reacting(&mut dynamics, start, &times, |contact, _, x, _| {
+    let [first, second, third, fourth] = Cradle::CONTACT;
+    let largest = Cell::new(0.0_f64);
+    let impact = |x: &mut State<f64, 5>, contact| {
         let before = cradle.momentum(x);
         cradle.impact(x, contact);
-        largest = largest.max((cradle.momentum(x) - before).abs());
-        Reaction::Changed
-    })?;
+        let change = cradle.momentum(x) - before;
+        largest.set(largest.get().max(change.abs()));
+    };
+    let motion = Problem::new(&cradle, start)
+        .on(first)
+        .falling()
+        .then(|x| impact(x, 0))
+        .on(second)
+        .falling()
+        .then(|x| impact(x, 1))
+        .on(third)
+        .falling()
+        .then(|x| impact(x, 2))
+        .on(fourth)
+        .falling()
+        .then(|x| impact(x, 3))
+        .save(Every(0.25))
+        .solve(3.0, Taylor::new())?;
+    let largest = largest.get();
 
     println!("  t [s]  angles [rad]                             energy error [J]");
-    for state in motion.states() {
-        let error = cradle.energy(&state) - cradle.energy(&start);
+    for state in motion.samples() {
+        let error = cradle.energy(state) - cradle.energy(&start);
         let angles: Vec<String> = state.q.iter().map(|q| format!("{q:7.3}")).collect();
         println!("{:7.2}  {}  {error:16.1e}", state.t, angles.join(" "));
     }
     let count = motion.events().len();
     println!("{count} impacts; momentum is kept to {largest:.1e} kg m/s in each");
-    let end = cradle.energy(&motion.last().state());
+    let end = cradle.energy(&motion);
     assert!((end - cradle.energy(&start)).abs() < 1e-12 && largest < 1e-15);
     Ok(())
 }

@@ -73,17 +73,19 @@ fn main() -> Result<(), IntegrationError> {
 
     // It begins at rest and beside the path.
     let start = State::new(0.0, [0.8, 0.5, -0.4], [0.0; 3]);
-    let times: Vec<f64> = (0..=10).map(|k| 0.4 * f64::from(k)).collect();
-    let motion = Dop853::new()
+    let method = Dop853::new()
         .relative_tolerance(1e-10)
-        .absolute_tolerance(1e-10)
-        .sample(&arm.controlled_by(law), start, &times)?;
+        .absolute_tolerance(1e-10);
+    let motion = Problem::new(&arm, start)
+        .feedback(law)
+        .save(Every(0.4))
+        .solve(4.0, method)?;
 
     // With these torques ë + 2 λ ė + λ² e = 0, so that e = (e₀ + (ė₀ + λ e₀) t) exp(−λ t).
     let [q, v, _] = path(0.0);
     let (error, rate) = (start.q - q, start.v - v);
     println!("  t [s]    tip x      y      z [m]  power [W]  error [rad]  beside its closed form");
-    for state in motion.states() {
+    for state in motion {
         let outputs = arm.outputs_with(&state, &law(&state));
         let [x, y, z] = outputs.tip.into();
         let found = state.q - path(state.t)[0];

@@ -48,17 +48,19 @@ fn main() -> Result<(), IntegrationError> {
         [0.9, -0.5, 1.2, 0.0, 0.0, 0.0],
         [0.04, 0.06, -0.03, 0.0, 0.0, 0.0],
     );
-    let times: Vec<f64> = (0..=10).map(|k| 4.0 * f64::from(k)).collect();
-    let motion = Dop853::new()
+    let method = Dop853::new()
         .relative_tolerance(1e-12)
-        .absolute_tolerance(1e-12)
-        .sample(&satellite.controlled_by(law), start, &times)?;
+        .absolute_tolerance(1e-12);
+    let motion = Problem::new(&satellite, start)
+        .feedback(law)
+        .save(Every(4.0))
+        .solve(40.0, method)?;
 
     let momentum = satellite.outputs(&start).momentum;
     println!(
         "  t [s]    yaw   pitch   roll [degrees]    wheels [rad/s]       change of momentum [N m s]"
     );
-    for state in motion.states() {
+    for state in motion {
         let outputs = satellite.outputs(&state);
         let [yaw, pitch, roll] = [Satellite::YAW, Satellite::PITCH, Satellite::ROLL]
             .map(|angle| state.q[angle].to_degrees());

@@ -75,22 +75,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut curves = Vec::new();
     for (class, ratio) in CURVES {
         let motion = upright(ratio * least);
-        let times: Vec<f64> = (0..=3000).map(|k| f64::from(k) * 2e-3).collect();
-        let samples = Taylor::new().sample(&motion.dynamics(), at(1e-4), &times)?;
-        let points: Vec<_> = samples
-            .states()
+        let points: Vec<_> = Problem::new(&motion, at(1e-4))
+            .save(Every(2e-3))
+            .solve(6.0, Taylor::new())?
+            .into_iter()
             .map(|state| [state.t, state.q[0].abs().to_degrees()])
             .collect();
         // The first turning point of θ behind the start.
-        let theta_rate = |_: f64, x: &lagrangian::Phase<f64, 1>| x.v[0];
-        let driver = Taylor::new().driver().stop_at_zero(theta_rate);
-        let turned = driver.run_until(&motion.dynamics(), at(1e-4), 10.0)?;
+        let turned = Problem::new(&motion, at(1e-4)).when(|x| x.v[0]).stop();
+        let turned = turned.solve(10.0, Taylor::new())?;
         let formula = if ratio < 1.0 {
             turning_point(ratio)
         } else {
             0.0
         };
-        let found = turned.last.state().q[0].abs();
+        let found = turned.q[0].abs();
         println!(
             "  {ratio:8.2} {:13.4} {:13.4}",
             found.to_degrees(),

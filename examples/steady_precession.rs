@@ -56,14 +56,9 @@ impl Top {
 
 /// The frequency of nutation between turning points of θ, a whole nutation apart.
 fn measured(motion: &Nutation, start: State<f64, 1>) -> Result<f64, IntegrationError> {
-    let dynamics = motion.dynamics();
     let next = |from: State<f64, 1>| -> Result<State<f64, 1>, IntegrationError> {
-        let theta_rate = |_: f64, x: &lagrangian::Phase<f64, 1>| x.v[0];
-        let driver = Taylor::new().driver().stop_at_zero(theta_rate);
-        Ok(driver
-            .run_until(&dynamics, from, from.t + 5.0)?
-            .last
-            .state())
+        let turning = Problem::new(motion, from).when(|x| x.v[0]).stop();
+        Ok(turning.solve(from.t + 5.0, Taylor::new())?.last)
     };
     let from = next(start)?;
     let to = next(next(from)?)?;

@@ -40,17 +40,20 @@ fn racket() -> Result<RigidBody, BodyError> {
 /// The time between two zeros of ω₂, as the events of an integration find them.
 fn between_zeros<D, X>(
     dynamics: &D,
-    start: X,
-    middle: impl Fn(&X) -> f64,
+    start: At<f64, X>,
+    middle: impl Fn(&At<f64, X>) -> f64,
 ) -> Result<f64, IntegrationError>
 where
     D: Series<f64, State = X>,
     X: VectorSpace<f64>,
 {
-    let driver = || Taylor::new().driver().stop_at_zero(|_, x: &X| middle(x));
-    let first = driver().run_until(dynamics, (0.0, start), 100.0)?;
-    let second = driver().run_until(dynamics, first.last.clone(), 200.0)?;
-    Ok(second.last.t - first.last.t)
+    let zero = |from, end| {
+        let problem = Problem::new(dynamics, from).when(&middle).stop();
+        problem.solve(end, Taylor::new())
+    };
+    let first = zero(start, 100.0)?.last;
+    let t = first.t;
+    Ok(zero(first, 200.0)?.t - t)
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -80,12 +83,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let closed = FreeRotation::new(&body.inertia(), &start)?;
     let flip = closed.half_period().ok_or("this rotation is steady")?;
     let equations = EulerEquations::principal(body.moments())?;
-    let by_quaternion = between_zeros(&equations, start, |x| x.angular_velocity.y)?;
+    let by_quaternion =
+        between_zeros(&equations, At::from((0.0, start)), |x| x.angular_velocity.y)?;
     let model = Racket { racket: body };
     // In y-x-z and at the identity, the rates are those about y, x and z.
     let state = State::new(0.0, [0.0; 3], [omega.y, omega.x, omega.z]);
-    let middle = |x: &lagrangian::Phase<f64, 3>| model.outputs(&At::from((0.0, *x))).omega.y;
-    let by_angles = between_zeros(&model.dynamics(), state.into(), middle)?;
+    let middle = |state: &State<f64, 3>| model.outputs(state).omega.y;
+    let by_angles = between_zeros(&model.dynamics(), state, middle)?;
     println!("\nTime between two flips, in s:");
     println!("  closed form, 2 K(m)/σ        {flip:.12}");
     println!(
@@ -100,10 +104,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let times: Vec<f64> = (0..=800)
         .map(|k| 3.0 * flip * f64::from(k) / 800.0)
         .collect();
-    let motion = Taylor::new().sample(&model.dynamics(), state, &times)?;
+    let motion = Problem::new(&model, state)
+        .save(&times)
+        .solve(times[800], Taylor::new())?;
     let samples: Vec<Sample> = motion
-        .states()
-        .map(|state| Sample::of(&model, &closed, &state))
+        .samples()
+        .iter()
+        .map(|state| Sample::of(&model, &closed, state))
         .collect();
     let worst = samples
         .iter()

@@ -76,7 +76,7 @@ fn compare_reduced(degrees: usize) -> (String, &'static str) {
 fn once(method: &str, degrees: usize) -> (String, &'static str) {
     let body = format!(
         "    let start = State::new(0.0, [0.3; {degrees}], [0.1; {degrees}]);\n    \
-         let end = {method}::new().integrate_to(&model.dynamics(), start, 10.0)?.state();\n    \
+         let end = Problem::new(&model, start).solve(10.0, {method}::new())?;\n    \
          println!(\"{{:e}}\", model.energy(&end) / model.energy(&start) - 1.0);\n    Ok(())\n"
     );
     (body, "Result<(), IntegrationError>")

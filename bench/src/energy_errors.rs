@@ -3,7 +3,7 @@
 use std::thread;
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, IntegrationMethod, Lanes, MotionSeries};
+use lagrangian::{DoubleDouble, Lanes, MotionSeries};
 
 use crate::motions::{LANES, rows, state};
 use crate::question::EnergyErrors;
@@ -58,10 +58,11 @@ where
             .relative_tolerance(tolerance)
             .absolute_tolerance(tolerance)
     });
-    let driver = method.driver().max_steps(u64::MAX);
-    let dynamics = Lagrangian::<N, Lanes<LANES>>::dynamics(model);
-    let trajectory = driver
-        .sample(&dynamics, state::<Lanes<LANES>, N>(starts), times)
+    let end = times.last().copied().unwrap_or(0.0);
+    let solution = Problem::new(model, state::<Lanes<LANES>, N>(starts))
+        .max_steps(u64::MAX)
+        .save(times)
+        .solve(end, method)
         .map_err(|error| error.to_string())?;
     let drifts = |phase| {
         let rows = rows(phase);
@@ -70,7 +71,7 @@ where
             .map(|(row, initial)| drift(model, row, *initial))
             .collect()
     };
-    Ok(trajectory
+    Ok(solution
         .samples()
         .iter()
         .map(|sample| drifts(&sample.x))

@@ -149,7 +149,7 @@ fn by<S: Motions, I, M, const N: usize>(
 ) -> Result<Integrated, String>
 where
     M: Lagrangian<N, S>,
-    I: IntegrationMethod + for<'a> Integrator<S, EquationsOfMotion<'a, M, S, N>>,
+    I: Clone + for<'a> Integrator<S, EquationsOfMotion<'a, M, S, N>>,
 {
     let Integration {
         starts,
@@ -161,14 +161,14 @@ where
         return Err(format!("{} starts for {} motions", starts.len(), S::COUNT));
     }
     let start = state::<S, N>(starts);
-    let (outcome, seconds) = fewest_seconds(*at_least, || {
-        let outcome = method.driver().run_until(&model.dynamics(), start, *end);
-        outcome.map_err(|error| error.to_string())
+    let (solution, seconds) = fewest_seconds(*at_least, || {
+        let solution = Problem::new(model, start).solve(*end, method.clone());
+        solution.map_err(|error| error.to_string())
     })?;
     Ok(Integrated {
         seconds,
-        steps: outcome.statistics.steps,
-        states: rows(&outcome.last.x),
+        steps: solution.statistics.steps,
+        states: rows(&solution.x),
     })
 }
 

@@ -115,8 +115,8 @@ impl Row {
         };
         let calls = self.calls.iter().map(|call| match *call {
             "taylor" => {
-                "    let end = Taylor::new().integrate_to(&model.dynamics(), *state, 1.0);\n    \
-                         println!(\"{:?}\", end.map(|end| end.state().q[0]));\n"
+                "    let end = Problem::new(&model, *state).solve(1.0, Taylor::new());\n    \
+                         println!(\"{:?}\", end.map(|end| end.q[0]));\n"
                     .to_owned()
             }
             call => format!("    println!(\"{{:?}}\", model.{call});\n"),

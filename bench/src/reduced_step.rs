@@ -42,10 +42,9 @@ fn of_step<const N: usize, M: MotionSeries<N>>(
     model: &M,
     start: State<f64, N>,
 ) -> Result<f64, String> {
-    let dynamics = model.dynamics();
-    let (outcome, seconds) = fewest_seconds(0.0, || {
-        let outcome = Taylor::new().driver().run_until(&dynamics, start, END);
-        outcome.map_err(|error| error.to_string())
+    let (solution, seconds) = fewest_seconds(0.0, || {
+        let solution = Problem::new(model, start).solve(END, Taylor::new());
+        solution.map_err(|error| error.to_string())
     })?;
-    Ok(1e9 * seconds / outcome.statistics.steps as f64)
+    Ok(1e9 * seconds / solution.statistics.steps as f64)
 }

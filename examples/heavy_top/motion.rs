@@ -1,6 +1,5 @@
 //! The integration.
 
-use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use lagrangian::prelude::*;
@@ -26,26 +25,21 @@ pub(crate) struct Motion {
 pub(crate) fn integrate(top: &HeavyTop, options: &Options) -> Motion {
     let began = Instant::now();
     let mut bar = ProgressBar::new();
-    let watch = |progress: &Progress<'_, Phase<f64, 3>>| {
-        bar.show(progress.fraction());
-        ControlFlow::Continue(())
-    };
-    let result = method(options.tolerance).driver().observe(watch).sample(
-        &top.dynamics(),
-        options.start(),
-        &options.times(),
-    );
-    let (trajectory, failure) = match result {
-        Ok(trajectory) => (trajectory, None),
+    let result = Problem::new(top, options.start())
+        .each_step(|progress| bar.show(progress.fraction()))
+        .save(options.times())
+        .solve(options.time, method(options.tolerance));
+    let (solution, failure) = match result {
+        Ok(solution) => (solution, None),
         Err(interrupted) => {
             let error = interrupted.error();
-            (interrupted.into_trajectory(), Some(error))
+            (interrupted.into_solution(), Some(error))
         }
     };
     Motion {
-        states: trajectory.states().collect(),
+        statistics: solution.statistics,
+        states: solution.into_iter().collect(),
         failure,
-        statistics: trajectory.statistics(),
         duration: began.elapsed(),
     }
 }
@@ -57,12 +51,9 @@ pub(crate) fn turn(
     end: f64,
     tolerance: f64,
 ) -> Option<State<f64, 3>> {
-    let driver = method(tolerance).driver();
-    let outcome = driver
-        .stop_at_zero(|_, phase: &Phase<f64, 3>| phase.v[HeavyTop::THETA])
-        .run_until(&top.dynamics(), from, end)
-        .ok()?;
-    (outcome.reason == StopReason::Condition).then(|| outcome.last.state())
+    let turning = Problem::new(top, *from).when(|x| x.v[HeavyTop::THETA]);
+    let solution = turning.stop().solve(end, method(tolerance)).ok()?;
+    (solution.reason == StopReason::Condition).then_some(solution.last)
 }
 
 /// The method of integration.

@@ -49,13 +49,11 @@ impl CartPole {
         tilt: f64,
     ) -> Result<Vec<Point>, IntegrationError> {
         let law = |state: &State<f64, 2>| force(gain, state);
-        let closed = self.controlled_by(law);
         let mut state = State::new(0.0, [0.0, tilt], [0.0, 0.0]);
         let mut points = vec![(state, law(&state))];
         while state.t < DURATION && is_up(&state) {
-            state = Dop853::new()
-                .integrate_to(&closed, state, state.t + INTERVAL)?
-                .state();
+            let problem = Problem::new(self, state).feedback(law);
+            state = problem.solve(state.t + INTERVAL, Dop853::new())?.last;
             points.push((state, law(&state)));
         }
         Ok(points)
@@ -74,8 +72,8 @@ impl CartPole {
             let held = force(gain, &state);
             points.push((state, held));
             let pushed = self.with_inputs([held]);
-            let end = Dop853::new().integrate_to(&pushed.dynamics(), state, state.t + period)?;
-            state = end.state();
+            let problem = Problem::new(&pushed, state);
+            state = problem.solve(state.t + period, Dop853::new())?.last;
             points.push((state, held));
         }
         Ok(points)

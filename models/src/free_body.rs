@@ -18,7 +18,7 @@ use lagrangian::prelude::*;
 /// let body = PrincipalBody::new(2.0, [1.0, 2.0, 2.8])?;
 /// let model = FreeBody { body, gravity: Vector3::new(0.0, 0.0, -9.81) };
 /// let start = State::new(0.0, [0.0, 0.0, 0.0, 0.3, 1.2, 0.4], [3.0, 0.0, 4.0, 0.2, 0.9, 1.5]);
-/// let end = Taylor::new().integrate_to(&model.dynamics(), start, 0.8)?.state();
+/// let end = Problem::new(&model, start).solve(0.8, Taylor::new())?;
 ///
 /// // A parabola, and the closed form of free rotation.
 /// assert!((end.q[2] - (4.0 * 0.8 - 0.5 * 9.81 * 0.64)).abs() < 1e-13);

@@ -19,7 +19,7 @@ use lagrangian::prelude::*;
 /// let body = brick.moved(Vector3::new(0.05, 0.1, 0.15));
 /// let top = GeneralTop { body, g: 9.81 };
 /// let start = State::new(0.0, [0.3, 1.0, 0.4], [0.5, -0.4, 9.0]);
-/// let end = Taylor::new().integrate_to(&top.dynamics(), start, 0.5)?.state();
+/// let end = Problem::new(&top, start).solve(0.5, Taylor::new())?;
 ///
 /// // Euler's equations about the fixed point (3.5)–(3.7).
 /// let angles = |state: &State<f64, 3>| EulerAngles::new(EulerSequence::Zxz, state.q.into());
@@ -27,7 +27,7 @@ use lagrangian::prelude::*;
 /// let weight = ConstantForce { point: body.center(), force };
 /// let equations = EulerEquations::about_fixed_point(&body, &Vector3::zeros())?.with_moment(weight);
 /// let state = RotationState::new(&angles(&start).quaternion(), angles(&start).angular_velocity(&start.v));
-/// let expected = Taylor::new().integrate_to(&equations, (0.0, state), 0.5)?.x;
+/// let expected = Problem::new(&equations, At { t: 0.0, x: state }).solve(0.5, Taylor::new())?;
 /// let omega = angles(&end).angular_velocity(&end.v);
 /// assert!((omega - expected.angular_velocity).norm() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

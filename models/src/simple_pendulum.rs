@@ -15,7 +15,7 @@ use lagrangian::prelude::*;
 /// // It is back after 4 √(l/g) K(sin² ½θ₀).
 /// let modulus = Modulus::new((0.5 * amplitude).sin().powi(2), (0.5 * amplitude).cos().powi(2));
 /// let period = 4.0 * (0.8_f64 / 9.81).sqrt() * modulus.complete_first();
-/// let end = Taylor::new().integrate_to(&pendulum.dynamics(), start, period)?.state();
+/// let end = Problem::new(&pendulum, start).solve(period, Taylor::new())?;
 /// assert!((end.q[0] - amplitude).abs() < 1e-13 && end.v[0].abs() < 1e-12);
 /// # Ok::<(), IntegrationError>(())
 /// ```

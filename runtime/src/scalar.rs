@@ -77,10 +77,10 @@ pub use lanes::Lanes;
 /// let [m, k] = Dual::variables([2.0, 8.0]);
 /// let [zero, one] = [0.0, 1.0].map(Dual::constant);
 /// let start = State::new(zero, [one], [zero]);
-/// let end = RungeKutta::classical(1e-3).integrate_to(&Oscillator { m, k }.dynamics(), start, 1.0)?;
+/// let end = Problem::new(&Oscillator { m, k }, start).solve(1.0, RungeKutta::classical(1e-3))?;
 ///
 /// // x = cos ωt, ω² = k/m = 4; ∂x/∂m = t sin ωt ω/(2 m), ∂x/∂k = −t sin ωt ω/(2 k).
-/// let [by_mass, by_stiffness] = end.x.q[0].derivative;
+/// let [by_mass, by_stiffness] = end.q[0].derivative;
 /// assert!((by_mass - 0.5 * 2.0_f64.sin()).abs() < 1e-9);
 /// assert!((by_stiffness + 0.125 * 2.0_f64.sin()).abs() < 1e-9);
 /// # Ok::<(), IntegrationError>(())

@@ -35,8 +35,9 @@ use crate::scalar::Scalar;
 /// assert_eq!(orbit.constants_of_motion(&start)[0], 2.0 * 1.2);
 ///
 /// let mut watch = orbit.watch_constants(&start);
-/// let driver = Dop853::new().relative_tolerance(1e-10).driver().observe(&mut watch);
-/// driver.run_until(&orbit.dynamics(), start, 50.0)?;
+/// Problem::new(&orbit, start)
+///     .each_step(|progress| (&mut watch).observe(progress))
+///     .solve(50.0, Dop853::new().relative_tolerance(1e-10))?;
 /// let [momentum, energy] = watch.largest_changes();
 /// assert_eq!(energy.name, "energy");
 /// assert!(momentum.change.abs() < 1e-8 && energy.change.abs() < 1e-8);

@@ -31,7 +31,7 @@ use crate::scalar::Scalar;
 /// let dynamics = pendulum.dynamics();
 /// let swing = &|amplitude: f64| {
 ///     let start = State::new(0.0, [amplitude], [0.0]);
-///     Dop853::new().integrate_to(&dynamics, start, 10.0)
+///     Problem::new(&dynamics, start).solve(10.0, Dop853::new())
 /// };
 /// let amplitudes = [0.5, 1.0, 1.5, 2.0];
 /// let ends = std::thread::scope(|scope| {

@@ -20,7 +20,7 @@ use crate::scalar::Scalar;
 /// A model whose declaration has the clause `event(name = expression, …)`.
 ///
 /// An event occurs where its function, the expression, crosses zero. In which direction, and what happens then, is said
-/// where the events are watched for ([`Driver::declared_events`](crate::Driver::declared_events)).
+/// where the events are watched for ([`Problem::on`](crate::Problem::on)).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` declares no events",
     note = "write the clause `event(name = expression)` in its declaration, or give functions to `Problem::when`"

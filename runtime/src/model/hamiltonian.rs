@@ -35,11 +35,11 @@ use crate::scalar::Scalar;
 /// let planet = Planet { m: 2.0, k: 3.0 };
 /// let start = State::new(0.0, [1.0, 0.0], [0.0, 1.1]);
 /// let equations = planet.canonical_equations();
-/// let end = Dop853::new().integrate_to(&equations, equations.canonical(&start), 2.0)?;
+/// let end = Problem::new(&equations, equations.canonical(&start)).solve(2.0, Dop853::new())?;
 /// // The momentum of the ignorable coordinate stays, to the last digit.
-/// assert_eq!(end.x.p[Planet::PHI], 2.0 * 1.1);
+/// assert_eq!(end.p[Planet::PHI], 2.0 * 1.1);
 /// let state = equations.state(end.t, &end.x)?;
-/// let expected = Dop853::new().integrate_to(&planet.dynamics(), start, 2.0)?.state();
+/// let expected = Problem::new(&planet, start).solve(2.0, Dop853::new())?;
 /// assert!((state.q - expected.q).norm() < 1e-9 && (state.v - expected.v).norm() < 1e-9);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```

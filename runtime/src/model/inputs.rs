@@ -140,9 +140,9 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>: Lagrangian<N,
     /// let push = Sinusoid { amplitude: 3.0, angular_frequency: 1.0, phase: 0.0 };
     /// let driven = oscillator.driven_by((push, Constant(0.5)));
     /// let start = State::new(0.0, [0.5], [1.0]);
-    /// let end = Taylor::new().integrate_to(&driven, start, 20.0)?;
+    /// let end = Problem::new(&driven, start).solve(20.0, Taylor::new())?;
     /// // ẍ = −4 (x − ½) + 3 sin t.
-    /// assert!((end.x.q[0] - 0.5 - 20.0_f64.sin()).abs() < 1e-13);
+    /// assert!((end.q[0] - 0.5 - 20.0_f64.sin()).abs() < 1e-13);
     /// # Ok::<(), IntegrationError>(())
     /// ```
     fn driven_by<I: Signals<S, U>>(&self, signals: I) -> DrivenBy<'_, Self, I, S, N, U> {

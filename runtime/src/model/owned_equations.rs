@@ -22,17 +22,15 @@ use crate::scalar::Scalar;
 /// )]
 /// struct Crane { m: f64, g: f64, l: f64 }
 ///
-/// let mut crane = Crane { m: 900.0, g: 9.81, l: 12.0 }.into_dynamics();
-/// let driver = Dop853::new()
-///     .driver()
-///     .events(Event::rising(), |_, x: &Phase<f64, 1>| x.q[Crane::THETA] - 0.1);
-/// let start = State::new(0.0, [-0.2], [0.0]);
-/// let end = driver.run_reacting(&mut crane, start, 10.0, |_, _, _, crane| {
-///     crane.change(|crane| (crane.m, crane.l) = (100.0, 11.0));
-///     Reaction::Changed
-/// })?;
-/// assert!(end.occurred.contains(0));
-/// assert_eq!(crane.model().m, 100.0);
+/// let crane = Crane { m: 900.0, g: 9.81, l: 12.0 };
+/// let mut run = Problem::new(crane, State::new(0.0, [-0.2], [0.0]))
+///     .when(|x| x.q[Crane::THETA] - 0.1)
+///     .rising()
+///     .then_with(|_, crane| crane.change(|crane| (crane.m, crane.l) = (100.0, 11.0)))
+///     .start(Dop853::new())?;
+/// let end = run.advance(10.0)?;
+/// assert_eq!(end.events()[0].event, 0);
+/// assert_eq!(run.dynamics().model().m, 100.0);
 /// # Ok::<(), IntegrationError>(())
 /// ```
 #[derive(Debug)]
@@ -62,7 +60,7 @@ where
     }
 
     /// Changes the model, and prepares it again. A method of integration that holds on to these equations has to begin
-    /// anew: a reaction returns [`Reaction::Changed`](crate::Reaction::Changed).
+    /// anew, as a [`Problem`](crate::Problem) does behind a reaction by [`then_with`](crate::problem::When::then_with).
     pub fn change<R>(&mut self, change: impl FnOnce(&mut M) -> R) -> R {
         let result = change(&mut self.model);
         self.prepared = self.model.prepare();

@@ -43,8 +43,8 @@ pub trait Plant<const N: usize, const U: usize>: Inputs<N, U, Self::Scalar> {
     /// // Critically damped: x = (1 + t) e^(−t).
     /// let cart = Cart { m: 1.0, push: 0.0 };
     /// let loop_ = cart.controlled_by(|state| -state.q[Cart::X] - 2.0 * state.v[Cart::X]);
-    /// let end = Dop853::new().integrate_to(&loop_, State::new(0.0, [1.0], [0.0]), 3.0)?;
-    /// assert!((end.x.q[0] - 4.0 * (-3.0_f64).exp()).abs() < 1e-9);
+    /// let end = Problem::new(&loop_, State::new(0.0, [1.0], [0.0])).solve(3.0, Dop853::new())?;
+    /// assert!((end.q[0] - 4.0 * (-3.0_f64).exp()).abs() < 1e-9);
     /// # Ok::<(), IntegrationError>(())
     /// ```
     fn controlled_by<C, R>(&self, law: C) -> ControlledBy<'_, Self, C, Self::Scalar, N, U>
@@ -60,8 +60,7 @@ pub trait Plant<const N: usize, const U: usize>: Inputs<N, U, Self::Scalar> {
     /// actuator.
     ///
     /// The states are integrated together with the motion, by the same method and to the same
-    /// tolerance, and are sampled with it. The initial value is a pair of a [`State`] and z; a sample has z
-    /// in [`controller`](crate::AugmentedPhase::controller).
+    /// tolerance, and are sampled with it: a state has z in [`controller`](crate::AugmentedPhase::controller).
     ///
     /// ```
     /// use lagrangian::prelude::*;
@@ -80,10 +79,11 @@ pub trait Plant<const N: usize, const U: usize>: Inputs<N, U, Self::Scalar> {
     ///     let (error, rate) = (1.0 - state.q[Cart::X], -state.v[Cart::X]);
     ///     (6.0 * error + 2.0 * z[0] + 6.0 * rate, error)
     /// });
-    /// let start = (State::new(0.0, [0.0], [0.0]), [0.0]);
-    /// let end = Dop853::new().integrate_to(&pid, start, 60.0)?;
-    /// assert!((end.x.q[Cart::X] - 1.0).abs() < 1e-8);
-    /// assert!((2.0 * end.x.controller[0] - 3.0).abs() < 1e-8);
+    /// let zero = SVector::from([0.0]);
+    /// let start = At { t: 0.0, x: AugmentedPhase { q: zero, v: zero, controller: zero } };
+    /// let end = Problem::new(&pid, start).solve(60.0, Dop853::new())?;
+    /// assert!((end.q[Cart::X] - 1.0).abs() < 1e-8);
+    /// assert!((2.0 * end.controller[0] - 3.0).abs() < 1e-8);
     /// # Ok::<(), IntegrationError>(())
     /// ```
     fn with_controller<C, R, Z, const K: usize>(

@@ -20,7 +20,7 @@ use crate::scalar::{Lanes, Scalar};
 /// let state = State::new(2.0, [0.5], [0.0]);
 /// let start: At<f64, ReconstructedPhase<f64, 1, 2>> = (state, [0.0, 0.25]).into();
 /// assert_eq!(start.state(), state);
-/// assert_eq!(start.x.ignorable[1], 0.25);
+/// assert_eq!(start.ignorable[1], 0.25);
 /// ```
 ///
 /// Its components are the coordinates, the velocities, then the ignorable coordinates.

@@ -32,12 +32,13 @@ use crate::scalar::Scalar;
 /// let start = RotationState::aligned(Vector3::new(1e-3, 5.0, 0.0));
 /// let momentum = racket.angular_momentum_in_space(&start);
 ///
-/// let end = Taylor::new().integrate_to(&racket, (0.0, start), 10.0)?;
+/// let problem = Problem::new(&racket, At::from((0.0, start)));
+/// let end = problem.clone().solve(10.0, Taylor::new())?;
 /// let kept = racket.angular_momentum_in_space(&end.x) - momentum;
 /// assert!(kept.norm() < 1e-12 * momentum.norm());
 /// // It has turned over: the middle axis points the other way.
-/// let outcome = Taylor::new().driver().stop_at_zero(|_, x: &RotationState| x.angular_velocity.y);
-/// assert_eq!(outcome.run_until(&racket, (0.0, start), 100.0)?.reason, StopReason::Condition);
+/// let turned = problem.when(|x| x.angular_velocity.y).stop().solve(100.0, Taylor::new())?;
+/// assert_eq!(turned.reason, StopReason::Condition);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -107,8 +108,8 @@ impl<S: Scalar, M> EulerEquations<S, M> {
     /// let ball = EulerEquations::principal([2.0; 3])?;
     /// let driven = ball.with_moment(|t: f64, _: &RotationState| Vector3::new(t.sin(), 0.0, 0.0));
     /// let start = RotationState::aligned(Vector3::zeros());
-    /// let end = Dop853::new().integrate_to(&driven, (0.0, start), 3.0)?;
-    /// assert!((end.x.angular_velocity.x - 0.5 * (1.0 - 3.0_f64.cos())).abs() < 1e-9);
+    /// let end = Problem::new(&driven, At::from((0.0, start))).solve(3.0, Dop853::new())?;
+    /// assert!((end.angular_velocity.x - 0.5 * (1.0 - 3.0_f64.cos())).abs() < 1e-9);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]

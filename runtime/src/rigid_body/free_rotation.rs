@@ -33,9 +33,9 @@ use jacobi_motion::JacobiMotion;
 /// let start = RotationState::aligned(Vector3::new(0.1, 5.0, 0.0));
 /// let motion = FreeRotation::new(&racket, &start)?;
 ///
-/// let end = Taylor::new().integrate_to(&EulerEquations::new(racket)?, (0.0, start), 10.0)?;
-/// assert!((motion.at(10.0).angular_velocity - end.x.angular_velocity).norm() < 1e-11);
-/// assert!(motion.at(10.0).orientation().angle_to(&end.x.orientation()) < 1e-7);
+/// let end = Problem::new(EulerEquations::new(racket)?, At::from((0.0, start))).solve(10.0, Taylor::new())?;
+/// assert!((motion.at(10.0).angular_velocity - end.angular_velocity).norm() < 1e-11);
+/// assert!(motion.at(10.0).orientation().angle_to(&end.orientation()) < 1e-7);
 /// // The racket turns over after each half period.
 /// let flip = motion.half_period().unwrap_or(f64::NAN);
 /// assert!((motion.at(flip).angular_velocity.y + 5.0).abs() < 1e-11);

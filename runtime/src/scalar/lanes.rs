@@ -39,13 +39,13 @@ const IN_LOOPS: bool = cfg!(debug_assertions);
 /// let pendulums = Pendulum { l: Lanes(lengths), g: Lanes::from_f64(9.81) };
 /// let start = State::new(Lanes::from_f64(0.0), [Lanes::from_f64(0.3)], [Lanes::from_f64(0.0)]);
 /// let method = RungeKutta::classical(0.01);
-/// let end = method.integrate_to(&pendulums.dynamics(), start, 1.0)?;
+/// let end = Problem::new(&pendulums, start).solve(1.0, method)?;
 ///
 /// for (lane, l) in lengths.into_iter().enumerate() {
 ///     let alone = Pendulum { l, g: 9.81 };
 ///     let start = State::new(0.0, [0.3], [0.0]);
-///     let alone = method.integrate_to(&alone.dynamics(), start, 1.0)?;
-///     assert_eq!(end.x.q[0].lane(lane), alone.x.q[0]);
+///     let alone = Problem::new(&alone, start).solve(1.0, method)?;
+///     assert_eq!(end.q[0].lane(lane), alone.q[0]);
 /// }
 /// # Ok::<(), IntegrationError>(())
 /// ```

@@ -1,8 +1,8 @@
 //! Everything that a model evaluates, by the names that the data have for it.
 
 use lagrangian::{
-    Dop853, Energies, Inputs, IntegrationMethod as _, Lagrangian, RouthReduction, Routhian, State,
-    StopReason,
+    Dop853, Energies, Inputs, Lagrangian, Problem, ReconstructedPhase, RouthReduction, Routhian,
+    State, StopReason,
 };
 use nalgebra::{SMatrix, SVector};
 
@@ -120,12 +120,16 @@ where
     let method = Dop853::new()
         .relative_tolerance(1e-11)
         .absolute_tolerance(1e-12);
-    let driver = || method.driver().max_steps(MAX_STEPS);
     let end = full.t + 0.05;
     let equations = reduced.reconstruction();
+    let start = beside(state, places);
     let motions = (
-        driver().run_until(&model.dynamics(), *full, end),
-        driver().run_until(&equations, (*state, places), end),
+        Problem::new(model, *full)
+            .max_steps(MAX_STEPS)
+            .solve(end, method),
+        Problem::new(&equations, start)
+            .max_steps(MAX_STEPS)
+            .solve(end, method),
     );
     let (Ok(expected), Ok(found)) = motions else {
         return vec![0.0; N];
@@ -134,10 +138,21 @@ where
     if completed != [true; 2] {
         return vec![0.0; N];
     }
-    let (expected, found) = (expected.last, found.last);
-    let (expected, found) = (expected.state(), equations.full_state(end, &found.x));
+    let found = equations.full_state(end, &found.x);
     let gone = (expected.q - full.q).amax() + (expected.v - full.v).amax() + full.v.amax() + 1.0;
     rows(&((found.q - expected.q) / gone))
+}
+
+/// A state of a reduced model with the ignorable coordinates beside it.
+pub(crate) fn beside<const R: usize, const K: usize>(
+    state: &State<f64, R>,
+    ignorable: SVector<f64, K>,
+) -> lagrangian::At<f64, ReconstructedPhase<f64, R, K>> {
+    let (q, v) = (state.q, state.v);
+    lagrangian::At {
+        t: state.t,
+        x: ReconstructedPhase { q, v, ignorable },
+    }
 }
 
 /// The entries of a matrix row by row.

@@ -3,13 +3,13 @@
 use std::fmt;
 
 use lagrangian::{
-    Dop853, Dynamics, Event, EventDynamics, Events, InitialValue, IntegrationError,
-    IntegrationMethod, Integrator, MotionSeries, Occurrence, Outcome, Phase, ReconstructedPhase,
-    RouthReduction, Routhian, RouthianSeries, State, StopReason, Taylor,
+    Dop853, EventDynamics, Events, IntegrationError, Integrator, MotionSeries, Occurrence,
+    Partial, Phase, Problem, ReconstructedPhase, RouthReduction, Routhian, RouthianSeries, State,
+    StopReason, Taylor,
 };
 use nalgebra::SVector;
 
-use crate::evaluation::{Entries, Found};
+use crate::evaluation::{Entries, Found, beside};
 use crate::{At, rows};
 
 /// The tolerance of DOP853 by which those of its references are measured.
@@ -39,7 +39,11 @@ macro_rules! ends_by {
             if !at.asks_for(name) {
                 return Vec::new();
             }
-            let end = last(&$method, &model.dynamics(), at.state::<N>(), at.end());
+            let problem = Problem::new(model, at.state::<N>()).max_steps(MAX_STEPS);
+            let end = match problem.solve(at.end(), $method) {
+                Ok(solution) => completed(solution.reason, solution.last),
+                Err(partial) => Err(partial.into()),
+            };
             vec![(name, state_or_slide(end))]
         }
     )*};
@@ -47,7 +51,7 @@ macro_rules! ends_by {
 
 /// What a motion ends at. Each method is a function of its own, so that a model has to be compiled for those alone that it is asked for.
 pub mod ends {
-    use super::{At, Found, MotionSeries, Taylor, last, state_or_slide};
+    use super::{At, Found, MAX_STEPS, MotionSeries, Problem, Taylor, completed, state_or_slide};
 
     ends_by! {
         taylor = Taylor::new();
@@ -70,6 +74,18 @@ pub(crate) enum Failure {
     Stop(StopReason, f64),
 }
 
+impl From<IntegrationError> for Failure {
+    fn from(error: IntegrationError) -> Self {
+        Self::Error(error)
+    }
+}
+
+impl<T> From<Partial<T>> for Failure {
+    fn from(partial: Partial<T>) -> Self {
+        Self::Error(partial.error())
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -79,12 +95,11 @@ impl fmt::Display for Failure {
     }
 }
 
-fn completed<X>(outcome: Result<Outcome<X>, IntegrationError>) -> Result<X, Failure> {
-    let outcome = outcome.map_err(Failure::Error)?;
-    if outcome.reason == StopReason::Completed {
-        Ok(outcome.last.x)
+fn completed<X>(reason: StopReason, last: lagrangian::At<f64, X>) -> Result<X, Failure> {
+    if reason == StopReason::Completed {
+        Ok(last.x)
     } else {
-        Err(Failure::Stop(outcome.reason, outcome.last.t))
+        Err(Failure::Stop(reason, last.t))
     }
 }
 
@@ -106,13 +121,14 @@ macro_rules! reduced_ends_by {
             if !at.asks_for(names[0]) {
                 return Vec::new();
             }
-            let (dynamics, start, end) = (model.dynamics(), at.state::<N>(), at.end());
+            let (start, end) = (at.state::<N>(), at.end());
             let (reduced, state) = model.reduce(&start);
             let places = SVector::from(ignorable.map(|i| start.q[i]));
             let equations = reduced.reconstruction();
             let back = |x: ReconstructedPhase<f64, R, K>| flat(equations.full_state(end, &x).x);
-            let full = with_events(&$method, &dynamics, start, end);
-            let reduced = with_events(&$method, &equations, (state, places), end);
+            let full = with_events(Problem::new(model, start), end, $method);
+            let beside = Problem::new(&equations, beside(&state, places));
+            let reduced = with_events(beside, end, $method);
             [
                 named([names[0], names[1]], full, flat),
                 named([names[2], names[3]], reduced, back),
@@ -125,8 +141,8 @@ macro_rules! reduced_ends_by {
 /// What motions of a model with ignorable coordinates end at, by one of the methods.
 pub mod reduced_ends {
     use super::{
-        At, Events, Found, MotionSeries, ReconstructedPhase, RouthReduction, Routhian as _,
-        RouthianSeries, SVector, State, Taylor, flat, named, with_events,
+        At, Events, Found, MotionSeries, Problem, ReconstructedPhase, RouthReduction,
+        Routhian as _, RouthianSeries, SVector, State, Taylor, beside, flat, named, with_events,
     };
 
     reduced_ends_by! {
@@ -151,39 +167,22 @@ pub(crate) fn flat<const N: usize>(x: Phase<f64, N>) -> Vec<f64> {
     [rows(&x.q), rows(&x.v)].concat()
 }
 
-/// The state at the final time; why it is not reached otherwise.
-pub(crate) fn last<I, D>(
-    method: &I,
-    dynamics: &D,
-    start: impl InitialValue<D::State>,
-    end: f64,
-) -> Result<D::State, Failure>
-where
-    I: IntegrationMethod + Integrator<f64, D>,
-    D: Dynamics<f64>,
-{
-    let driver = method.driver().max_steps(MAX_STEPS);
-    completed(driver.run_until(dynamics, start, end))
-}
-
+/// The state at the final time, and the first two events that are declared.
 fn with_events<I, D>(
-    method: &I,
-    dynamics: &D,
-    start: impl InitialValue<D::State>,
+    problem: Problem<f64, D>,
     end: f64,
+    method: I,
 ) -> Result<(D::State, Vec<f64>), String>
 where
-    I: IntegrationMethod + Integrator<f64, D>,
+    I: Integrator<f64, D>,
     D: EventDynamics<f64>,
 {
-    let driver = method.driver().max_steps(MAX_STEPS);
-    let driver = driver.declared_events([(0, Event::either()), (1, Event::either())]);
-    let motion = driver.sample(dynamics, start, &[end]);
-    let motion = motion.map_err(|error| error.to_string())?;
-    if motion.reason() != StopReason::Completed {
-        return Err(format!("{:?} at t = {}", motion.reason(), motion.last().t));
-    }
-    Ok((motion.last().x.clone(), listed(motion.events())))
+    let problem = problem.on([0, 1]).record().max_steps(MAX_STEPS);
+    let motion = problem.solve(end, method);
+    let motion = motion.map_err(|error| error.error().to_string())?;
+    let events = listed(motion.events());
+    let x = completed(motion.reason, motion.last).map_err(|failure| failure.to_string())?;
+    Ok((x, events))
 }
 
 /// How many events there are, then the index and the time of each.
@@ -212,9 +211,9 @@ where
     let ends = ensemble.collect(&lanes, starts.iter().copied());
     let (mut together, mut apart) = (Entries::Ok(Vec::new()), Entries::Ok(Vec::new()));
     for ((start, end), outcome) in starts.iter().zip(ends) {
-        let found = state_or_slide(completed(outcome));
+        let found = state_or_slide(reached(outcome));
         let alone = ensemble.collect(&lanes, [(*start, *end)]).remove(0);
-        let expected = state_or_slide(completed(alone));
+        let expected = state_or_slide(reached(alone));
         let differences = match (&found, expected) {
             (Ok(found), Ok(expected)) if found.len() == expected.len() => {
                 Ok(found.iter().zip(&expected).map(|(x, y)| x - y).collect())
@@ -227,6 +226,12 @@ where
         append(&mut apart, differences);
     }
     vec![("lanes", together), ("lanes alone", apart)]
+}
+
+/// What a motion of an ensemble ends at.
+fn reached<X>(solution: Result<Solution<f64, X>, IntegrationError>) -> Result<X, Failure> {
+    let solution = solution?;
+    completed(solution.reason, solution.last)
 }
 
 fn append(all: &mut Entries, more: Entries) {

@@ -1,20 +1,48 @@
 //! The events of a motion that is split into runs.
 
-use core::ops::ControlFlow;
+use core::cell::RefCell;
 
+use lagrangian::problem::End;
 use lagrangian::{
-    Driver, Dynamics, Event, Events, IntegrationMethod as _, MotionSeries, ObservationKind,
-    Observer, Phase, Progress, Reaction, Resume, RungeKutta, State, StopCondition, StopReason,
-    Taylor,
+    Crossing, Dynamics, Events, MotionSeries, ObservationKind, Partial, Phase, Problem, Progress,
+    Resume, RungeKutta, Solution, State, StopCondition, StopReason, Taylor,
 };
 
 use crate::At;
 use crate::at::Run;
 use crate::evaluation::Found;
-use crate::motions::{MAX_STEPS, dop853, list};
+use crate::motions::{Failure, MAX_STEPS, dop853, list};
 
 /// An index of those watched, and a time.
 type Seen = Vec<(usize, f64)>;
+
+/// The problem from a state on in which both events are watched for, and what happens at each, by its number.
+macro_rules! watched {
+    ($declared:tt, $model:ident, $run:ident, $i:ident, $happens:ident($($reaction:expr)?)) => {
+        |start: State<f64, N>| {
+            let problem = Problem::new($model, start).max_steps(MAX_STEPS);
+            let $i = 0;
+            let problem = watched!($declared, problem, $model, $run, $i).$happens($($reaction)?);
+            let $i = 1;
+            watched!($declared, problem, $model, $run, $i).$happens($($reaction)?)
+        }
+    };
+    ($declared:tt, $problem:ident, $model:ident, $run:ident, $i:ident) => {{
+        let (index, crossing) = $run.watched[$i];
+        let event = watched!($declared, $problem, $model, index);
+        match crossing {
+            Crossing::Rising => event.rising(),
+            Crossing::Falling => event.falling(),
+            Crossing::Either => event,
+        }
+    }};
+    (true, $problem:ident, $model:ident, $index:ident) => {
+        $problem.on($index)
+    };
+    (false, $problem:ident, $model:ident, $index:ident) => {
+        $problem.when(move |x: &State<f64, N>| $model.event_functions(x).as_ref()[$index])
+    };
+}
 
 /// The events of the runs of a motion under these methods, watched for as declared events or by a closure.
 macro_rules! splits_by {
@@ -33,28 +61,28 @@ macro_rules! splits_by {
             if run.name() != stringify!($name) {
                 return Vec::new();
             }
-            let dynamics = model.dynamics();
-            let split = Split {
-                dynamics: &dynamics,
-                start: at.state::<N>(),
-                run,
+            let (method, start) = ($method(run), at.state::<N>());
+            let split = Split { method, start, run };
+            // What the reactions of the ways that have some are called for.
+            let seen = RefCell::new(Seen::new());
+            let note = |event, t| seen.borrow_mut().push((event, t));
+            let called = |runs: Result<Seen, Failure>| runs.map(|_| seen.take());
+            let found = match run.way.as_str() {
+                "unchanged" => {
+                    let problem = watched!($declared, model, run, i, then(move |x| note(i, x.t)));
+                    called(split.by_runs(|start, end| problem(start).solve(end, method)))
+                }
+                "changed" => {
+                    let problem = watched!($declared, model, run, i, then_with(move |x, _| note(i, x.t)));
+                    called(split.by_runs(|start, end| problem(start).solve(end, method)))
+                }
+                "stopped" => split.events(watched!($declared, model, run, i, stop())),
+                _ => split.events(watched!($declared, model, run, i, record())),
             };
-            let driver = $method(run).driver().max_steps(MAX_STEPS);
-            let seen = splits_by!(driver, split, model, $declared);
-            vec![("events", seen.map(|seen| list(&seen)))]
+            let found = found.map_err(|error| error.to_string());
+            vec![("events", found.map(|seen| list(&seen)))]
         }
     )*};
-    ($driver:ident, $split:ident, $model:ident, true) => {{
-        $split.events(&$driver.declared_events($split.run.declared()))
-    }};
-    ($driver:ident, $split:ident, $model:ident, false) => {{
-        let indices = $split.run.watched.map(|(index, _)| index);
-        let closure = |t: f64, x: &Phase<f64, N>| {
-            let values = $model.event_functions(&State::new(t, x.q, x.v));
-            indices.map(|index| values.as_ref()[index])
-        };
-        $split.events(&$driver.events($split.run.events(), closure))
-    }};
 }
 
 splits_by! {
@@ -67,70 +95,67 @@ splits_by! {
 }
 
 /// A motion, and how it is split.
-struct Split<'a, D: Dynamics<f64>> {
-    dynamics: &'a D,
-    start: lagrangian::At<f64, D::State>,
+struct Split<'a, I, const N: usize> {
+    method: I,
+    start: State<f64, N>,
     run: &'a Run,
 }
 
-impl<D> Split<'_, D>
-where
-    D: Dynamics<f64, State: Clone>,
-    D: Clone,
-{
+type Solved<const N: usize> = Solution<f64, Phase<f64, N>>;
+
+impl<I: Copy, const N: usize> Split<'_, I, N> {
     /// The events of all runs, in the order in which they are reported.
-    fn events<I, C>(&self, driver: &Driver<I, C>) -> Result<Seen, String>
+    fn events<D, C>(
+        &self,
+        problem: impl Fn(State<f64, N>) -> Problem<f64, D, End, C>,
+    ) -> Result<Seen, Failure>
     where
-        I: Resume<f64, D> + Clone,
-        C: StopCondition<f64, D> + Clone,
+        D: Dynamics<f64, State = Phase<f64, N>>,
+        I: Resume<f64, D>,
+        C: StopCondition<f64, D>,
     {
+        let method = self.method;
         match self.run.way.as_str() {
-            "runs" => self.by_runs(driver),
-            "stopped" => self.by_stops(driver),
-            "limited" => self.by_limits(driver),
-            "samples" => self.by_samples(driver),
-            "advanced" => self.by_advances(driver),
-            "resumed" => self.by_checkpoints(driver),
-            "unchanged" => self.by_reactions(driver, Reaction::Unchanged),
-            "changed" => self.by_reactions(driver, Reaction::Changed),
+            "runs" => self.by_runs(|start, end| problem(start).solve(end, method)),
+            "stopped" => self.by_stops(|start, end| problem(start).solve(end, method)),
+            "limited" => self
+                .by_limits(|start, end, steps| problem(start).max_steps(steps).solve(end, method)),
+            "samples" => self.by_samples(problem(self.start)),
+            "advanced" => self.by_advances(problem(self.start)),
+            "resumed" => self.by_checkpoints(|| problem(self.start)),
             other => panic!("`{other}` is no way to split a motion"),
         }
     }
 
     /// Each run begins from the last state of the one before.
-    fn by_runs<I, C>(&self, driver: &Driver<I, C>) -> Result<Seen, String>
-    where
-        I: Resume<f64, D> + Clone,
-        C: StopCondition<f64, D> + Clone,
-    {
-        let (mut last, mut seen) = (self.start.clone(), Vec::new());
+    fn by_runs(
+        &self,
+        run: impl Fn(State<f64, N>, f64) -> Result<Solved<N>, Partial<Solved<N>>>,
+    ) -> Result<Seen, Failure> {
+        let (mut last, mut seen) = (self.start, Vec::new());
         for &time in &self.run.times {
-            let motion = driver.clone().sample(self.dynamics, &last, &[time]);
-            let motion = motion.map_err(|error| error.to_string())?;
+            let motion = run(last, time)?;
             seen.extend(motion.events().iter().map(|e| (e.event, e.t)));
-            last = motion.last().clone();
+            last = motion.last;
         }
         Ok(seen)
     }
 
     /// All events are terminal: a run ends at each, and the next begins there.
-    fn by_stops<I, C>(&self, driver: &Driver<I, C>) -> Result<Seen, String>
-    where
-        I: Resume<f64, D> + Clone,
-        C: StopCondition<f64, D> + Clone,
-    {
-        let (mut last, mut seen) = (self.start.clone(), Vec::new());
+    fn by_stops(
+        &self,
+        run: impl Fn(State<f64, N>, f64) -> Result<Solved<N>, Partial<Solved<N>>>,
+    ) -> Result<Seen, Failure> {
+        let (mut last, mut seen) = (self.start, Vec::new());
         for &time in &self.run.times {
             for stops in 0.. {
                 if stops > MAX_EVENTS {
-                    return Err(format!("no end of events at t = {}", last.t));
+                    return Err(Failure::Stop(StopReason::Condition, last.t));
                 }
-                let outcome = driver.clone().run_until(self.dynamics, &last, time);
-                let outcome = outcome.map_err(|error| error.to_string())?;
-                let met = outcome.met.indices();
-                seen.extend(met.map(|index| (index, outcome.last.t)));
-                last = outcome.last;
-                if outcome.reason != StopReason::Condition {
+                let motion = run(last, time)?;
+                seen.extend(motion.met.indices().map(|index| (index, motion.t)));
+                last = motion.last;
+                if motion.reason != StopReason::Condition {
                     break;
                 }
             }
@@ -139,12 +164,11 @@ where
     }
 
     /// Runs of one, two, three, one, … steps.
-    fn by_limits<I, C>(&self, driver: &Driver<I, C>) -> Result<Seen, String>
-    where
-        I: Resume<f64, D> + Clone,
-        C: StopCondition<f64, D> + Clone,
-    {
-        let (mut last, mut seen) = (self.start.clone(), Vec::new());
+    fn by_limits(
+        &self,
+        run: impl Fn(State<f64, N>, f64, u64) -> Result<Solved<N>, Partial<Solved<N>>>,
+    ) -> Result<Seen, Failure> {
+        let (mut last, mut seen) = (self.start, Vec::new());
         for &time in &self.run.times {
             for runs in 0.. {
                 // A few runs of few steps: a method with short steps needs many of those.
@@ -153,12 +177,10 @@ where
                 } else {
                     MAX_STEPS
                 };
-                let driver = driver.clone().max_steps(steps);
-                let motion = driver.sample(self.dynamics, &last, &[time]);
-                let motion = motion.map_err(|error| error.to_string())?;
+                let motion = run(last, time, steps)?;
                 seen.extend(motion.events().iter().map(|e| (e.event, e.t)));
-                last = motion.last().clone();
-                if motion.reason() != StopReason::StepLimit {
+                last = motion.last;
+                if motion.reason != StopReason::StepLimit {
                     break;
                 }
             }
@@ -167,75 +189,54 @@ where
     }
 
     /// One run, with samples at these times.
-    fn by_samples<I, C>(&self, driver: &Driver<I, C>) -> Result<Seen, String>
+    fn by_samples<D, C>(&self, problem: Problem<f64, D, End, C>) -> Result<Seen, Failure>
     where
-        I: Resume<f64, D> + Clone,
-        C: StopCondition<f64, D> + Clone,
+        D: Dynamics<f64, State = Phase<f64, N>>,
+        I: Resume<f64, D>,
+        C: StopCondition<f64, D>,
     {
-        let motion = driver
-            .clone()
-            .sample(self.dynamics, &self.start, &self.run.times);
-        let motion = motion.map_err(|error| error.to_string())?;
+        let times = &self.run.times;
+        let problem = problem.save(times);
+        let motion = problem.solve(times[times.len() - 1], self.method)?;
         Ok(motion.events().iter().map(|e| (e.event, e.t)).collect())
     }
 
     /// One integration in progress, advanced to each time.
-    fn by_advances<I, C>(&self, driver: &Driver<I, C>) -> Result<Seen, String>
+    fn by_advances<D, C>(&self, problem: Problem<f64, D, End, C>) -> Result<Seen, Failure>
     where
-        I: Resume<f64, D> + Clone,
-        C: StopCondition<f64, D> + Clone,
+        D: Dynamics<f64, State = Phase<f64, N>>,
+        I: Resume<f64, D>,
+        C: StopCondition<f64, D>,
     {
         let mut seen = Vec::new();
-        let driver = driver.clone().observe(Watch(&mut seen));
-        let running = driver.start(self.dynamics, &self.start);
-        let mut running = running.map_err(|error| error.to_string())?;
+        let problem = problem.each_step(|progress| seen.extend(noted(progress)));
+        let mut run = problem.start(self.method)?;
         for &time in &self.run.times {
-            running
-                .advance_to(time)
-                .map_err(|error| error.to_string())?;
+            run.advance(time)?;
         }
-        drop(running);
+        drop(run);
         Ok(seen)
     }
 
     /// Integrations that go on from the checkpoint of the one before.
-    fn by_checkpoints<I, C>(&self, driver: &Driver<I, C>) -> Result<Seen, String>
+    fn by_checkpoints<D, C>(
+        &self,
+        problem: impl Fn() -> Problem<f64, D, End, C>,
+    ) -> Result<Seen, Failure>
     where
-        I: Resume<f64, D> + Clone,
-        C: StopCondition<f64, D> + Clone,
+        D: Dynamics<f64, State = Phase<f64, N>>,
+        I: Resume<f64, D>,
+        C: StopCondition<f64, D>,
     {
         let (mut seen, mut checkpoint) = (Vec::new(), None);
         for &time in &self.run.times {
-            let driver = driver.clone().observe(Watch(&mut seen));
-            let running = match checkpoint.take() {
-                None => driver.start(self.dynamics, &self.start),
-                Some(checkpoint) => driver.resume(self.dynamics, checkpoint),
+            let problem = problem().each_step(|progress| seen.extend(noted(progress)));
+            let mut run = match checkpoint.take() {
+                None => problem.start(self.method)?,
+                Some(checkpoint) => problem.resume(checkpoint, self.method)?,
             };
-            let mut running = running.map_err(|error| error.to_string())?;
-            running
-                .advance_to(time)
-                .map_err(|error| error.to_string())?;
-            checkpoint = Some(running.checkpoint());
-        }
-        Ok(seen)
-    }
-
-    /// Each run reacts to its events, without a change of the state.
-    fn by_reactions<I, C>(&self, driver: &Driver<I, C>, reaction: Reaction) -> Result<Seen, String>
-    where
-        I: Resume<f64, D> + Clone,
-        C: StopCondition<f64, D> + Clone,
-    {
-        let (mut last, mut seen) = (self.start.clone(), Vec::new());
-        let mut dynamics = self.dynamics.clone();
-        for &time in &self.run.times {
-            let react = |event, t, _: &mut D::State, _: &mut D| {
-                seen.push((event, t));
-                reaction
-            };
-            let driver = driver.clone();
-            let outcome = driver.run_reacting(&mut dynamics, &last, time, react);
-            last = outcome.map_err(|error| error.to_string())?.last;
+            run.advance(time)?;
+            checkpoint = Some(run.checkpoint());
         }
         Ok(seen)
     }
@@ -244,15 +245,11 @@ where
 /// Far more than any motion here has.
 const MAX_EVENTS: u64 = 200;
 
-/// Notes events.
-struct Watch<'a>(&'a mut Seen);
-
-impl<X> Observer<X> for Watch<'_> {
-    fn observe(&mut self, progress: &Progress<'_, X>) -> ControlFlow<()> {
-        if let ObservationKind::Event(index) = progress.kind {
-            self.0.push((index, progress.t));
-        }
-        ControlFlow::Continue(())
+/// The event at which an observer is called.
+fn noted<X>(progress: &Progress<'_, X>) -> Option<(usize, f64)> {
+    match progress.kind {
+        ObservationKind::Event(index) => Some((index, progress.t)),
+        _ => None,
     }
 }
 
@@ -265,23 +262,5 @@ impl Run {
             "sampled"
         };
         format!("{}_{watched}", self.method)
-    }
-
-    /// The declared events that are watched for.
-    fn declared(&self) -> [(usize, Event); 2] {
-        let [first, second] = self.events();
-        [(self.watched[0].0, first), (self.watched[1].0, second)]
-    }
-
-    /// What is watched for; terminal if the runs end at events.
-    fn events(&self) -> [Event; 2] {
-        self.watched.map(|(_, crossing)| {
-            let event = Event::new(crossing);
-            if self.way == "stopped" {
-                event.terminal()
-            } else {
-                event
-            }
-        })
     }
 }

@@ -360,10 +360,7 @@ fn energy_is_kept_by_series() {
         g: 9.81,
     };
     let start = State::new(0.0, [0.0, 0.5, 0.0], [0.3, 0.0, 60.0]);
-    let end = Taylor::new()
-        .integrate_to(&top.dynamics(), start, 3.0)
-        .unwrap()
-        .state();
+    let end = Problem::new(&top, start).solve(3.0, Taylor::new()).unwrap();
     let energies = [top.energy(&end), top.energy(&start)];
     assert_close("energy", &energies[..1], &energies[1..], 1e-13);
     let inertia = InertiaTensor::principal([0.05, 0.05, 0.02]);

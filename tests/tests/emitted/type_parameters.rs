@@ -188,18 +188,17 @@ fn a_control_law_is_of_the_scalar() -> Result<(), IntegrationError> {
     };
     let start = State::new(0.0, [0.4, -0.9], [0.0, 0.0]);
     let method = RungeKutta::classical(1e-3);
-    let damped = driven.controlled_by(|state| -state.v[0].sin());
-    let end = method.integrate_to(&damped, start, 1.0)?;
-    // The fields are plain numbers, on which laws are of f64 unless they say otherwise.
-    let law = |state: &State<f32, 2>| -state.v[0].sin();
-    let other = ControlledBy::new(&PLAIN, law);
-    let other = method.integrate_to(&other, start, 1.0)?;
+    let damped = Problem::new(&driven, start).feedback(|state| -state.v[0].sin());
+    let end = damped.solve(1.0, method)?;
+    // The fields are plain numbers, on which the law is of the scalar of the state.
+    let other = Problem::new(&PLAIN, start).feedback(|state| -state.v[0].sin());
+    let other = other.solve(1.0, method)?;
     let start = State::new(0.0, [0.4, -0.9], [0.0, 0.0]);
-    let damped = PLAIN.controlled_by(|state| -state.v[0].sin());
-    let expected = method.integrate_to(&damped, start, 1.0)?;
+    let damped = Problem::new(&PLAIN, start).feedback(|state| -state.v[0].sin());
+    let expected = damped.solve(1.0, method)?;
     for found in [end, other] {
-        let found = found.state().q.map(f64::from);
-        assert_close("q", found.as_slice(), expected.state().q.as_slice(), 1e-5);
+        let found = found.q.map(f64::from);
+        assert_close("q", found.as_slice(), expected.q.as_slice(), 1e-5);
     }
     Ok(())
 }

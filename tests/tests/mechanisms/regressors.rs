@@ -202,9 +202,10 @@ fn parameters_are_identified_with_the_covariance_that_is_expected() {
     };
     let times: Vec<f64> = (1..=200).map(|k| 0.02 * f64::from(k)).collect();
     let start = State::new(0.0, [0.0, 0.3, -0.5], [0.0; 3]);
-    let motion = Dop853::new()
-        .driver()
-        .sample(&ROBOT_ARM.controlled_by(law), start, &times)
+    let motion = Problem::new(&ROBOT_ARM, start)
+        .feedback(law)
+        .save(times)
+        .solve(4.0, Dop853::new())
         .expect("a motion");
     let unknown = RobotArm {
         j1: 0.0,
@@ -224,10 +225,9 @@ fn parameters_are_identified_with_the_covariance_that_is_expected() {
     let mut squares = SVector::<f64, 8>::zeros();
     for _ in 0..runs {
         let mut identification = Identification::new(RobotArm::BASE_PARAMETERS);
-        for sample in motion.samples() {
-            let state = sample.state();
-            let torque = SVector::from(law(&state));
-            let accelerations = ROBOT_ARM.accelerations_with(&state, &torque);
+        for state in motion.samples() {
+            let torque = SVector::from(law(state));
+            let accelerations = ROBOT_ARM.accelerations_with(state, &torque);
             let measured = torque + SVector::from_fn(|_, _| deviation * normal(&mut random));
             let model = unknown.with_inputs(measured);
             let none = SVector::zeros();

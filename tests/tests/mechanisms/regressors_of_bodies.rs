@@ -142,15 +142,15 @@ fn identification_gives_the_base_parameters_back() {
     };
     let times: Vec<f64> = (1..=150).map(|k| 0.04 * f64::from(k)).collect();
     let start = State::new(0.0, [0.0, 0.4, -0.9], [0.3, 0.0, 0.0]);
-    let motion = Dop853::new()
-        .driver()
-        .sample(&arm.controlled_by(law), start, &times)
+    let motion = Problem::new(&arm, start)
+        .feedback(law)
+        .save(times)
+        .solve(6.0, Dop853::new())
         .expect("a motion");
     // Nothing is known of the links.
     let nothing = arm.upper.map(|_| f64::NAN);
     let mut identification = Identification::new(Elbow::BASE_PARAMETERS);
-    for sample in motion.samples() {
-        let state = sample.state();
+    for state in motion {
         let torque = SVector::from(law(&state));
         let accelerations = arm.accelerations_with(&state, &torque);
         let unknown = Elbow {

@@ -53,7 +53,7 @@ def mentioned(lines, names):
 def count(folder, names):
     """Prints the programs of a folder."""
     total, all_names = 0, set()
-    files = sorted(path for path in folder.glob("*.rs") if path.stem not in ("main", "models", "before"))
+    files = sorted(path for path in folder.glob("*.rs") if path.stem not in ("main", "models"))
     for path in files:
         lines = body(path.read_text(encoding="utf-8"))
         found = mentioned(lines, names)
@@ -64,10 +64,7 @@ def count(folder, names):
 
 
 def main():
-    names = public_names()
-    for folder in (HERE / "before", HERE):
-        print(f"{folder.name}:")
-        count(folder, names)
+    count(HERE, public_names())
 
 
 if __name__ == "__main__":

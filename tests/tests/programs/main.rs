@@ -1,9 +1,7 @@
-//! What a user asks of an integration: sixteen programs, each as short as the interface allows, and those by drivers in
-//! `before/`. `count.py` beside this file counts their lines and the names of the crate that they mention; the tests below
-//! compare what they compute.
+//! What a user asks of an integration: sixteen programs, each as short as the interface allows. `count.py` beside this file
+//! counts their lines and the names of the crate that they mention; the tests below check what they compute.
 
 mod models;
-mod before;
 mod bounce;
 mod cancellation;
 mod checkpoint;
@@ -43,35 +41,17 @@ fn a_top_keeps_its_energy_under_both_methods() {
     assert!(other_method::program().unwrap().abs() < 1e-9);
 }
 
-/// Problems are integrated as by drivers, to the last bit; under the sampled controller steps go on from sample to sample.
+/// A fall of 1 s, then flights of 1 s and ½ s; and a throw at 20 m/s, which is in the air for 4 s and rises by 20 m.
 #[test]
-fn programs_by_drivers_compute_the_same() {
-    macro_rules! assert_equal {
-        ($($program:ident)*) => {$(
-            // As text, which has all digits.
-            let numbers = [$program::program(), before::$program::program()];
-            let [found, expected] = numbers.map(|numbers| format!("{:?}", numbers.unwrap()));
-            assert_eq!(found, expected);
-        )*};
+fn balls_fly_along_parabolas() {
+    let impacts = bounce::program().unwrap();
+    assert_eq!(impacts.len(), 3);
+    for (found, expected) in impacts.into_iter().zip([1.0, 2.0, 2.5]) {
+        assert_close(found, expected, 1e-13);
     }
-    assert_equal!(bounce checkpoint dense ensemble events linear_quadratic_regulator other_method parameter_change);
-    assert_equal!(proportional_derivative samples signal top);
-    let [new, old] = [
-        sampled_controller::program,
-        before::sampled_controller::program,
-    ];
-    assert_close(new().unwrap(), old().unwrap(), 1e-7);
-    let (mut new, mut old) = (Vec::new(), Vec::new());
-    game_loop::program(|theta| new.push(theta)).unwrap();
-    before::game_loop::program(|theta| old.push(theta)).unwrap();
-    assert_eq!(new, old);
-    let never = AtomicBool::new(false);
-    let end = cancellation::program(&never, |_| ()).unwrap();
-    assert_close(
-        end,
-        before::cancellation::program(&never, |_| ()).unwrap(),
-        0.0,
-    );
+    let [apex, distance] = events::program().unwrap();
+    assert_close(apex, 20.0, 1e-13);
+    assert_close(distance, 4.0, 1e-13);
 }
 
 /// The nutation from one start, however it is asked for.
@@ -124,10 +104,9 @@ fn a_signal_is_a_law_of_the_time() {
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13);
     let start = State::new(0.0, [0.0], [0.0]);
-    let end = method
-        .integrate_to(&PENDULUM.controlled_by(torque), start, 10.0)
-        .unwrap();
-    assert_close(signal::program().unwrap(), end.x.q[0], 1e-10);
+    let problem = Problem::new(&PENDULUM, start).feedback(torque);
+    let end = problem.solve(10.0, method).unwrap();
+    assert_close(signal::program().unwrap(), end.q[0], 1e-10);
 }
 
 #[test]
@@ -147,11 +126,8 @@ fn a_motion_ends_where_it_is_cancelled() {
 fn swing(l: f64, angle: f64, velocity: f64) -> f64 {
     let model = Swing { l, g: 9.81 };
     let start = State::new(0.0, [angle], [velocity]);
-    Taylor::new()
-        .integrate_to(&model.dynamics(), start, 10.0)
-        .unwrap()
-        .x
-        .q[0]
+    let end = Problem::new(&model, start).solve(10.0, Taylor::new());
+    end.unwrap().q[0]
 }
 
 #[test]
@@ -174,10 +150,7 @@ fn a_change_of_length_is_one_motion_behind_another() {
     let mut state = State::new(0.0, [1.0], [0.0]);
     for (l, end) in [(1.0, 5.0), (0.5, 10.0)] {
         let model = Swing { l, g: 9.81 };
-        state = method
-            .integrate_to(&model.dynamics(), state, end)
-            .unwrap()
-            .state();
+        state = Problem::new(&model, state).solve(end, method).unwrap().last;
     }
     assert_close(parameter_change::program().unwrap(), state.q[0], 1e-10);
 }

@@ -98,9 +98,8 @@ fn state_at<const N: usize>(
     let method = Dop853::new()
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13);
-    let driver = method.driver();
-    match driver.run_until(&model.dynamics(), initial, t) {
-        Ok(outcome) => outcome.last.state(),
+    match Problem::new(model, initial).solve(t, method) {
+        Ok(solution) => solution.last,
         Err(error) => panic!("{error}"),
     }
 }

@@ -75,8 +75,8 @@ fn integrate<const N: usize>(
     let method = Dop853::new()
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13);
-    match method.integrate_to(dynamics, initial, end) {
-        Ok(sample) => [rows(&sample.x.q), rows(&sample.x.v)],
+    match Problem::new(dynamics, initial).solve(end, method) {
+        Ok(state) => [rows(&state.q), rows(&state.v)],
         Err(error) => panic!("{}: {error}", case["id"]),
     }
 }

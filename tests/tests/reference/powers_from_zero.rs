@@ -29,8 +29,8 @@ macro_rules! end {
     ($model:expr) => {{
         let model = $model;
         let start = State::new(0.0, [0.0], [1.0]);
-        let end = Taylor::new().integrate_to(&model.dynamics(), start, 1.25);
-        let end = end.unwrap().state();
+        let end = Problem::new(&model, start).solve(1.25, Taylor::new());
+        let end = end.unwrap();
         [end.q[0], end.v[0]]
     }};
 }

@@ -2,8 +2,8 @@
 
 use std::cell::Cell;
 
-use lagrangian::MotionSeries;
 use lagrangian::prelude::*;
+use lagrangian::{MotionSeries, Partial};
 use lagrangian_tests::{
     Figures, Law, Observed, Parametrized, array, list, number, numbers, references, relative_error,
     rows, text,
@@ -166,8 +166,7 @@ fn by_series<M, const N: usize>(model: &M, initial: State<f64, N>, times: &[f64]
 where
     M: MotionSeries<N>,
 {
-    let driver = Taylor::new().driver().max_steps(1_000_000);
-    driver.sample(&model.dynamics(), initial, times)
+    sampled(Problem::new(model, initial), times, Taylor::new())
 }
 
 /// The inputs of the fields are no numbers, and everything that depends on inputs uses the law.
@@ -190,7 +189,17 @@ where
 }
 
 /// The motion at the times of the samples, or up to an error.
-type Sampled<const N: usize> = Result<Trajectory<Phase<f64, N>>, PartialTrajectory<Phase<f64, N>>>;
+type Sampled<const N: usize> = Result<Samples<N>, Partial<Samples<N>>>;
+type Samples<const N: usize> = Solution<f64, Phase<f64, N>, Vec<State<f64, N>>>;
+
+fn sampled<D, I, const N: usize>(problem: Problem<f64, D>, times: &[f64], method: I) -> Sampled<N>
+where
+    D: Dynamics<State = Phase<f64, N>>,
+    I: Integrator<f64, D>,
+{
+    let end = times[times.len() - 1];
+    problem.max_steps(1_000_000).save(times).solve(end, method)
+}
 
 /// By DOP853, which is compiled for each number of coordinates, not for each model.
 fn dormand_prince<const N: usize>(
@@ -200,10 +209,8 @@ fn dormand_prince<const N: usize>(
     let (initial, times) = start(system);
     let method = Dop853::new()
         .relative_tolerance(1e-13)
-        .absolute_tolerance(1e-13)
-        .driver()
-        .max_steps(1_000_000);
-    method.sample(dynamics, initial, &times)
+        .absolute_tolerance(1e-13);
+    sampled(Problem::new(dynamics, initial), &times, method)
 }
 
 /// The initial state, and the times of the samples.
@@ -221,16 +228,19 @@ impl Motion {
         system: &Value,
         compare: impl Fn(&State<f64, N>, &Value) -> Vec<Comparison>,
     ) -> Self {
-        let (trajectory, error) = match sampled {
-            Ok(trajectory) => (trajectory, None),
-            Err(partial) => (partial.trajectory().clone(), Some(partial.error())),
+        let (solution, error) = match sampled {
+            Ok(solution) => (solution, None),
+            Err(partial) => {
+                let error = partial.error();
+                (partial.into_solution(), Some(error))
+            }
         };
-        let states = trajectory.states().zip(list(&system["samples"]));
+        let states = solution.samples().iter().zip(list(&system["samples"]));
         Self {
             allowed: Vec::new(),
             method,
             samples: states
-                .map(|(state, sample)| compare(&state, sample))
+                .map(|(state, sample)| compare(state, sample))
                 .collect(),
             error,
         }
@@ -246,13 +256,13 @@ impl Motion {
         M: Parametrized + Energies<N> + MotionSeries<N> + Observed<N>,
     {
         let directions = (0..DIRECTIONS).filter_map(|direction| moved::<M, N>(system, direction));
-        for (model, trajectory) in directions {
+        for (model, solution) in directions {
             #[allow(clippy::cast_precision_loss)] // Some steps.
-            let steps = trajectory.statistics().steps as f64;
+            let steps = solution.statistics.steps as f64;
             let rounding = f64::EPSILON * steps.sqrt();
-            let samples = trajectory.states().zip(list(&system["samples"]));
+            let samples = solution.samples().iter().zip(list(&system["samples"]));
             for (index, (state, sample)) in samples.enumerate() {
-                let moved = compare(&model, &state, sample);
+                let moved = compare(&model, state, sample);
                 let found = self.samples.get(index).into_iter().flatten();
                 let allowed = moved.iter().zip(found).map(|(moved, found)| {
                     let condition = relative_error(&moved.1, &found.1, 1.0) / MOVED;
@@ -273,10 +283,7 @@ impl Motion {
 
 /// A motion of a model whose parameters and initial values are moved, each up or down as a bit of a hash of its number says;
 /// none where it ends with an error.
-fn moved<M, const N: usize>(
-    system: &Value,
-    direction: u32,
-) -> Option<(M, Trajectory<Phase<f64, N>>)>
+fn moved<M, const N: usize>(system: &Value, direction: u32) -> Option<(M, Samples<N>)>
 where
     M: Parametrized + MotionSeries<N>,
 {
@@ -289,8 +296,8 @@ where
     let (initial, times) = start::<N>(system);
     let [q, v] = [initial.q, initial.v].map(|x| x.map(|x| x * factor()));
     let model = M::with(&|name| number(&system["params"][name]) * factor());
-    let trajectory = by_series(&model, State::new(initial.t, q, v), &times).ok()?;
-    Some((model, trajectory))
+    let solution = by_series(&model, State::new(initial.t, q, v), &times).ok()?;
+    Some((model, solution))
 }
 
 /// The state, and the energies and momenta there.

@@ -138,9 +138,9 @@ fn drift(step: f64) -> Result<f64, IntegrationError> {
     let top = HeavyTop::with(thirds(parameters(2)));
     let start: State<DoubleDouble, 3> = on(&state(2));
     let method = RungeKutta::classical(step);
-    let end = method.integrate_to(&top.dynamics(), start, start.t.to_f64() + 0.25)?;
+    let end = Problem::new(&top, start).solve(start.t.to_f64() + 0.25, method)?;
     let before = top.energy(&start);
-    let change = (top.energy(&end.state()) - before) / before;
+    let change = (top.energy(&end) - before) / before;
     Ok(change.to_f64().abs())
 }
 

@@ -131,8 +131,8 @@ fn end<S: Scalar>(parameters: [S; 9]) -> Result<[S; 2], IntegrationError> {
         [0.0, 1.0].map(S::from_f64),
     );
     let cart = DampedCart::with(parameters);
-    let end = RungeKutta::classical(0.015_625).integrate_to(&cart.dynamics(), start, 1.0)?;
-    Ok(end.state().q.into())
+    let end = Problem::new(&cart, start).solve(1.0, RungeKutta::classical(0.015_625))?;
+    Ok(end.q.into())
 }
 
 /// The same steps are differentiated that are taken: they need not be short.

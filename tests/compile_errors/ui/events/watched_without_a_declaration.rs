@@ -21,14 +21,17 @@ struct Pushed {
     push: f64,
 }
 
+fn law(state: &State<f64, 1>) -> f64 {
+    -state.q[0]
+}
+
 fn main() {
     let start = State::new(0.0, [1.0], [-1.0]);
-    let driver = Dop853::new().driver().declared_events([(0, Event::falling())]);
-    let _ = driver.clone().run_until(&Silent { m: 1.0 }.dynamics(), start, 1.0);
+    let _ = Problem::new(&Silent { m: 1.0 }, start).on(0).falling().record();
     let pushed = Pushed { m: 1.0, push: 0.0 };
-    let controlled = pushed.controlled_by(|state| -state.q[0]);
-    let _ = driver.clone().run_until(&controlled, start, 1.0);
+    let controlled = Problem::new(&pushed, start).feedback(law);
+    let _ = controlled.on(0).falling().record();
     // Two motions at once have no common events.
     let start = State::new(Lanes([0.0; 2]), [Lanes([1.0, 2.0])], [Lanes([-1.0; 2])]);
-    let _ = driver.run_until(&Declaring { m: 1.0 }.dynamics(), start, 1.0);
+    let _ = Problem::new(&Declaring { m: 1.0 }, start).on(0).falling().record();
 }

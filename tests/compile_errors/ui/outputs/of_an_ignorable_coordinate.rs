@@ -1,3 +1,4 @@
+use lagrangian::ReconstructedPhase;
 use lagrangian::prelude::*;
 
 #[derive(Lagrangian)]
@@ -23,7 +24,8 @@ fn main() -> Result<(), IntegrationError> {
     let _ = (outputs.rate, outputs.position.x, RadialMotion::APSIS, RadialMotion::EVENTS);
     let _ = radial.effective_potential(&State::new(0.0, [1.0], [0.0]));
     let equations = radial.reconstruction();
-    let end = Taylor::new().integrate_to(&equations, (start, [0.0]), 1.0)?;
+    let x = ReconstructedPhase { q: start.q, v: start.v, ignorable: SVector::from([0.0]) };
+    let end = Problem::new(&equations, At { t: start.t, x }).solve(1.0, Taylor::new())?;
     let _ = equations.full_state(end.t, &end.x).q[Orbit::PHI] + start.q[RadialMotion::R];
     Ok(())
 }

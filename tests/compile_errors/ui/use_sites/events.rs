@@ -13,10 +13,8 @@ struct Model {
 
 fn main() {
     let model = Model { m: 1.0 };
-    let driver = Taylor::new()
-        .driver()
-        .declared_events([(Model::WALL, Event::falling()), (Model::BOTH[1], Event::either())]);
     let start = State::new(0.0, [1.0], [-1.0]);
-    let _ = driver.run_until(&model.dynamics(), start, 1.0);
+    let problem = Problem::new(&model, start).on(Model::WALL).falling().record();
+    let _ = problem.on(Model::BOTH[1]).record().solve(1.0, Taylor::new());
     let _ = Model::EVENTS;
 }

@@ -13,7 +13,7 @@ fn main() {
     let model = Model { m: 1.0 };
     let too_many = State::new(0.0, [0.0; 3], [0.0; 3]);
     let _ = model.accelerations(&too_many);
-    let _ = Dop853::new().integrate_to(&model.dynamics(), too_many, 1.0);
+    let _ = Problem::new(&model, too_many).solve(1.0, Dop853::new());
     let _ = State::new(0.0, [0.0; 2], [0.0; 3]);
     let _ = State::new(0.0, [0.0; 2], [0; 2]);
 }

@@ -17,8 +17,8 @@ struct Controlled {
 fn main() {
     let start = State::new(0.0, [0.0], [1.0]);
     let plain = Plain { m: 1.0 };
-    let _ = Taylor::new().integrate_to(&plain.dynamics(), start, 1.0);
+    let _ = Problem::new(&plain, start).solve(1.0, Taylor::new());
     let controlled = Controlled { m: 1.0, push: 0.0 };
-    let plant = controlled.controlled_by(|state: &State<f64, 1>| -state.q[0]);
-    let _ = Taylor::new().integrate_to(&plant, start, 1.0);
+    let plant = Problem::new(&controlled, start).feedback(|x| -x.q[0]);
+    let _ = plant.solve(1.0, Taylor::new());
 }

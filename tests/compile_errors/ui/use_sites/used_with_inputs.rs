@@ -25,6 +25,6 @@ fn main() {
     println!("{}", controlled.inputs(&state)[CartPole::PUSH]);
     let _ = model.with_controller(|state, z| (z[0], [state.q[1].sin()]));
     println!("{:?} {}", CartPole::INPUTS, model.input_matrix::<4>(&state));
-    let end = Dop853::new().integrate_to(&controlled, state, 1.0);
-    println!("{:?}", end.map(|end| end.state()));
+    let end = Problem::new(&controlled, state).solve(1.0, Dop853::new());
+    println!("{:?}", end.map(|end| end.last));
 }

@@ -124,16 +124,12 @@ fn coefficients_are_those_of_built_in_functions() {
 #[test]
 fn motions_are_those_of_built_in_functions() {
     let start = State::new(0.0, [1.2, 0.1], [0.0, 0.0]);
-    let method = Taylor::new();
     let external = with_parameters!(External, f64);
     let built_in = with_parameters!(BuiltIn, f64);
-    let found = method
-        .integrate_to(&external.dynamics(), start, 10.0)
-        .unwrap();
-    let expected = method
-        .integrate_to(&built_in.dynamics(), start, 10.0)
-        .unwrap();
-    for (found, expected) in [(found.x.q, expected.x.q), (found.x.v, expected.x.v)] {
+    let found = Problem::new(&external, start).solve(10.0, Taylor::new());
+    let expected = Problem::new(&built_in, start).solve(10.0, Taylor::new());
+    let [found, expected] = [found, expected].map(Result::unwrap);
+    for (found, expected) in [(found.q, expected.q), (found.v, expected.v)] {
         assert_close("motion", found.as_slice(), expected.as_slice(), 1e-12);
     }
 }
@@ -152,12 +148,11 @@ struct Free;
 
 #[test]
 fn events_of_external_functions_have_series() {
-    let driver = Taylor::new().driver().declared_events([
-        (Free::TOUCH, Event::either()),
-        (Free::PAIR, Event::either()),
-    ]);
-    let start = State::new(0.0, [0.0], [1.0]);
-    let motion = driver.sample(&Free.dynamics(), start, &[3.0]).unwrap();
+    let motion = Problem::new(&Free, State::new(0.0, [0.0], [1.0]))
+        .on([Free::TOUCH, Free::PAIR])
+        .record()
+        .solve(3.0, Taylor::new())
+        .unwrap();
     let times = |event: usize| -> Vec<f64> {
         let events = motion.events().iter();
         let events = events.filter(|occurrence| occurrence.event == event);
@@ -192,18 +187,15 @@ fn pull(x: f64) -> f64 {
 #[test]
 fn corners_of_a_table_are_met() {
     let start = State::new(0.0, [0.0], [1.0]);
-    let motion = Taylor::new()
-        .driver()
-        .sample(&Stop.dynamics(), start, &[1.0]);
+    let motion = Problem::new(&Stop, start).solve(1.0, Taylor::new());
     let motion = motion.unwrap();
-    assert!(motion.statistics().steps < 20);
+    assert!(motion.statistics.steps < 20);
     // x = sin t until π/6; then 9 (x − 4/9) is the force.
     let phase = 3.0 * (1.0 - core::f64::consts::FRAC_PI_6);
     let (offset, speed) = (1.0 / 18.0, 0.75_f64.sqrt());
     let x = 4.0 / 9.0 + offset * phase.cos() + speed / 3.0 * phase.sin();
     let v = speed * phase.cos() - 3.0 * offset * phase.sin();
-    let last = motion.last().x;
-    assert_close("motion", &[last.q[0], last.v[0]], &[x, v], 1e-13);
+    assert_close("motion", &[motion.q[0], motion.v[0]], &[x, v], 1e-13);
 }
 
 /// A pendulum with a sine whose second derivative has the wrong sign.
@@ -223,10 +215,9 @@ struct Wrong;
 #[test]
 fn a_wrong_derivative_makes_small_steps_and_no_wrong_motion() {
     let start = State::new(0.0, [0.5], [1.0]);
-    let driver = Taylor::new().driver();
-    let motion = driver.sample(&Wrong.dynamics(), start, &[0.1]).unwrap();
-    assert!(motion.statistics().steps > 300);
-    let energy = |x: &Phase<f64, 1>| 0.5 * x.v[0] * x.v[0] - x.q[0].cos();
-    let energies = [motion.last().x, start.into()].map(|x| energy(&x));
+    let motion = Problem::new(&Wrong, start).solve(0.1, Taylor::new());
+    let motion = motion.unwrap();
+    assert!(motion.statistics.steps > 300);
+    let energies = [motion.last, start].map(|x| 0.5 * x.v[0] * x.v[0] - x.q[0].cos());
     assert_close("energy", &energies[..1], &energies[1..], 1e-9);
 }

@@ -68,9 +68,9 @@ fn assert_momentum_is_kept(
     let method = Dop853::new()
         .relative_tolerance(1e-12)
         .absolute_tolerance(1e-12);
-    match method.integrate_to(&body.dynamics(), start, 1.0) {
+    match Problem::new(body, start).solve(1.0, method) {
         Ok(end) => {
-            let error = (momentum(&end.state()) - momentum(&start)).norm();
+            let error = (momentum(&end) - momentum(&start)).norm();
             figures.record("momentum", name, error, 1e-12);
         }
         Err(error) => panic!("{name}: {error}"),

@@ -96,9 +96,7 @@ fn they_return_on_the_eight() -> Result<(), IntegrationError> {
     let method = Dop853::new()
         .relative_tolerance(1e-13)
         .absolute_tolerance(1e-13);
-    let end = method
-        .integrate_to(&bodies.dynamics(), start, 6.325_913_98)?
-        .state();
+    let end = Problem::new(&bodies, start).solve(6.325_913_98, method)?;
     // The initial values are given with eight digits.
     assert_close("places", end.q.as_slice(), start.q.as_slice(), 1e-6);
     assert_close("velocities", end.v.as_slice(), start.v.as_slice(), 1e-6);

@@ -121,7 +121,7 @@ fn it_keeps_its_energy() {
     let method = Dop853::new()
         .relative_tolerance(1e-12)
         .absolute_tolerance(1e-12);
-    let end = method.integrate_to(&arm.dynamics(), start, 5.0).unwrap();
-    let [before, after] = [start, end.state()].map(|state| arm.energy(&state));
+    let end = Problem::new(&arm, start).solve(5.0, method).unwrap();
+    let [before, after] = [start, end.last].map(|state| arm.energy(&state));
     assert!(relative_error(&[after], &[before], 1.0) < 1e-9);
 }

@@ -107,10 +107,8 @@ fn it_keeps_its_momenta_and_its_energy() {
         .relative_tolerance(1e-12)
         .absolute_tolerance(1e-12);
     let start = start();
-    let end = method
-        .integrate_to(&satellite.dynamics(), start, 10.0)
-        .unwrap();
-    let [before, after] = [start, end.state()].map(|state| {
+    let end = Problem::new(&satellite, start).solve(10.0, method).unwrap();
+    let [before, after] = [start, end.last].map(|state| {
         let outputs = satellite.outputs(&state);
         (satellite.energy(&state), outputs.momentum, outputs.spin)
     });

@@ -183,8 +183,8 @@ fn in_flight_it_keeps_its_momenta() {
     let method = Dop853::new()
         .relative_tolerance(1e-12)
         .absolute_tolerance(1e-12);
-    let end = method.integrate_to(&solo.dynamics(), start, 0.5).unwrap();
-    let [before, after] = [start, end.state()].map(|state| {
+    let end = Problem::new(&solo, start).solve(0.5, method).unwrap();
+    let [before, after] = [start, end.last].map(|state| {
         let p = solo.momenta(&state);
         [solo.energy(&state), p[0], p[1], p[2]]
     });
