@@ -233,7 +233,7 @@ fn parameters_are_identified_with_the_covariance_that_is_expected() {
             let none = SVector::zeros();
             identification.add_weighted(
                 &model,
-                &state,
+                state,
                 &accelerations,
                 &none,
                 &SVector::repeat(deviation),
