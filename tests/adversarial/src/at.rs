@@ -1,6 +1,6 @@
 //! Where a model is evaluated.
 
-use lagrangian::{Crossing, State};
+use lagrangian::State;
 use nalgebra::SMatrix;
 use serde_json::Value;
 
@@ -30,8 +30,8 @@ pub(crate) struct Run {
     pub(crate) is_declared: bool,
     /// The greatest step, or that of a method with fixed steps.
     pub(crate) step: f64,
-    /// The indices of events among those declared, and their directions.
-    pub(crate) watched: [(usize, Crossing); 2],
+    /// The indices of events among those declared, and the signs of their directions.
+    pub(crate) watched: [(usize, f64); 2],
     /// Where the runs end.
     pub(crate) times: Vec<f64>,
 }
@@ -41,7 +41,7 @@ impl Run {
     fn new(run: &Value) -> Self {
         let of = |name: &str| run[name].as_str().expect("a string").to_owned();
         let watched = numbers(&run["watched"]);
-        let watched = [0, 2].map(|i| (index(watched[i]), crossing(watched[i + 1])));
+        let watched = [0, 2].map(|i| (index(watched[i]), watched[i + 1]));
         Self {
             method: of("method"),
             way: of("way"),
@@ -58,14 +58,6 @@ impl Run {
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // A small integer.
 fn index(number: f64) -> usize {
     number as usize
-}
-
-fn crossing(direction: f64) -> Crossing {
-    match direction {
-        x if x > 0.0 => Crossing::Rising,
-        x if x < 0.0 => Crossing::Falling,
-        _ => Crossing::Either,
-    }
 }
 
 impl At {

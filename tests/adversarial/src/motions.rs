@@ -3,8 +3,8 @@
 use std::fmt;
 
 use lagrangian::{
-    Dop853, EventDynamics, Events, IntegrationError, Integrator, MotionSeries, Occurrence,
-    Partial, Phase, Problem, ReconstructedPhase, RouthReduction, Routhian, RouthianSeries, State,
+    Dop853, EventDynamics, Events, IntegrationError, Integrator, MotionSeries, Occurrence, Partial,
+    Phase, Problem, ReconstructedPhase, RouthReduction, Routhian, RouthianSeries, Solution, State,
     StopReason, Taylor,
 };
 use nalgebra::SVector;

@@ -2,10 +2,10 @@
 
 use core::cell::RefCell;
 
-use lagrangian::problem::End;
+use lagrangian::problem::{Detection, End};
 use lagrangian::{
-    Crossing, Dynamics, Events, MotionSeries, ObservationKind, Partial, Phase, Problem, Progress,
-    Resume, RungeKutta, Solution, State, StopCondition, StopReason, Taylor,
+    Dynamics, Events, MotionSeries, ObservationKind, Partial, Phase, Problem, Progress, Resume,
+    RungeKutta, Solution, State, StopReason, Taylor,
 };
 
 use crate::At;
@@ -28,12 +28,12 @@ macro_rules! watched {
         }
     };
     ($declared:tt, $problem:ident, $model:ident, $run:ident, $i:ident) => {{
-        let (index, crossing) = $run.watched[$i];
+        let (index, direction) = $run.watched[$i];
         let event = watched!($declared, $problem, $model, index);
-        match crossing {
-            Crossing::Rising => event.rising(),
-            Crossing::Falling => event.falling(),
-            Crossing::Either => event,
+        match direction {
+            sign if sign > 0.0 => event.rising(),
+            sign if sign < 0.0 => event.falling(),
+            _ => event,
         }
     }};
     (true, $problem:ident, $model:ident, $index:ident) => {
@@ -112,7 +112,7 @@ impl<I: Copy, const N: usize> Split<'_, I, N> {
     where
         D: Dynamics<f64, State = Phase<f64, N>>,
         I: Resume<f64, D>,
-        C: StopCondition<f64, D>,
+        C: Detection<f64, D>,
     {
         let method = self.method;
         match self.run.way.as_str() {
@@ -193,7 +193,7 @@ impl<I: Copy, const N: usize> Split<'_, I, N> {
     where
         D: Dynamics<f64, State = Phase<f64, N>>,
         I: Resume<f64, D>,
-        C: StopCondition<f64, D>,
+        C: Detection<f64, D>,
     {
         let times = &self.run.times;
         let problem = problem.save(times);
@@ -206,7 +206,7 @@ impl<I: Copy, const N: usize> Split<'_, I, N> {
     where
         D: Dynamics<f64, State = Phase<f64, N>>,
         I: Resume<f64, D>,
-        C: StopCondition<f64, D>,
+        C: Detection<f64, D>,
     {
         let mut seen = Vec::new();
         let problem = problem.each_step(|progress| seen.extend(noted(progress)));
@@ -226,7 +226,7 @@ impl<I: Copy, const N: usize> Split<'_, I, N> {
     where
         D: Dynamics<f64, State = Phase<f64, N>>,
         I: Resume<f64, D>,
-        C: StopCondition<f64, D>,
+        C: Detection<f64, D>,
     {
         let (mut seen, mut checkpoint) = (Vec::new(), None);
         for &time in &self.run.times {

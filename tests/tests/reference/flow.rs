@@ -21,7 +21,7 @@ const CASES: &[Row] = &lagrangian_tests::public_cases!(free, driven);
 #[test]
 fn motions_arrive_at_the_references() {
     let mut figures = Figures::new();
-    for (case, (id, end)) in public_cases().iter().zip(CASES) {
+    for (case, &(id, end)) in public_cases().iter().zip(CASES) {
         assert_eq!(case["id"], id);
         if WITHOUT_END.contains(&id) {
             assert!(case["flow"].is_null(), "{id} has an end by now");

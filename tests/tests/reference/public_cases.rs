@@ -22,7 +22,7 @@ const CASES: &[Row] = &lagrangian_tests::public_cases!(free, driven);
 #[test]
 fn derived_code_agrees_with_the_references() {
     let mut figures = Figures::new();
-    for (case, (id, compare)) in public_cases().iter().zip(CASES) {
+    for (case, &(id, compare)) in public_cases().iter().zip(CASES) {
         assert_eq!(case["id"], id);
         for (index, state) in list(&case["states"]).iter().enumerate() {
             for (quantity, found, expected) in compare(case, state) {

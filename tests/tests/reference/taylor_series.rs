@@ -27,7 +27,7 @@ const CASES: &[Row] = &lagrangian_tests::public_cases!(free, driven);
 #[test]
 fn polynomials_satisfy_the_equations_of_motion() {
     let mut figures = Figures::new();
-    for (case, (id, residual)) in public_cases().iter().zip(CASES) {
+    for (case, &(id, residual)) in public_cases().iter().zip(CASES) {
         assert_eq!(case["id"], id);
         for (index, state) in list(&case["states"]).iter().enumerate() {
             let at = format!("{id}, state {index}");

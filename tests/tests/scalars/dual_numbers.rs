@@ -25,7 +25,7 @@ const CASES: &[Row] = &lagrangian_tests::public_cases!(free, driven);
 #[test]
 fn emitted_derivatives_are_those_of_dual_numbers() {
     let mut figures = Figures::new();
-    for (case, (id, compare)) in public_cases().iter().zip(CASES) {
+    for (case, &(id, compare)) in public_cases().iter().zip(CASES) {
         assert_eq!(case["id"], id);
         for (index, state) in list(&case["states"]).iter().enumerate() {
             let tolerance = TOLERANCE.max(lost_by_solving(case, state));
