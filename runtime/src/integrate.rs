@@ -41,7 +41,7 @@ pub use dense_solution::DenseSolution;
 pub use dormand_prince::{Dop853, Dop853Interpolant, Dop853Stepper};
 pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
-pub use event::{Detection, EventDynamics, EventValues, MetConditions, Occurrence, SingleNumber};
+pub use event::{EventDynamics, EventValues, MetConditions, Occurrence, SingleNumber, Watched};
 pub use integrator::Integrator;
 pub use observer::{ObservationKind, Observer, Progress};
 pub use outcome::StopReason;

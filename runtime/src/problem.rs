@@ -5,5 +5,5 @@
 
 #[cfg(feature = "alloc")]
 pub use crate::integrate::{Dense, DenseSolution, Every, StepEnds};
-pub use crate::integrate::{Detection, End, Keep, Observer, Reactions, Run, System, When};
+pub use crate::integrate::{End, Keep, Observer, Reactions, Run, System, Watched, When};
 pub use crate::model::{SampledFeedback, SampledPhase};

@@ -26,8 +26,8 @@ mod event_time;
 mod met_conditions;
 
 pub(crate) use declared::DeclaredEvents;
-pub use detection::Detection;
-pub(crate) use detection::{EventFunctions, Occurring};
+pub use detection::Watched;
+pub(crate) use detection::{Detection, EventFunctions, Occurring};
 pub use event_dynamics::{EventDynamics, SingleNumber};
 pub(crate) use event_time::{Located, differs, moved};
 pub use functions::EventValues;

@@ -28,7 +28,7 @@ use super::collector::Collector;
 use super::driver::{Course, Driver};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::event::Detection;
+use super::event::Watched;
 use super::integrator::Integrator;
 use super::observer::{EachStep, Flow, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
@@ -220,7 +220,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         reaction: impl FnOnce(R, usize) -> A,
     ) -> Problem<S, D, K, (C, E), A, O>
     where
-        E: Detection<S, D>,
+        E: Watched<S, D>,
     {
         self.watching(|watch| Watch {
             conditions: (watch.conditions, conditions),
@@ -257,7 +257,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     ) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>>
     where
         I: Integrator<S, D>,
-        C: Detection<S, D>,
+        C: Watched<S, D>,
         R: Reactions<S, D>,
         O: Observer<D::State>,
         K: Keep<S, D, I::Stepper>,

@@ -5,7 +5,7 @@ use crate::directions::{Direction, EVERY, directed};
 use crate::random_numbers::Random;
 use crate::two_runs::{ENDS, Watching, X, in_two_runs, run};
 use lagrangian::prelude::*;
-use lagrangian::problem::Detection;
+use lagrangian::problem::Watched;
 use lagrangian::{EquationsOfMotion, Resume};
 
 /// A falling stone, and events at which it is 1 s after the start.
@@ -133,7 +133,7 @@ fn each_event_once<I, C>(
     (seed, cases): (u64, usize),
 ) where
     I: Copy + for<'a> Resume<f64, Equations<'a>>,
-    C: for<'a> Detection<f64, Equations<'a>>,
+    C: for<'a> Watched<f64, Equations<'a>>,
 {
     let mut random = Random(seed);
     let first = usize::from(random.below(2));

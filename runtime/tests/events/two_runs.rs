@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 use std::cell::RefCell;
 
 use lagrangian::prelude::*;
-use lagrangian::problem::Detection;
+use lagrangian::problem::Watched;
 use lagrangian::{Dynamics, Resume};
 
 pub(crate) type X = Phase<f64, 2>;
@@ -17,7 +17,7 @@ pub(crate) fn run<D, I, C>(problem: Watching<D, C>, method: I, end: f64) -> Vec<
 where
     D: Dynamics<f64, State = X>,
     I: Integrator<f64, D>,
-    C: Detection<f64, D>,
+    C: Watched<f64, D>,
 {
     let motion = problem.solve(end, method).unwrap();
     let events = motion.events().iter().map(|event| (event.event, event.t));
@@ -65,7 +65,7 @@ pub(crate) fn in_two_runs<D, I, C>(
 where
     D: Dynamics<f64, State = X>,
     I: Copy + Resume<f64, D>,
-    C: Detection<f64, D>,
+    C: Watched<f64, D>,
 {
     let seen = &RefCell::new(Vec::new());
     let noting = || {

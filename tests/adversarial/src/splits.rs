@@ -2,7 +2,7 @@
 
 use core::cell::RefCell;
 
-use lagrangian::problem::{Detection, End};
+use lagrangian::problem::{End, Watched};
 use lagrangian::{
     Dynamics, Events, MotionSeries, ObservationKind, Partial, Phase, Problem, Progress, Resume,
     RungeKutta, Solution, State, StopReason, Taylor,
@@ -112,7 +112,7 @@ impl<I: Copy, const N: usize> Split<'_, I, N> {
     where
         D: Dynamics<f64, State = Phase<f64, N>>,
         I: Resume<f64, D>,
-        C: Detection<f64, D>,
+        C: Watched<f64, D>,
     {
         let method = self.method;
         match self.run.way.as_str() {
@@ -193,7 +193,7 @@ impl<I: Copy, const N: usize> Split<'_, I, N> {
     where
         D: Dynamics<f64, State = Phase<f64, N>>,
         I: Resume<f64, D>,
-        C: Detection<f64, D>,
+        C: Watched<f64, D>,
     {
         let times = &self.run.times;
         let problem = problem.save(times);
@@ -206,7 +206,7 @@ impl<I: Copy, const N: usize> Split<'_, I, N> {
     where
         D: Dynamics<f64, State = Phase<f64, N>>,
         I: Resume<f64, D>,
-        C: Detection<f64, D>,
+        C: Watched<f64, D>,
     {
         let mut seen = Vec::new();
         let problem = problem.each_step(|progress| seen.extend(noted(progress)));
@@ -226,7 +226,7 @@ impl<I: Copy, const N: usize> Split<'_, I, N> {
     where
         D: Dynamics<f64, State = Phase<f64, N>>,
         I: Resume<f64, D>,
-        C: Detection<f64, D>,
+        C: Watched<f64, D>,
     {
         let (mut seen, mut checkpoint) = (Vec::new(), None);
         for &time in &self.run.times {

@@ -5,7 +5,7 @@
 use std::cell::RefCell;
 
 use lagrangian::prelude::*;
-use lagrangian::problem::Detection;
+use lagrangian::problem::Watched;
 use lagrangian::problem::{End, Run};
 use lagrangian::{Checkpoint, EquationsOfMotion, Resume};
 use serde::{Serialize, de::DeserializeOwned};
@@ -60,7 +60,7 @@ fn motion<I, C>(
 ) -> Vec<Told>
 where
     I: Copy + Resume<f64, Motion, Memory: Serialize + DeserializeOwned>,
-    C: Detection<f64, Motion>,
+    C: Watched<f64, Motion>,
 {
     let told_so_far = RefCell::new(Vec::new());
     let observer = |progress: &Progress<'_, Phase<f64, 3>>| {

@@ -92,6 +92,12 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
     }
 }
 
+/// What a problem watches for: the conditions and events of its settings. The trait is sealed; it is a bound of functions that
+/// are generic over problems.
+pub trait Watched<S: Scalar, D: Dynamics<S> + ?Sized>: Detection<S, D> {}
+
+impl<S: Scalar, D: Dynamics<S> + ?Sized, C: Detection<S, D>> Watched<S, D> for C {}
+
 /// Nothing is watched.
 impl<S: Scalar, D: Dynamics<S> + ?Sized> Detection<S, D> for () {
     type Memory = ();

@@ -12,7 +12,7 @@ use crate::integrate::collector::Collector;
 use crate::integrate::driver::{Course, Driver};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::event::{Detection, Remembers as _};
+use crate::integrate::event::{Remembers as _, Watched};
 use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::Outcome;
@@ -49,7 +49,7 @@ where
     S: Scalar,
     D: Dynamics<S>,
     I: Integrator<S, D>,
-    C: Detection<S, D>,
+    C: Watched<S, D>,
 {
     driver: Driver<I, C, O>,
     dynamics: D,
@@ -73,7 +73,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     pub fn start<I>(self, method: I) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
     where
         I: Integrator<S, D>,
-        C: Detection<S, D>,
+        C: Watched<S, D>,
     {
         self.begin(method, |driver, dynamics, start| {
             Ok((driver.begin(dynamics, start)?, None))
@@ -93,7 +93,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     ) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
     where
         I: Resume<S, D>,
-        C: Detection<S, D>,
+        C: Watched<S, D>,
     {
         self.begin(method, |driver, dynamics, _| {
             let Checkpoint { memory, events } = checkpoint;
@@ -115,7 +115,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     ) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
     where
         I: Integrator<S, D>,
-        C: Detection<S, D>,
+        C: Watched<S, D>,
     {
         let Watch {
             conditions,
@@ -144,7 +144,7 @@ where
     S: Scalar,
     D: Dynamics<S>,
     I: Integrator<S, D>,
-    C: Detection<S, D>,
+    C: Watched<S, D>,
 {
     fn forget_events(&mut self) {
         (self.memory, self.events) = (None, None);
@@ -251,7 +251,7 @@ where
     S: Scalar,
     D: Dynamics<S>,
     I: Integrator<S, D>,
-    C: Detection<S, D>,
+    C: Watched<S, D>,
     R: Reactions<S, D>,
     O: Observer<D::State>,
     K: Keep<S, D, I::Stepper> + Clone,

@@ -5,8 +5,8 @@ use super::reaction::{OfDynamics, OfState, Then};
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::event::{
-    Crossing, DeclaredEvents, Detection, Event, EventDynamics, EventValues, FunctionOfState,
-    PredicateOfState, SingleNumber,
+    Crossing, DeclaredEvents, Event, EventDynamics, EventValues, FunctionOfState, PredicateOfState,
+    SingleNumber, Watched,
 };
 use crate::integrate::observer::Flow;
 use crate::scalar::Scalar;
@@ -145,7 +145,7 @@ impl<S, D, K, C, R, O, E> When<Problem<S, D, K, C, R, O>, E>
 where
     S: Scalar,
     D: Dynamics<S>,
-    E: Directed + Detection<S, D>,
+    E: Directed + Watched<S, D>,
 {
     /// The integration stops there.
     pub fn stop(mut self) -> Problem<S, D, K, (C, E), R, O> {
