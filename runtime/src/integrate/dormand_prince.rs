@@ -70,11 +70,10 @@ const ALL_STAGES: usize = 16;
 ///     }
 /// }
 ///
-/// let initial = (0.0, SVector::from([1.0, 0.0]));
+/// let start = At { t: 0.0, x: SVector::from([1.0, 0.0]) };
 /// let method = Dop853::new().relative_tolerance(1e-12).absolute_tolerance(1e-12);
-/// let trajectory = method.sample(&Oscillator, initial, &[1.0, 2.0, 3.0])?;
-/// for sample in trajectory.samples() {
-///     assert!((sample.x[0] - sample.t.cos()).abs() < 1e-11);
+/// for sample in Problem::new(&Oscillator, start).save([1.0, 2.0, 3.0]).solve(3.0, method)? {
+///     assert!((sample[0] - sample.t.cos()).abs() < 1e-11);
 /// }
 /// # Ok::<(), IntegrationError>(())
 /// ```

@@ -63,14 +63,6 @@ impl Crossing {
 
 /// What is watched for: that an event function crosses zero, in which direction, and whether the integration stops
 /// there.
-///
-/// ```
-/// use lagrangian::{Crossing, Event};
-///
-/// let floor = Event::falling().terminal();
-/// assert_eq!(floor.crossing(), Crossing::Falling);
-/// assert!(floor.is_terminal());
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Event {
     crossing: Crossing,
@@ -91,18 +83,6 @@ impl Event {
     #[must_use]
     pub const fn either() -> Self {
         Self::new(Crossing::Either)
-    }
-
-    /// The function rises through zero.
-    #[must_use]
-    pub const fn rising() -> Self {
-        Self::new(Crossing::Rising)
-    }
-
-    /// The function falls through zero.
-    #[must_use]
-    pub const fn falling() -> Self {
-        Self::new(Crossing::Falling)
     }
 
     /// The integration stops there.
