@@ -2,6 +2,7 @@
 //! counts their lines and the names of the crate that they mention; the tests below check what they compute.
 
 mod models;
+mod names;
 mod bounce;
 mod cancellation;
 mod checkpoint;
