@@ -65,6 +65,10 @@ pub(crate) struct Arguments {
     #[arg(long, group = "task")]
     pub(crate) reduced: bool,
 
+    /// A pendulum on a light cart, by our methods and by the solvers of `SciPy`.
+    #[arg(long, group = "task")]
+    pub(crate) light_cart_pole: bool,
+
     /// An arm in space of so many links: accelerations and inverse dynamics beside algorithms written by hand in C.
     #[arg(long, group = "task")]
     pub(crate) spatial: bool,

@@ -53,6 +53,7 @@ mod spatial;
 mod long_models;
 mod compile_costs;
 mod reduced;
+mod light_cart_pole;
 
 use std::process::ExitCode;
 
@@ -91,6 +92,9 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if arguments.reduced {
         return reduced::run();
+    }
+    if arguments.light_cart_pole {
+        return light_cart_pole::run();
     }
     if arguments.spatial {
         return spatial::run(arguments);

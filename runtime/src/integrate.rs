@@ -43,12 +43,12 @@ pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
 pub use event::{EventDynamics, EventValues, MetConditions, Occurrence, SingleNumber, Watched};
 pub use integrator::Integrator;
-pub use observer::{ObservationKind, Observer, Progress};
+pub use observer::{Flow, ObservationKind, Observer, Progress};
 pub use outcome::StopReason;
 pub use partial::Partial;
 #[cfg(feature = "alloc")]
 pub use problem::{Dense, Every, StepEnds};
-pub use problem::{End, Keep, Problem, Reactions, Run, Solution, System, When};
+pub use problem::{End, EventIndices, Keep, Problem, Reactions, Run, Solution, System, When};
 pub use runge_kutta::{
     ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
 };

@@ -5,5 +5,7 @@
 
 #[cfg(feature = "alloc")]
 pub use crate::integrate::{Dense, DenseSolution, Every, StepEnds};
-pub use crate::integrate::{End, Keep, Observer, Reactions, Run, System, Watched, When};
+pub use crate::integrate::{
+    End, EventIndices, Flow, Keep, Observer, Reactions, Run, System, Watched, When,
+};
 pub use crate::model::{SampledFeedback, SampledPhase};

@@ -4,9 +4,7 @@ use super::at::At;
 use super::collector::Collector;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
-use super::event::{
-    Detection, LastStep, Located, MetConditions, Occurring, Reaction, differs, moved,
-};
+use super::event::{Detection, LastStep, Located, MetConditions, Occurring, differs, moved};
 use super::integration::{Beginning, Integration, Interruption, check_singularity};
 use super::integrator::Integrator;
 use super::observer::Observer;
@@ -56,6 +54,14 @@ impl Course<'_> {
         }
         Ok(())
     }
+}
+
+/// What the reactions to events have done.
+struct Reacted<X> {
+    /// The state, if it or the dynamics have changed.
+    changed: Option<X>,
+    /// Why the integration ends, and which events say so.
+    stop: Option<(StopReason, MetConditions)>,
 }
 
 impl<I, C, O> Driver<I, C, O> {
@@ -163,37 +169,33 @@ impl<I, C, O> Driver<I, C, O> {
                 }
             };
             is_visited = part.is_visited;
-            let (reaction, x) = self.react((&mut *dynamics, &mut *reactions), stepper, occurring);
-            match reaction {
-                Reaction::Unchanged => beginning = Beginning::Unchanged,
-                Reaction::Stop => {
-                    outcome.last.x = x;
-                    outcome.met = occurring.events;
-                    return Ok(StopReason::Condition);
-                }
-                Reaction::Changed => {
-                    outcome.met = self.begin_anew(dynamics, stepper, memory, occurring, &x)?;
-                    outcome.last.x = x;
-                    outcome.statistics = stepper.statistics();
-                    if outcome.met.any() {
-                        return Ok(StopReason::Zeno);
-                    }
-                    (is_visited, beginning) = (true, Beginning::Changed);
-                }
+            let parts = (&mut *stepper, &mut *memory);
+            let reacted = self.react((&mut *dynamics, &mut *reactions), parts, occurring)?;
+            if let Some(x) = &reacted.changed {
+                outcome.last.x = x.clone();
+                outcome.statistics = stepper.statistics();
+                (is_visited, beginning) = (true, Beginning::Changed);
+            } else {
+                beginning = Beginning::Unchanged;
             }
             if let Some(reason) = stop {
+                return Ok(reason);
+            }
+            if let Some((reason, met)) = reacted.stop {
+                outcome.met = met;
                 return Ok(reason);
             }
         }
     }
 
-    /// The reactions to events of one time, in the order of their indices, and the state at that time of the stepper.
+    /// The reactions to all events of one time, in the order of their indices. Where they change the state or the dynamics,
+    /// the method begins anew.
     fn react<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
         (dynamics, reactions): (&mut D, &mut R),
-        stepper: &mut I::Stepper,
+        (stepper, memory): (&mut I::Stepper, &mut C::Memory),
         occurring: Occurring,
-    ) -> (Reaction, D::State)
+    ) -> Result<Reacted<D::State>, IntegrationError>
     where
         I: Integrator<S, D>,
         C: Detection<S, D>,
@@ -201,7 +203,7 @@ impl<I, C, O> Driver<I, C, O> {
         let step = stepper.time() - stepper.previous_time();
         let At { t, mut x } = LastStep::new(&*dynamics, stepper).at(occurring.t);
         let here = S::from_f64(t);
-        let mut all = Reaction::Unchanged;
+        let (mut changes, mut stops) = (false, false);
         for event in occurring.events.indices() {
             let located = Located {
                 dynamics: &*dynamics,
@@ -212,19 +214,25 @@ impl<I, C, O> Driver<I, C, O> {
             let delay = located.delay(&mut self.conditions, event);
             let before = moved(&*dynamics, here, &x, delay);
             let mut there = before.clone();
-            match reactions.react(event, here + delay, &mut there, dynamics) {
-                Reaction::Unchanged if !differs(&before, &there) => {}
-                Reaction::Unchanged | Reaction::Changed => {
-                    all = Reaction::Changed;
-                    x = moved(&*dynamics, here + delay, &there, -delay);
-                }
-                Reaction::Stop => return (Reaction::Stop, there),
+            let reaction = reactions.react(event, here + delay, &mut there, dynamics);
+            stops |= reaction.stops;
+            if reaction.changes || differs(&before, &there) {
+                changes = true;
+                x = moved(&*dynamics, here + delay, &there, -delay);
             }
         }
-        (all, x)
+        let mut stop = stops.then_some((StopReason::Condition, occurring.events));
+        if changes {
+            let zeno = self.begin_anew(dynamics, stepper, memory, occurring, &x)?;
+            stop = stop.or(zeno.any().then_some((StopReason::Zeno, zeno)));
+        }
+        Ok(Reacted {
+            changed: changes.then_some(x),
+            stop,
+        })
     }
 
-    /// Begins anew from the state that a reaction has left. The events that occur again and again in too short a time.
+    /// Begins anew from the state that a reaction has left. Returns the events that occur again and again in too short a time.
     fn begin_anew<S: Scalar, D: Dynamics<S>>(
         &mut self,
         dynamics: &D,

@@ -111,16 +111,13 @@ impl Event {
     }
 }
 
-/// What is to happen after the reaction to an event.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reaction {
-    /// Nothing was changed: the integration goes on as if nothing had happened. A state that was changed all the same counts as
-    /// [`Changed`](Self::Changed); of the dynamics the integration cannot know.
-    Unchanged,
-    /// The state or the dynamics were changed: the method begins anew from there.
-    Changed,
+/// What a reaction to an event asks for. Whether the state has changed is seen at the state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Reaction {
+    /// The dynamics may have changed: the method begins anew from there.
+    pub(crate) changes: bool,
     /// The integration ends there.
-    Stop,
+    pub(crate) stops: bool,
 }
 
 /// An event that occurred: which, when, and the state there, before any reaction.

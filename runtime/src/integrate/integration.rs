@@ -58,6 +58,26 @@ pub(crate) enum Interruption {
     Update,
 }
 
+impl Interruption {
+    /// What follows events that call for a reaction.
+    fn after(self, occurring: Occurring) -> Self {
+        match self {
+            Self::Stop(reason) => Self::Reaction(occurring, Some(reason)),
+            Self::Reaction(more, reason) => {
+                let events = occurring.events.or(more.events);
+                Self::Reaction(
+                    Occurring {
+                        events,
+                        ..occurring
+                    },
+                    reason,
+                )
+            }
+            Self::Update => self,
+        }
+    }
+}
+
 impl From<StopReason> for Interruption {
     fn from(reason: StopReason) -> Self {
         Self::Stop(reason)
@@ -86,6 +106,7 @@ where
         };
         let interruption = match interruption {
             Interruption::Stop(reason) => self.close(reason),
+            Interruption::Reaction(occurring, Some(reason)) => self.close(reason).after(occurring),
             other => other,
         };
         if !self.is_visited {
@@ -260,15 +281,25 @@ where
             self.pending = Some(occurring);
             return Err(reason.into());
         }
+        let stopped = self.visit_stops(occurring, there);
+        if self.reacts {
+            return Err(Interruption::Reaction(occurring, stopped.err()));
+        }
+        Ok(stopped?)
+    }
+
+    /// Tells of events. The reason to stop, if an observer or one of them does.
+    fn visit_stops(
+        &mut self,
+        occurring: Occurring,
+        there: &At<f64, D::State>,
+    ) -> Result<(), StopReason> {
         self.report(occurring.events, there)?;
         let mut events = occurring.events.indices();
         if events.any(|event| self.condition.is_terminal(event)) {
             self.notify(ObservationKind::Step)?;
             self.outcome.met = occurring.events;
-            return Err(StopReason::Condition.into());
-        }
-        if self.reacts {
-            return Err(Interruption::Reaction(occurring, None));
+            return Err(StopReason::Condition);
         }
         Ok(())
     }

@@ -10,7 +10,7 @@ pub trait Observer<X> {
     /// How many there are.
     const COUNT: usize;
 
-    /// Calls each. Those that stop the integration.
+    /// Calls each, and returns those that stop the integration.
     fn observe(&mut self, progress: &Progress<'_, X>) -> MetConditions;
 }
 

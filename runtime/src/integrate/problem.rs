@@ -19,7 +19,7 @@ pub use run::Run;
 pub(crate) use solution::Events;
 pub use solution::Solution;
 pub use system::System;
-pub use watch::When;
+pub use watch::{EventIndices, When};
 
 use core::marker::PhantomData;
 
@@ -126,8 +126,9 @@ impl Limits {
     }
 
     /// An error at the largest number of steps, unless a limit is set.
-    fn check<X>(self, outcome: &Outcome<X>) -> Result<(), IntegrationError> {
+    fn check<X>(self, outcome: &mut Outcome<X>) -> Result<(), IntegrationError> {
         if outcome.reason == StopReason::StepLimit && self.max_steps.is_none() {
+            outcome.reason = StopReason::Error;
             Err(IntegrationError::TooManySteps {
                 time: outcome.last.t,
                 limit: MAX_STEPS,
@@ -179,7 +180,7 @@ impl<S: Scalar, D: Dynamics<S>, K> Problem<S, D, K> {
 }
 
 impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
-    /// Limits the number of steps, rejected ones included. Then the integration ends by
+    /// Limits the number of steps, rejected ones included, in a [`Run`] for each call. Then the integration ends by
     /// [`StopReason::StepLimit`](crate::StopReason::StepLimit). Without a limit more than 10⁸ steps are an error,
     /// [`TooManySteps`](crate::IntegrationError::TooManySteps).
     pub fn max_steps(mut self, steps: u64) -> Self {
@@ -310,12 +311,12 @@ where
         checked,
     } = begun;
     let mut collector = Collecting::new(&mut collection);
-    let (outcome, result) = match checked {
+    let (mut outcome, result) = match checked {
         Ok(()) => integrate(&start, times.as_ref(), &mut collector),
         Err(error) => (Outcome::at(start), Err(error)),
     };
     let events = collector.events;
-    let result = result.and(limits.check(&outcome));
+    let result = result.and(limits.check(&mut outcome));
     let solution = Solution::new(K::finish(collection, &outcome), events, outcome);
     match result {
         Ok(()) => Ok(solution),

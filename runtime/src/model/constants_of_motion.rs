@@ -36,7 +36,7 @@ use crate::scalar::Scalar;
 ///
 /// let mut watch = orbit.watch_constants(&start);
 /// Problem::new(&orbit, start)
-///     .each_step(|progress| (&mut watch).observe(progress))
+///     .each_step(|progress| watch.observe(progress))
 ///     .solve(50.0, Dop853::new().relative_tolerance(1e-10))?;
 /// let [momentum, energy] = watch.largest_changes();
 /// assert_eq!(energy.name, "energy");

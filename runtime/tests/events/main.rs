@@ -18,6 +18,7 @@ mod reactions;
 mod rounding;
 mod series_of_events;
 mod short_runs;
+mod stopping_reactions;
 mod functions_of_roundings;
 mod settings_compose;
 mod switch_derivatives;

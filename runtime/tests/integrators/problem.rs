@@ -135,7 +135,7 @@ fn reactions_change_the_state_and_the_model() {
 /// What cannot be is an error with what was set, and nothing is lost of the motion before an error.
 #[test]
 fn mistakes_are_errors_and_keep_what_is_known() {
-    for interval in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+    for interval in [0.0, -1.0, f64::NAN, f64::INFINITY, f64::MIN_POSITIVE] {
         let refused = Problem::new(&STONE, start())
             .save(Every(interval))
             .solve(1.0, Dop853::new());
@@ -163,11 +163,28 @@ fn mistakes_are_errors_and_keep_what_is_known() {
         matches!(error, IntegrationError::UnorderedTimes { .. }),
         "{error}"
     );
-    let refused = Problem::new(&STONE, start()).solve(f64::NAN, Dop853::new());
-    assert!(matches!(
-        refused.unwrap_err().error(),
-        IntegrationError::NonFiniteTime { .. }
-    ));
+    for end in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let problem = Problem::new(&STONE, start());
+        let errors = [
+            problem
+                .clone()
+                .solve(end, Dop853::new())
+                .unwrap_err()
+                .error(),
+            (problem.clone().save(Every(0.5)).solve(end, Dop853::new()))
+                .unwrap_err()
+                .error(),
+            (problem.save([0.5]).solve(end, Dop853::new()))
+                .unwrap_err()
+                .error(),
+        ];
+        for error in errors {
+            assert!(
+                matches!(error, IntegrationError::NonFiniteTime { .. }),
+                "{error}"
+            );
+        }
+    }
     // ẋ = x² reaches infinity at t = 1, but for the error of the integration.
     let failed = Problem::new(
         Blowup,
@@ -234,6 +251,27 @@ fn a_run_is_advanced_stored_and_changed() {
     let end = run.advance(2.0).unwrap();
     assert!((end.q[0] - 2.5).abs() < 1e-13 && end.v[0].abs() < 1e-13);
     assert_eq!(run.dynamics().model().g.to_bits(), 5.0_f64.to_bits());
+}
+
+/// An observer sees each sample once, the one at the end too, and none where none are asked for.
+#[test]
+fn samples_are_observed_once() {
+    let mut seen = Vec::new();
+    let observed = Problem::new(&STONE, start()).each_step(|progress| {
+        if progress.kind == ObservationKind::Sample {
+            seen.push(progress.t);
+        }
+    });
+    observed.solve(1.0, Dop853::new()).unwrap();
+    assert!(seen.is_empty());
+    let observed = Problem::new(&STONE, start()).each_step(|progress| {
+        if progress.kind == ObservationKind::Sample {
+            seen.push(progress.t);
+        }
+    });
+    let kept = observed.save([0.5, 1.0]).solve(1.0, Dop853::new());
+    assert_eq!(kept.unwrap().samples().len(), 2);
+    assert_eq!(seen, [0.5, 1.0]);
 }
 
 /// A reaction of a run that is advanced by hand.

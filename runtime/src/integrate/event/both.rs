@@ -130,6 +130,7 @@ where
         };
         if !step.comes_before(step.after(early.t), late.t) {
             memory.pending = [None; 2];
+            self.occur_at(memory, step, late.t);
             return Some(Occurring {
                 t: late.t,
                 events: early.events.or(late.events),
@@ -137,6 +138,16 @@ where
         }
         memory.pending[usize::from(!is_in_order)] = None;
         Some(early)
+    }
+
+    fn occur_at<T: Advance<S, D>>(
+        &mut self,
+        memory: &mut Self::Memory,
+        step: &mut LastStep<'_, S, D, T>,
+        t: f64,
+    ) {
+        self.0.occur_at(&mut memory.first, step, t);
+        self.1.occur_at(&mut memory.second, step, t);
     }
 
     fn close<T: Advance<S, D>>(

@@ -64,6 +64,16 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
         None
     }
 
+    /// The events found last occur at this time of the last step, together with others.
+    fn occur_at<T: Advance<S, D>>(
+        &mut self,
+        memory: &mut Self::Memory,
+        step: &mut LastStep<'_, S, D, T>,
+        t: f64,
+    ) {
+        let _ = (memory, step, t);
+    }
+
     /// The events that a run reports where it ends, and that were not found before; of those that were found behind its end, the
     /// ones that rounding does not tell from it.
     fn close<T: Advance<S, D>>(
@@ -181,6 +191,16 @@ macro_rules! detection_by_functions {
             step: &mut $crate::integrate::event::LastStep<'_, $scalar, $dynamics, T>,
         ) -> Option<$crate::integrate::event::Occurring> {
             EventFunctions::next(self, memory, step)
+        }
+
+        fn occur_at<T: $crate::integrate::stepper::Advance<$scalar, $dynamics>>(
+            &mut self,
+            memory: &mut Self::Memory,
+            step: &mut $crate::integrate::event::LastStep<'_, $scalar, $dynamics, T>,
+            t: f64,
+        ) {
+            let there = step.at(t);
+            memory.at_event = EventFunctions::values(self, step.dynamics(), t, &there.x);
         }
 
         fn close<T: $crate::integrate::stepper::Advance<$scalar, $dynamics>>(

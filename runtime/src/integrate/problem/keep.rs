@@ -21,7 +21,7 @@ use crate::scalar::Scalar;
 
 /// What [`Problem::save`](crate::Problem::save) takes.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is nothing that is kept of a motion",
+    message = "`{Self}` does not say what to keep of a motion",
     note = "`Every(0.01)`, a list of times, `StepEnds` or `Dense`"
 )]
 pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Sized {
@@ -118,11 +118,13 @@ where
         let span = start.t.min(end)..=start.t.max(end);
         let outside = self.iter().find(|time| !span.contains(*time));
         let checked = match outside {
-            Some(&time) if time.is_finite() => Err(IntegrationError::OutsideSpan {
-                time,
-                start: start.t,
-                end,
-            }),
+            Some(&time) if time.is_finite() && end.is_finite() => {
+                Err(IntegrationError::OutsideSpan {
+                    time,
+                    start: start.t,
+                    end,
+                })
+            }
             _ => Ok(()),
         };
         let samples = Samples(Vec::with_capacity(self.len()));
@@ -174,7 +176,10 @@ impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for Every {
 
     fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<Vec<f64>, Self::Collection> {
         let Self(interval) = self;
-        let is_valid = interval > 0.0 && interval.is_finite();
+        // The interval has to be above the resolution of the times, which are refused with the end if they are not finite.
+        let resolution = 16.0 * f64::EPSILON * start.t.abs().max(end.abs());
+        let is_resolved = interval > resolution || resolution.is_infinite();
+        let is_valid = interval > 0.0 && interval.is_finite() && is_resolved;
         let times = if is_valid {
             self.times(start.t, end)
         } else {
@@ -206,7 +211,7 @@ impl Every {
         let mut times = Vec::new();
         let mut k = 0.0;
         // Not a number where the end is not.
-        while k <= count + rounding {
+        while count.is_finite() && k <= count + rounding {
             let is_end = (k - count).abs() <= rounding;
             times.push(if is_end { end } else { start + k * interval });
             k += 1.0;

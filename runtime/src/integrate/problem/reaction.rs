@@ -1,7 +1,5 @@
 //! What happens at events.
 
-use core::ops::ControlFlow;
-
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::event::Reaction;
@@ -21,7 +19,7 @@ impl<S: Scalar, D: Dynamics<S>> Reactions<S, D> for () {
     const REACTS: bool = false;
 
     fn react(&mut self, _: usize, _: S, _: &mut D::State, _: &mut D) -> Reaction {
-        Reaction::Unchanged
+        Reaction::default()
     }
 }
 
@@ -72,8 +70,10 @@ where
     A: Flow,
 {
     fn react(&mut self, state: &mut At<S, D::State>, _: &mut D) -> Reaction {
-        // Whether it has changed is seen at the state.
-        reaction((self.0)(state), Reaction::Unchanged)
+        Reaction {
+            changes: false,
+            stops: (self.0)(state).flow().is_break(),
+        }
     }
 }
 
@@ -89,14 +89,9 @@ where
     A: Flow,
 {
     fn react(&mut self, state: &mut At<S, D::State>, dynamics: &mut D) -> Reaction {
-        reaction((self.0)(state, dynamics), Reaction::Changed)
-    }
-}
-
-/// A reaction that stops, or the other one.
-fn reaction(flow: impl Flow, otherwise: Reaction) -> Reaction {
-    match flow.flow() {
-        ControlFlow::Continue(()) => otherwise,
-        ControlFlow::Break(()) => Reaction::Stop,
+        Reaction {
+            changes: true,
+            stops: (self.0)(state, dynamics).flow().is_break(),
+        }
     }
 }

@@ -228,6 +228,7 @@ where
     }
 
     /// Changes the state, the dynamics, or both, and goes on from there: a load is picked up, a parameter is tuned.
+    /// The time stays.
     ///
     /// # Errors
     ///
@@ -240,8 +241,11 @@ where
         let mut state = self.state();
         change(&mut state, &mut self.dynamics);
         let here = At { t, x: state.x };
-        self.driver.check_state(&self.dynamics, &here)?;
         self.forget_events();
+        if let Err(error) = self.driver.check_state(&self.dynamics, &here) {
+            self.stepper.restart(&self.dynamics);
+            return Err(error);
+        }
         self.stepper.restart_at(&self.dynamics, t, here.x)
     }
 }
@@ -256,7 +260,8 @@ where
     O: Observer<D::State>,
     K: Keep<S, D, I::Stepper> + Clone,
 {
-    /// Goes on until the time `end`, or until an event, a condition or an observer stops. The solution is of this part alone.
+    /// Integrates until the time `end`, or until an event, a condition or an observer stops. The solution has the samples and
+    /// events of this part, and the cost since the start of the run.
     ///
     /// # Errors
     ///
@@ -268,7 +273,8 @@ where
         self.advance_by(end, self.limits)
     }
 
-    /// Takes one step towards the time `end`; none at the end. A step that was rejected, or ended at an event, counts.
+    /// Takes one step towards the time `end`, or the part of one up to an event; none at the end, or where a condition holds
+    /// from the start.
     ///
     /// # Errors
     ///
@@ -295,32 +301,28 @@ where
         let (t, x) = (self.stepper.time(), self.stepper.state().clone());
         let start = At { t, x };
         let begun = self.keep.clone().begin(&start, end);
-        let solved = collected::<_, _, _, K>(begun, start, limits, |_, samples, collector| {
-            self.go_on(limits.course(samples, end), collector)
-        });
-        if solved.is_err() {
-            self.forget_events();
-        }
-        solved
+        collected::<_, _, _, K>(begun, start, limits, |start, samples, collector| {
+            self.go_on(start, limits.course(samples, end), collector)
+        })
     }
 
-    /// Goes on, and from where that stops.
+    /// Advances, then restarts the stepper where the integration has stopped.
     fn go_on(
         &mut self,
+        start: &At<f64, D::State>,
         course: Course<'_>,
         collector: &mut dyn Collector<S, D, I::Stepper>,
     ) -> (Outcome<D::State>, Result<(), IntegrationError>) {
-        let start = At {
-            t: self.stepper.time(),
-            x: self.stepper.state().clone(),
-        };
         if let Err(error) = course.check(start.t) {
-            return (Outcome::at(start), Err(error));
+            return (Outcome::at(start.clone()), Err(error));
         }
         self.memory = self.recall_events(course.end);
         let system = (&mut self.dynamics, &mut self.reactions);
         let parts = (&mut self.stepper, &mut self.memory);
         let (outcome, mut result) = (self.driver).advance(system, parts, course, collector);
+        if result.is_err() {
+            self.forget_events();
+        }
         let t = outcome.last.t;
         if t - self.stepper.time() != 0.0 {
             // The derivative parts of the state at an event are those at a time that moves.

@@ -140,7 +140,7 @@ where
         self.kept.derivative(t)
     }
 
-    /// The start and the ends of the steps.
+    /// The start, the ends of the steps, and the events at which a reaction or the end cuts one.
     pub fn times(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
         self.kept.times()
     }

@@ -109,7 +109,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         }
     }
 
-    /// Stops after the first step at whose end the condition holds.
+    /// Stops at the first end of a step at which the condition holds, or at the start if it holds there: a [`Run`](super::Run) does
+    /// not go on while it holds.
     pub fn stop_when<F>(self, condition: F) -> Problem<S, D, K, (C, PredicateOfState<F>), R, O>
     where
         F: FnMut(&At<S, D::State>) -> bool,

@@ -120,7 +120,7 @@ impl<const L: usize, const HALF: usize> Ensemble<L, HALF> {
     }
 
     /// Integrates each motion from its initial value to its final time, which may lie before it, and passes its position in
-    /// `motions` and its outcome, or its error, to `report`, in the order in which they end.
+    /// `motions` and its solution, or its error, to `report`, in the order in which they end.
     ///
     /// All motions have the same parameters, which have the same value in all lanes. An invalid setting is an error of
     /// every motion.
@@ -138,7 +138,7 @@ impl<const L: usize, const HALF: usize> Ensemble<L, HALF> {
         }
     }
 
-    /// The outcome or the error of each motion, in their order.
+    /// The solution or the error of each motion, in their order.
     #[cfg(feature = "alloc")]
     pub fn collect<D>(
         &self,
