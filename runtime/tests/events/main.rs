@@ -5,6 +5,7 @@ mod common;
 mod directions;
 mod event_models;
 mod random_numbers;
+mod two_lists;
 mod two_runs;
 
 mod consecutive_runs;
@@ -18,6 +19,7 @@ mod reactions;
 mod rounding;
 mod series_of_events;
 mod short_runs;
+
 mod stopping_reactions;
 mod functions_of_roundings;
 mod settings_compose;

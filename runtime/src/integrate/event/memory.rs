@@ -88,6 +88,14 @@ impl<V: Values> Memory<V> {
 
     /// Begins anew at `start`, where the functions have these signs.
     pub(super) fn begin_anew(&mut self, start: f64, signs: V, hysteresis: V) {
+        // Zeros behind the start were found before another list of events called for a reaction: they are not visited.
+        for zero_at in self.zero_at.as_mut_slice() {
+            let is_behind =
+                |forwards| (forwards && *zero_at > start) || (!forwards && *zero_at < start);
+            if self.forwards.is_some_and(is_behind) {
+                *zero_at = f64::NAN;
+            }
+        }
         *self = Self {
             hysteresis,
             reactions: self.reactions,
