@@ -58,7 +58,7 @@ pub(crate) fn run() -> Result<(), String> {
     let failed = |error: IntegrationError| error.to_string();
     let reference = Problem::new(&LIGHT, exact).solve(END, Taylor::order_40());
     let reference = reference.map_err(|error| failed(error.into()))?;
-    let reference = reference.q.map(|x| x.largest());
+    let reference = reference.q.map(Scalar::largest);
 
     println!("{:>8} {:>8} {:>12}", "method", "steps", "error");
     let row = |method: &str, steps: u64, end: [f64; 2]| {
