@@ -5,6 +5,7 @@
 
 mod dynamics;
 mod singularity;
+mod singularity_check;
 mod error;
 mod at;
 mod bernstein;

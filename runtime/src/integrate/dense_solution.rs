@@ -41,7 +41,7 @@ impl<X, P, S> DenseSolution<X, P, S> {
     }
 
     /// The times at the ends of its steps and at events, the initial time first.
-    pub fn times(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
+    pub(super) fn times(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
         let ends = self.segments.iter().map(|segment| segment.end);
         core::iter::once(self.initial.t).chain(ends)
     }
@@ -60,11 +60,7 @@ where
 {
     /// The state at a time. At the time of a jump it is that after the jump, and [`before`](Self::before) it is that
     /// before.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError::OutsideSolution`] for a time beyond the ends.
-    pub fn at(&self, t: f64) -> Result<X, IntegrationError> {
+    pub(super) fn at(&self, t: f64) -> Result<X, IntegrationError> {
         if t - self.last.t == 0.0 {
             return Ok(self.last.x.clone());
         }
@@ -76,11 +72,7 @@ where
     }
 
     /// The state at a time; at the time of a jump, that before it.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError::OutsideSolution`] for a time beyond the ends.
-    pub fn before(&self, t: f64) -> Result<X, IntegrationError> {
+    pub(super) fn before(&self, t: f64) -> Result<X, IntegrationError> {
         if t - self.initial.t == 0.0 {
             return Ok(self.initial.x.clone());
         }
@@ -93,11 +85,7 @@ where
 
     /// The derivative of the interpolating polynomial at a time; none if there is no step. For a mechanical system it
     /// holds velocities and accelerations.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError::OutsideSolution`] for a time beyond the ends.
-    pub fn derivative(&self, t: f64) -> Result<Option<X>, IntegrationError> {
+    pub(super) fn derivative(&self, t: f64) -> Result<Option<X>, IntegrationError> {
         let found = self.segment(t, |end, t| end <= t)?;
         let found = found.or(self.segments.last());
         Ok(found.map(|segment| segment.interpolant.derivative(t)))

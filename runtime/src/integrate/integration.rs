@@ -8,6 +8,7 @@ use super::event::{Detection, LastStep, Located, MetConditions, Occurring, moved
 use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::singularity::Singularity;
+use super::singularity_check::{check_singularity_in_motion, singular};
 use super::stepper::Advance;
 use crate::scalar::Scalar;
 
@@ -383,43 +384,5 @@ where
             return Err(StopReason::Observer);
         }
         Ok(())
-    }
-}
-
-/// An error if a relative pivot is below `min_pivot`.
-pub(crate) fn check_singularity<S: Scalar, D: Dynamics<S> + ?Sized>(
-    dynamics: &D,
-    t: f64,
-    x: &D::State,
-    min_pivot: f64,
-) -> Result<(), IntegrationError> {
-    if min_pivot <= 0.0 {
-        return Ok(());
-    }
-    let found = dynamics.singularity(S::from_f64(t), x, min_pivot);
-    found.map_or(Ok(()), |found| Err(singular::<S>(t, found)))
-}
-
-/// The same at the end of a step.
-#[inline]
-fn check_singularity_in_motion<S: Scalar, D: Dynamics<S> + ?Sized>(
-    dynamics: &D,
-    t: f64,
-    x: &D::State,
-    min_pivot: f64,
-) -> Result<(), IntegrationError> {
-    if min_pivot <= 0.0 {
-        return Ok(());
-    }
-    let found = dynamics.singularity_in_motion(S::from_f64(t), x, min_pivot);
-    found.map_or(Ok(()), |found| Err(singular::<S>(t, found)))
-}
-
-#[cold]
-fn singular<S: Scalar>(time: f64, singularity: Singularity) -> IntegrationError {
-    IntegrationError::SingularConfiguration {
-        time,
-        estimated_error: S::machine_epsilon() / singularity.relative_pivot(),
-        singularity,
     }
 }

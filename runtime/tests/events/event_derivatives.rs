@@ -57,7 +57,7 @@ enum Floor {
     Functions,
 }
 
-/// The same by integration.
+/// The times of two impacts and the state at a time behind them, by integration.
 fn integrated<T, I>(method: I, floor: Floor, parameters: [T; 4], end: f64) -> [T; 4]
 where
     T: SingleNumber,

@@ -313,3 +313,22 @@ fn events_are_functions_on_the_scalar() {
     assert!((end.t.0[0] - 1.0).abs() < 1e-9);
     assert!((end.q[0].0[1] - 15.0).abs() < 1e-8);
 }
+
+/// A change that fails leaves the state, and what follows has the dynamics that it has left.
+#[test]
+fn a_change_that_fails_keeps_the_state() {
+    let problem = Problem::new(STONE.clone(), start());
+    let mut run = problem.start(Dop853::new()).unwrap();
+    let before = run.advance(0.5).unwrap().last;
+    let change = run.change(|x, stone| {
+        x.v[0] = f64::NAN;
+        stone.change(|stone| stone.g = 0.0);
+    });
+    assert!(matches!(
+        change,
+        Err(IntegrationError::NonFiniteState { .. })
+    ));
+    assert_eq!(run.state(), before);
+    let end = run.advance(1.0).unwrap();
+    assert!((end.q[0] - (before.q[0] + 0.5 * before.v[0])).abs() < 1e-14);
+}

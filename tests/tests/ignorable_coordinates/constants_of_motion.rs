@@ -140,7 +140,7 @@ fn momenta_of_the_top_are_those_of_the_book() {
     }
 }
 
-/// They are watched under any method, and the largest change is that of the states that were observed.
+/// They are watched under any method, and the largest change is taken over the observed states.
 #[test]
 fn changes_are_watched_along_a_motion() {
     let top = top();

@@ -151,7 +151,7 @@ fn the_states_of_a_controller_are_stored() {
     });
 }
 
-/// The settings are those of the problem that goes on.
+/// A mass on a spring, whose stiffness may be zero.
 #[derive(Lagrangian)]
 #[lagrangian(
     taylor,

@@ -1,4 +1,4 @@
-//! Two lists of conditions and events that count together, numbered through: those of the second come after those of the first.
+//! Two lists of conditions and events that count together: the numbers of the second list follow the first's.
 
 use super::memory::Remembers;
 use super::met_conditions::MetConditions;

@@ -8,6 +8,7 @@ use crate::integrate::error::IntegrationError;
 use crate::integrate::event::MetConditions;
 use crate::integrate::outcome::{Outcome, StopReason};
 use crate::integrate::problem::{Events, Solution};
+use crate::integrate::singularity_check::singular;
 use crate::integrate::taylor::{Series, TaylorLanes};
 use crate::linalg::{LaneStates, VectorSpace};
 use crate::scalar::Lanes;
@@ -190,12 +191,7 @@ where
                 .singularity_between(Some(lane), before, (times, states))
                 .or_else(|| dynamics.singularity_in_lane(lane, times, states, min_pivot));
             if let Some(singularity) = found {
-                let error = IntegrationError::SingularConfiguration {
-                    time: stepper.time(lane),
-                    estimated_error: f64::EPSILON / singularity.relative_pivot(),
-                    singularity,
-                };
-                stepper.fail(lane, error);
+                stepper.fail(lane, singular::<Lanes<L>>(stepper.time(lane), singularity));
             }
         }
     }
