@@ -99,7 +99,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut measured = Vec::new();
     for state in motion {
         let torque = law(&state);
-        let accelerations = real.accelerations_with(&state, &torque);
+        let accelerations = real.with_inputs(torque).accelerations(&state);
         let torque = torque + Vector2::from_fn(|_, _| NOISE * noise.number());
         let deviations = Vector2::repeat(NOISE);
         // Of the model only what is known enters: l, g and the torques.

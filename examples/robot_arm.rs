@@ -64,11 +64,12 @@ fn main() -> Result<(), IntegrationError> {
         g: 9.81,
         torque: Vector3::zeros(),
     };
-    let prepared = arm.prepare();
+    let free = arm.with_inputs(Vector3::zeros());
+    let free = free.dynamics();
     let law = |state: &State<f64, 3>| {
         let [q, v, a] = path(state.t);
         let wanted = a - 2.0 * RATE * (state.v - v) - RATE * RATE * (state.q - q);
-        arm.inverse_dynamics_prepared_with(state, &Vector3::zeros(), &wanted, &prepared)
+        free.inverse_dynamics(state, &wanted)
     };
 
     // It begins at rest and beside the path.
@@ -86,7 +87,7 @@ fn main() -> Result<(), IntegrationError> {
     let (error, rate) = (start.q - q, start.v - v);
     println!("  t [s]    tip x      y      z [m]  power [W]  error [rad]  beside its closed form");
     for state in motion {
-        let outputs = arm.outputs_with(&state, &law(&state));
+        let outputs = arm.with_inputs(law(&state)).outputs(&state);
         let [x, y, z] = outputs.tip.into();
         let found = state.q - path(state.t)[0];
         let expected = (error + (rate + RATE * error) * state.t) * (-RATE * state.t).exp();

@@ -2,24 +2,25 @@
 
 use std::hint::black_box;
 
-use lagrangian::{Lagrangian, State};
+use lagrangian::quantities::Quantities;
+use lagrangian::{EquationsOfMotion, Lagrangian, State};
 use nalgebra::SVector;
 
 use crate::evaluation::Evaluation;
 
 /// A model and the function that is called, both hidden from the optimizer.
 pub(crate) struct Derived<'a, M: Lagrangian<N>, const N: usize> {
-    model: &'a M,
-    prepared: M::Prepared,
-    accelerations: fn(&M, &M::Prepared, &State<f64, N>, &mut SVector<f64, N>),
+    equations: EquationsOfMotion<'a, M::Model, f64, N>,
+    accelerations: Accelerations<'a, M::Model, N>,
 }
+
+type Accelerations<'a, M, const N: usize> =
+    fn(&EquationsOfMotion<'a, M, f64, N>, &State<f64, N>, &mut SVector<f64, N>);
 
 impl<'a, M: Lagrangian<N>, const N: usize> Derived<'a, M, N> {
     pub(crate) fn new(model: &'a M) -> Self {
-        let model = black_box(model);
         Self {
-            model,
-            prepared: black_box(model.prepare()),
+            equations: black_box(black_box(model).dynamics()),
             accelerations: black_box(accelerations),
         }
     }
@@ -28,13 +29,12 @@ impl<'a, M: Lagrangian<N>, const N: usize> Derived<'a, M, N> {
 /// The method that integrators call, behind the boundary that the peers have too. What depends on the
 /// parameters alone has been computed once, as an integration does; the peers have it as constants.
 #[inline(never)]
-fn accelerations<M: Lagrangian<N>, const N: usize>(
-    model: &M,
-    prepared: &M::Prepared,
+fn accelerations<M: Quantities<N>, const N: usize>(
+    equations: &EquationsOfMotion<'_, M, f64, N>,
     state: &State<f64, N>,
     accelerations: &mut SVector<f64, N>,
 ) {
-    *accelerations = model.accelerations_prepared(state, prepared);
+    *accelerations = equations.accelerations(state);
 }
 
 impl<M: Lagrangian<N>, const N: usize> Evaluation<N> for Derived<'_, M, N> {
@@ -56,40 +56,36 @@ impl<M: Lagrangian<N>, const N: usize> Evaluation<N> for Derived<'_, M, N> {
 
     #[inline]
     fn evaluate(&self, state: &Self::State, accelerations: &mut SVector<f64, N>) {
-        (self.accelerations)(self.model, &self.prepared, state, accelerations);
+        (self.accelerations)(&self.equations, state, accelerations);
     }
 }
 
 /// Inverse dynamics of a model, hidden likewise.
 pub(crate) struct InverseDynamics<'a, M: Lagrangian<N>, const N: usize> {
-    model: &'a M,
-    prepared: M::Prepared,
-    forces: Forces<M, M::Prepared, N>,
+    equations: EquationsOfMotion<'a, M::Model, f64, N>,
+    forces: Forces<'a, M::Model, N>,
 }
 
-type Forces<M, P, const N: usize> =
-    fn(&M, &P, &State<f64, N>, &SVector<f64, N>, &mut SVector<f64, N>);
+type Forces<'a, M, const N: usize> =
+    fn(&EquationsOfMotion<'a, M, f64, N>, &State<f64, N>, &SVector<f64, N>, &mut SVector<f64, N>);
 
 impl<'a, M: Lagrangian<N>, const N: usize> InverseDynamics<'a, M, N> {
     pub(crate) fn new(model: &'a M) -> Self {
-        let model = black_box(model);
         Self {
-            model,
-            prepared: black_box(model.prepare()),
+            equations: black_box(black_box(model).dynamics()),
             forces: black_box(forces),
         }
     }
 }
 
 #[inline(never)]
-fn forces<M: Lagrangian<N>, const N: usize>(
-    model: &M,
-    prepared: &M::Prepared,
+fn forces<M: Quantities<N>, const N: usize>(
+    equations: &EquationsOfMotion<'_, M, f64, N>,
     state: &State<f64, N>,
     accelerations: &SVector<f64, N>,
     forces: &mut SVector<f64, N>,
 ) {
-    *forces = model.inverse_dynamics_prepared(state, accelerations, prepared);
+    *forces = equations.inverse_dynamics(state, accelerations);
 }
 
 impl<M: Lagrangian<N>, const N: usize> Evaluation<N> for InverseDynamics<'_, M, N> {
@@ -108,6 +104,6 @@ impl<M: Lagrangian<N>, const N: usize> Evaluation<N> for InverseDynamics<'_, M, 
 
     #[inline]
     fn evaluate(&self, (state, accelerations): &Self::State, forces: &mut SVector<f64, N>) {
-        (self.forces)(self.model, &self.prepared, state, accelerations, forces);
+        (self.forces)(&self.equations, state, accelerations, forces);
     }
 }

@@ -3,7 +3,8 @@
 use std::thread;
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, Lanes, MotionSeries};
+use lagrangian::quantities::MotionSeries;
+use lagrangian::{DoubleDouble, Lanes};
 
 use crate::motions::{LANES, rows, state};
 use crate::question::EnergyErrors;
@@ -14,7 +15,9 @@ pub(crate) fn energy_errors<const N: usize, M>(
     question: &EnergyErrors,
 ) -> Result<Vec<Vec<f64>>, String>
 where
-    M: MotionSeries<N, Lanes<LANES>> + Lagrangian<N, DoubleDouble> + Sync,
+    M: Lagrangian<N, Lanes<LANES>, Model: MotionSeries<N, Lanes<LANES>>>
+        + Lagrangian<N, DoubleDouble>
+        + Sync,
 {
     let chunks: Vec<&[Vec<f64>]> = question.starts.chunks_exact(LANES).collect();
     let halves = chunks.chunks(chunks.len().div_ceil(2).max(1));
@@ -50,7 +53,8 @@ fn errors_together<const N: usize, M>(
     }: &EnergyErrors,
 ) -> Result<Vec<Vec<f64>>, String>
 where
-    M: MotionSeries<N, Lanes<LANES>> + Lagrangian<N, DoubleDouble>,
+    M: Lagrangian<N, Lanes<LANES>, Model: MotionSeries<N, Lanes<LANES>>>
+        + Lagrangian<N, DoubleDouble>,
 {
     let initial: Vec<_> = starts.iter().map(|row| energy(model, row)).collect();
     let method = tolerance.map_or(Taylor::new(), |tolerance| {

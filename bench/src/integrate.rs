@@ -3,7 +3,8 @@
 use std::process::ExitCode;
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, EquationsOfMotion, Lanes, MotionSeries, OperationCount};
+use lagrangian::quantities::MotionSeries;
+use lagrangian::{DoubleDouble, EquationsOfMotion, Lanes, OperationCount};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -14,12 +15,22 @@ use crate::thread_time::fewest_seconds;
 
 /// The scalars on which a model is integrated here.
 pub trait Contestant<const N: usize>:
-    MotionSeries<N> + MotionSeries<N, Lanes<LANES>> + Lagrangian<N, DoubleDouble> + Sync
+    MotionSeries<N>
+    + MotionSeries<N, Lanes<LANES>>
+    + Lagrangian<N, Model = Self>
+    + Lagrangian<N, Lanes<LANES>, Model = Self>
+    + Lagrangian<N, DoubleDouble>
+    + Sync
 {
 }
 
 impl<M, const N: usize> Contestant<N> for M where
-    M: MotionSeries<N> + MotionSeries<N, Lanes<LANES>> + Lagrangian<N, DoubleDouble> + Sync
+    M: MotionSeries<N>
+        + MotionSeries<N, Lanes<LANES>>
+        + Lagrangian<N, Model = Self>
+        + Lagrangian<N, Lanes<LANES>, Model = Self>
+        + Lagrangian<N, DoubleDouble>
+        + Sync
 {
 }
 
@@ -36,7 +47,10 @@ pub fn integrate<const N: usize, M: Contestant<N>>(model: &M, _: OperationCount)
 }
 
 /// The same for models that take long to compile: one motion at a time.
-pub fn integrate_alone<const N: usize, M: MotionSeries<N> + Lagrangian<N, DoubleDouble>>(
+pub fn integrate_alone<
+    const N: usize,
+    M: Lagrangian<N, Model: MotionSeries<N>> + Lagrangian<N, DoubleDouble>,
+>(
     model: &M,
     _: OperationCount,
 ) -> ExitCode {
@@ -48,7 +62,10 @@ pub fn integrate_alone<const N: usize, M: MotionSeries<N> + Lagrangian<N, Double
 }
 
 /// In double-double alone: references.
-pub fn integrate_precisely<const N: usize, M: MotionSeries<N, DoubleDouble>>(
+pub fn integrate_precisely<
+    const N: usize,
+    M: Lagrangian<N, DoubleDouble, Model: MotionSeries<N, DoubleDouble>>,
+>(
     model: &M,
     _: OperationCount,
 ) -> ExitCode {
@@ -66,7 +83,7 @@ fn value(answer: &impl Serialize) -> Result<Value, String> {
 }
 
 /// One motion, by a method with this name.
-fn alone<const N: usize, M: MotionSeries<N>>(
+fn alone<const N: usize, M: Lagrangian<N, Model: MotionSeries<N>>>(
     model: &M,
     integration: &Integration,
 ) -> Result<Integrated, String> {
@@ -149,7 +166,7 @@ fn by<S: Motions, I, M, const N: usize>(
 ) -> Result<Integrated, String>
 where
     M: Lagrangian<N, S>,
-    I: Clone + for<'a> Integrator<S, EquationsOfMotion<'a, M, S, N>>,
+    I: Clone + for<'a> Integrator<S, EquationsOfMotion<'a, M::Model, S, N>>,
 {
     let Integration {
         starts,

@@ -2,8 +2,9 @@
 
 use std::process::ExitCode;
 
+use lagrangian::RouthReduction;
 use lagrangian::prelude::*;
-use lagrangian::{MotionSeries, RouthReduction};
+use lagrangian::quantities::MotionSeries;
 
 use crate::thread_time::fewest_seconds;
 
@@ -16,8 +17,8 @@ const END: f64 = 100.0;
 /// Prints the nanoseconds of a step of the full model and of the reduced one, the fewest of many.
 pub fn compare_steps<const N: usize, const R: usize, M>(full: &M, start: State<f64, N>) -> ExitCode
 where
-    M: RouthReduction<N, R, Scalar = f64> + MotionSeries<N>,
-    M::Reduced: MotionSeries<R>,
+    M: RouthReduction<N, R, Scalar = f64> + Lagrangian<N, Model: MotionSeries<N>>,
+    M::Reduced: Lagrangian<R, Model: MotionSeries<R>>,
 {
     let (reduced, reduced_start) = full.reduce(&start);
     let mut fewest = [f64::INFINITY; 2];
@@ -38,7 +39,7 @@ where
 
 /// Nanoseconds.
 #[allow(clippy::cast_precision_loss)] // Some hundreds of steps.
-fn of_step<const N: usize, M: MotionSeries<N>>(
+fn of_step<const N: usize, M: Lagrangian<N, Model: MotionSeries<N>>>(
     model: &M,
     start: State<f64, N>,
 ) -> Result<f64, String> {

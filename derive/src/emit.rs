@@ -43,7 +43,7 @@ pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {
     [
         emitter.constants(),
         emitter.system(),
-        emitter.lagrangian(),
+        emitter.quantities(),
         emitter.energies(),
         emitter.constants_of_motion(),
         emitter.inputs(),

@@ -27,8 +27,7 @@ pub(crate) use reduced_methods::ReducedMethods;
 pub(crate) use requested::Requested;
 pub(crate) use series_methods::SeriesMethods;
 pub(crate) use table::{
-    Argument, EmittedMethod, Interface, Invariants, MethodRow, PARAMETERS, ResultType, Variant,
-    is_method,
+    Argument, EmittedMethod, Interface, MethodRow, PARAMETERS, ResultType, is_method,
 };
 pub(crate) use taylor_method::{NoTaylorSeries, Rates, TaylorMethod};
 pub(crate) use value_series::{BranchSeries, EventSeries, ValueSeries};

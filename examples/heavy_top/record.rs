@@ -1,6 +1,6 @@
 //! What is kept of the motion at each sample.
 
-use lagrangian::{Energies, Lagrangian, State};
+use lagrangian::{Lagrangian, State};
 
 use crate::model::HeavyTop;
 

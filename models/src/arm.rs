@@ -26,7 +26,7 @@ use lagrangian::prelude::*;
 /// let lower = -9.81 * 3.0 * 0.3 * 0.4_f64.cos();
 /// let upper = lower - 9.81 * 3.0 * (0.3 + 0.6);
 /// let held = Vector3::new(0.0, upper, lower);
-/// assert!((model.inverse_dynamics_with(&rest, &held, &Vector3::zeros())).norm() < 1e-13);
+/// assert!((model.with_inputs(held).inverse_dynamics(&rest, &Vector3::zeros())).norm() < 1e-13);
 /// # Ok::<(), lagrangian::rigid_body::BodyError>(())
 /// ```
 #[derive(Lagrangian, Clone, Debug)]

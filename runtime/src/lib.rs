@@ -22,10 +22,10 @@
 //!
 //! - [`Lagrangian`](derive@Lagrangian) describes the declaration.
 //! - [`trait@Lagrangian`] has the methods of a model: mass matrix, forcing, accelerations, momenta, energy,
-//!   inverse dynamics, derivatives. [`GeneralizedCoordinates`], [`Inputs`], [`Outputs`], [`Energies`] and
-//!   [`ExternalFunctions`] have the rest. A [`Plant`] is closed by static or dynamic feedback.
+//!   inverse dynamics, derivatives, outputs. A [`Plant`] is closed by static or dynamic feedback. Functions that are generic over
+//!   models name the traits of [`quantities`] in their bounds.
 //! - [`Problem`] integrates a model from a state: what is watched and kept is said in any order, the method last. [`Taylor`]
-//!   takes what has a [`Series`]: models with the clause `taylor` do ([`MotionSeries`]); [`Dop853`] and [`RungeKutta`] take any
+//!   takes what has a [`Series`]: models with the clause `taylor` do; [`Dop853`] and [`RungeKutta`] take any
 //!   [`Dynamics`] ẋ = f(t, x).
 //! - [`Scalar`] is the trait of the numbers on which models and integrators are generic: `f64`, `f32`, [`Lanes`],
 //!   [`DoubleDouble`], and [`Dual`] numbers, which have derivatives.
@@ -55,6 +55,7 @@ pub mod rigid_body;
 pub mod analysis;
 pub mod identification;
 pub mod problem;
+pub mod quantities;
 pub mod prelude;
 
 #[doc(hidden)]
@@ -76,19 +77,14 @@ pub use integrate::{Partial, Problem, Solution};
 pub use lagrangian_derive::Lagrangian;
 pub use linalg::{ErrorTolerance, Factorization, IntoVector, LaneStates, VectorSpace};
 pub use model::{
-    AugmentedPhase, ConstantsOfMotion, ConstantsWatch, ControlledBy, Energies, EquationsOfMotion,
-    Events, EventsWith, ExternalFunctions, FunctionSignature, GeneralizedCoordinates, Inputs,
-    Lagrangian, LargestChange, Linearization, MotionSeries, OperationCount, Operations, Outputs,
-    OutputsWith, OwnedEquations, Phase, Plant, ReconstructedPhase, Reconstruction, RouthReduction,
-    Routhian, RouthianSeries, State, WithController, WithInputs,
+    AugmentedPhase, ConstantsOfMotion, ConstantsWatch, ControlledBy, EquationsOfMotion,
+    ExternalFunctions, FunctionSignature, GeneralizedCoordinates, Lagrangian, LargestChange,
+    Linearization, OperationCount, Operations, OwnedEquations, Phase, Plant, ReconstructedPhase,
+    Reconstruction, RouthReduction, Routhian, State, WithController, WithInputs,
 };
 pub use model::{ByParameters, StateTransition};
-pub use model::{
-    CanonicalEquations, CanonicalPhase, EnergyBalance, EnergyBalanceWith, EnergyResidual,
-    Hamiltonian, HamiltonianWith, NoVelocities, Regressor, RegressorWith, Sensitivities,
-    SensitivitiesWith,
-};
-pub use model::{Constant, DrivenBy, MotionSeriesWith, Polynomial, Signal, Signals, Sinusoid, Sum};
+pub use model::{CanonicalEquations, CanonicalPhase, EnergyResidual, NoVelocities};
+pub use model::{Constant, DrivenBy, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use nalgebra;
 pub use num_traits;
 pub use scalar::{DoubleDouble, Dual, Lanes, Scalar};

@@ -4,22 +4,16 @@
 
 pub use crate::rigid_body::{PrincipalBody, RigidBody, SymmetricBody};
 pub use crate::{
-    Advance, At, AugmentedPhase, ConstantsOfMotion, ControlledBy, Dop853, Dynamics, Energies,
-    Events, EventsWith, ExternalFunctions, GeneralizedCoordinates, Inputs, IntegrationError,
-    Integrator, Interpolant, Lagrangian, Linearization, ObservationKind, Occurrence, Outputs,
-    OutputsWith, Phase, Plant, Progress, RouthReduction, Routhian, RungeKutta, Scalar,
-    SetTypicalSizes, State, Statistics, Stepper, StopReason, Taylor, VectorSpace, WithController,
-    WithInputs,
-};
-pub use crate::{
-    EnergyBalance, EnergyBalanceWith, Hamiltonian, HamiltonianWith, Regressor, RegressorWith,
-    Sensitivities, SensitivitiesWith,
+    Advance, At, AugmentedPhase, ConstantsOfMotion, ControlledBy, Dop853, Dynamics,
+    ExternalFunctions, GeneralizedCoordinates, IntegrationError, Integrator, Interpolant,
+    Lagrangian, Linearization, ObservationKind, Occurrence, Phase, Plant, Progress, RouthReduction,
+    Routhian, RungeKutta, Scalar, SetTypicalSizes, State, Statistics, Stepper, StopReason, Taylor,
+    VectorSpace, WithController, WithInputs,
 };
 // Without names: through them the compiler says which clause is missing.
 #[doc(hidden)]
 pub use crate::model::undeclared::{
-    OfConstantsOfMotion as _, OfEnergies as _, OfEnergyBalance as _, OfEvents as _,
-    OfHamiltonian as _, OfInputs as _, OfOutputs as _, OfReducedModels as _, OfRegressor as _,
+    OfConstantsOfMotion as _, OfEvents as _, OfInputs as _, OfReducedModels as _, OfRegressor as _,
     OfSensitivities as _,
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};

@@ -8,7 +8,8 @@
 use std::hint::black_box;
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, MotionSeries, Series, TaylorCoefficients};
+use lagrangian::quantities::MotionSeries;
+use lagrangian::{DoubleDouble, Series, TaylorCoefficients};
 
 /// Half of the order of the series.
 const HALF: usize = 14;
@@ -40,7 +41,8 @@ fn terms<S: Scalar, const N: usize>(
 /// Fails unless the series of a model through (q, v) is the one in double-doubles, and its motion takes a few steps.
 fn check<const N: usize, M>(name: &str, model: &M, [q, v]: [[f64; N]; 2])
 where
-    M: MotionSeries<N> + MotionSeries<N, DoubleDouble>,
+    M: Lagrangian<N, Model: MotionSeries<N>>
+        + Lagrangian<N, DoubleDouble, Model: MotionSeries<N, DoubleDouble>>,
 {
     let state = State::new(0.0, q, v);
     let dynamics = &Lagrangian::<N, f64>::dynamics(model);

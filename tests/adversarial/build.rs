@@ -70,7 +70,7 @@ fn source(model: &Value) -> String {
         String::new()
     } else {
         let n = &model["n"];
-        format!("let outputs = Outputs::<{n}>::outputs(&model, &at.state());\n    ")
+        format!("let outputs = Lagrangian::<{n}>::outputs(&model, &at.state());\n    ")
     };
     format!(
         "use lagrangian::prelude::*;
@@ -220,7 +220,7 @@ fn write_reduced(calls: &mut String, model: &Value, ignorable: &[Value]) {
         calls,
         "\n        .chain({{
             let (reduced, state) = model.reduce(&at.state::<{n}>());
-            let outputs = Outputs::<{rest}>::outputs(&reduced, &state);
+            let outputs = Lagrangian::<{rest}>::outputs(&reduced, &state);
             [{}]
         }})",
         rows.join(", ")

@@ -36,7 +36,7 @@ pub mod public_case {
 /// them.
 #[rustfmt::skip]
 pub mod trajectory {
-    use lagrangian::{Lagrangian, Outputs as _, State};
+    use lagrangian::{Lagrangian, State};
 
     use crate::{Law, Observed, Parametrized};
 

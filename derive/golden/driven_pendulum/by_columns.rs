@@ -53,7 +53,7 @@ impl DrivenPendulum {
     pub fn inputs(
         &self,
     ) -> ::lagrangian::__private::SVector<::core::primitive::f64, 1usize> {
-        ::lagrangian::Inputs::<1usize, 1usize, _>::inputs(self)
+        ::lagrangian::quantities::Quantities::<1usize, _>::inputs(self)
     }
     /// The equations of motion as they were derived, in lines of Unicode.
     pub const EQUATIONS: &'static str = "q = θ\nT = ½ m l² θ\u{307}²\nV = −m g l cos θ\n\nMomenta p = ∂L/∂q\u{307}:\np_θ = m l² θ\u{307}\n\nEnergy function h = Σ p q\u{307} − L:\nh = T + V\ndh/dt = torque·θ\u{307} − friction·θ\u{307}²\n\nLagrange's equations d/dt (∂L/∂q\u{307}) − ∂L/∂q = Q (4.6):\nm l² θ\u{308} + m g l sin θ = torque − friction·θ\u{307}\n\nSolved for the accelerations:\nθ\u{308} = ((torque − friction·θ\u{307})/(m l) − g sin θ)/l\n";
@@ -61,86 +61,36 @@ impl DrivenPendulum {
     pub const LATEX: &'static str = "\\begin{align*}\nq &= \\theta\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m l^{2} \\dot{\\theta}^{2} \\\\\nV &= -m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\theta} &= m l^{2} \\dot{\\theta}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= \\mathrm{torque}\\,\\dot{\\theta} - \\mathrm{friction}\\,\\dot{\\theta}^{2}\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm l^{2} \\ddot{\\theta} + m g l \\sin \\theta &= \\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{\\theta} &= \\frac{\\frac{\\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}}{m l} - g \\sin \\theta}{l}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
-        lagrangian: ::lagrangian::OperationCount {
-            additions: 1usize,
-            multiplications: 6usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 1usize,
-            functions: 0usize,
-        },
-        energy: ::lagrangian::OperationCount {
-            additions: 1usize,
-            multiplications: 6usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 1usize,
-            functions: 0usize,
-        },
-        momenta: ::lagrangian::OperationCount {
-            additions: 0usize,
-            multiplications: 3usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        mass_matrix: ::lagrangian::OperationCount {
-            additions: 1usize,
-            multiplications: 6usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        forcing: ::lagrangian::OperationCount {
-            additions: 2usize,
-            multiplications: 4usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 1usize,
-            functions: 0usize,
-        },
-        generalized_forces: ::lagrangian::OperationCount {
-            additions: 1usize,
-            multiplications: 1usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        prepare: ::lagrangian::OperationCount {
-            additions: 0usize,
-            multiplications: 7usize,
-            divisions: 1usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        accelerations: ::lagrangian::OperationCount {
-            additions: 2usize,
-            multiplications: 3usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 1usize,
-            functions: 0usize,
-        },
-        inverse_dynamics: ::lagrangian::OperationCount {
-            additions: 3usize,
-            multiplications: 3usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 1usize,
-            functions: 0usize,
-        },
-        linearize: ::lagrangian::OperationCount {
-            additions: 41usize,
-            multiplications: 74usize,
-            divisions: 4usize,
-            square_roots: 0usize,
-            sines_and_cosines: 4usize,
-            functions: 0usize,
-        },
+        lagrangian: ::lagrangian::__private::operation_count([
+            1usize, 6usize, 0usize, 0usize, 1usize, 0usize,
+        ]),
+        energy: ::lagrangian::__private::operation_count([
+            1usize, 6usize, 0usize, 0usize, 1usize, 0usize,
+        ]),
+        momenta: ::lagrangian::__private::operation_count([
+            0usize, 3usize, 0usize, 0usize, 0usize, 0usize,
+        ]),
+        mass_matrix: ::lagrangian::__private::operation_count([
+            1usize, 6usize, 0usize, 0usize, 0usize, 0usize,
+        ]),
+        forcing: ::lagrangian::__private::operation_count([
+            2usize, 4usize, 0usize, 0usize, 1usize, 0usize,
+        ]),
+        generalized_forces: ::lagrangian::__private::operation_count([
+            1usize, 1usize, 0usize, 0usize, 0usize, 0usize,
+        ]),
+        prepare: ::lagrangian::__private::operation_count([
+            0usize, 7usize, 1usize, 0usize, 0usize, 0usize,
+        ]),
+        accelerations: ::lagrangian::__private::operation_count([
+            2usize, 3usize, 0usize, 0usize, 1usize, 0usize,
+        ]),
+        inverse_dynamics: ::lagrangian::__private::operation_count([
+            3usize, 3usize, 0usize, 0usize, 1usize, 0usize,
+        ]),
+        linearize: ::lagrangian::__private::operation_count([
+            41usize, 74usize, 4usize, 0usize, 4usize, 0usize,
+        ]),
     };
     #[doc(hidden)]
     fn __mentions(&self) {
@@ -176,204 +126,15 @@ impl ::lagrangian::GeneralizedCoordinates<1usize> for DrivenPendulum {
     const STAYS_REGULAR: bool = true;
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1usize, __S>
 for DrivenPendulum {
-    type Prepared = [__S; 4usize];
-    fn prepare(&self) -> [__S; 4usize] {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
-        let x0 = m * l;
-        [m * g * l, __S::from_f64(1.0) / (m * (l * l)), g * x0, l * x0]
-    }
-    fn lagrangian(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::lagrangian_with(
-            self,
-            state,
-            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
-        )
-    }
-    fn energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::energy_with(
-            self,
-            state,
-            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
-        )
-    }
-    fn forcing(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::forcing_with(
-            self,
-            state,
-            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
-        )
-    }
-    fn generalized_forces(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::generalized_forces_with(
-            self,
-            state,
-            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
-        )
-    }
-    fn accelerations(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::accelerations_with(
-            self,
-            state,
-            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
-        )
-    }
-    fn linearize(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-    ) -> ::lagrangian::Linearization<__S, 1usize> {
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::linearize_with(
-            self,
-            state,
-            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
-        )
-    }
-    fn accelerations_prepared(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 4usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::accelerations_prepared_with(
-            self,
-            state,
-            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
-            prepared,
-        )
-    }
-    fn inverse_dynamics(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::inverse_dynamics_with(
-            self,
-            state,
-            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
-            accelerations,
-        )
-    }
-    fn inverse_dynamics_prepared(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 4usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::inverse_dynamics_prepared_with(
-            self,
-            state,
-            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
-            accelerations,
-            prepared,
-        )
-    }
-    fn momenta(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
-        ::lagrangian::__private::vector([m * (l * l) * theta_dot])
-    }
-    fn mass_matrix(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
-        ::lagrangian::__private::mass_matrix_by_columns(
-            state,
-            |state| { ::lagrangian::Lagrangian::<1usize, __S>::momenta(self, state) },
-        )
-    }
-    fn relative_pivots(
-        &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
-        let x0 = m * (l * l);
-        ::lagrangian::__private::by_coordinate(
-            [::lagrangian::__private::relative_pivot(x0, x0.abs())],
-            [&[0]],
-        )
-    }
-}
-#[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<1usize, __S> for DrivenPendulum {
-    fn kinetic_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
-        let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
-        __S::from_f64(0.5) * (m * (l * l) * (theta_dot * theta_dot))
-    }
-    fn potential_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
-        let theta: __S = state.x.q[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
-        -(m * g * l * theta.cos())
-    }
-}
-#[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Inputs<1usize, 1usize, __S>
-for DrivenPendulum {
-    const INPUTS: [&'static str; 1usize] = Self::INPUTS;
+    type Inputs = ::lagrangian::__private::SVector<__S, 1usize>;
     fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        <::lagrangian::__private::SVector<
-            __S,
-            1usize,
-        > as ::core::convert::From<
-            [__S; 1usize],
-        >>::from([::lagrangian::__private::parameter(self.torque)])
+        ::lagrangian::__private::vector([
+            ::lagrangian::__private::parameter(self.torque),
+        ])
     }
-    fn lagrangian_with(
+    fn lagrangian(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
@@ -392,7 +153,7 @@ for DrivenPendulum {
                     ));
         x0
     }
-    fn energy_with(
+    fn energy(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
@@ -411,7 +172,27 @@ for DrivenPendulum {
                     ));
         x0
     }
-    fn forcing_with(
+    fn momenta(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let theta_dot: __S = state.x.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        ::lagrangian::__private::vector([m * (l * l) * theta_dot])
+    }
+    fn mass_matrix(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        ::lagrangian::__private::mass_matrix_by_columns(
+            state,
+            |state| {
+                ::lagrangian::quantities::Quantities::<1usize, __S>::momenta(self, state)
+            },
+        )
+    }
+    fn forcing(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
@@ -427,7 +208,7 @@ for DrivenPendulum {
             (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
         ])
     }
-    fn generalized_forces_with(
+    fn generalized_forces(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
@@ -437,20 +218,16 @@ for DrivenPendulum {
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([(-friction).mul_add(theta_dot, torque)])
     }
-    fn accelerations_with(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let prepared = ::lagrangian::Lagrangian::<1usize, __S>::prepare(self);
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::accelerations_prepared_with(self, state, inputs, &prepared)
+    type Prepared = [__S; 4usize];
+    fn prepare(&self) -> [__S; 4usize] {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let x0 = m * l;
+        [m * g * l, __S::from_f64(1.0) / (m * (l * l)), g * x0, l * x0]
     }
     #[inline(always)]
-    fn accelerations_prepared_with(
+    fn accelerations(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
@@ -466,20 +243,7 @@ for DrivenPendulum {
             (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
         ])
     }
-    fn inverse_dynamics_with(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let prepared = ::lagrangian::Lagrangian::<1usize, __S>::prepare(self);
-        ::lagrangian::Inputs::<
-            1usize,
-            1usize,
-            __S,
-        >::inverse_dynamics_prepared_with(self, state, inputs, accelerations, &prepared)
-    }
-    fn inverse_dynamics_prepared_with(
+    fn inverse_dynamics(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
@@ -498,20 +262,24 @@ for DrivenPendulum {
                 - torque,
         ])
     }
-    fn linearize_with(
+    fn linearize(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> ::lagrangian::Linearization<__S, 1usize> {
-        let accelerations = ::lagrangian::Inputs::<
-            1usize,
+        let accelerations = ::lagrangian::quantities::Quantities::<
             1usize,
             __S,
-        >::accelerations_with(self, state, inputs);
-        let factors = ::lagrangian::Factorization::new(
-            ::lagrangian::Lagrangian::<1usize, __S>::mass_matrix(self, state),
+        >::accelerations(
+            self,
+            state,
+            inputs,
+            &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
         );
-        let prepared = ::lagrangian::Lagrangian::<
+        let factors = ::lagrangian::Factorization::new(
+            ::lagrangian::quantities::Quantities::<1usize, __S>::mass_matrix(self, state),
+        );
+        let prepared = ::lagrangian::quantities::Quantities::<
             1usize,
             ::lagrangian::Dual<__S, 1>,
         >::prepare(self);
@@ -520,28 +288,71 @@ for DrivenPendulum {
             state,
             &accelerations,
             &factors,
-            |state, accelerations| ::lagrangian::Inputs::<
-                1usize,
+            |state, accelerations| ::lagrangian::quantities::Quantities::<
                 1usize,
                 ::lagrangian::Dual<__S, 1>,
-            >::inverse_dynamics_prepared_with(
-                self,
-                state,
-                &inputs,
-                accelerations,
-                &prepared,
-            ),
+            >::inverse_dynamics(self, state, &inputs, accelerations, &prepared),
         )
     }
-    fn input_jacobian_with(
+    fn relative_pivots(
+        &self,
+        _state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let x0 = m * (l * l);
+        ::lagrangian::__private::by_coordinate(
+            [::lagrangian::__private::relative_pivot(x0, x0.abs())],
+            [&[0]],
+        )
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S>
+for DrivenPendulum {
+    type Model = Self;
+    fn model(&self) -> &Self {
+        self
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
+for DrivenPendulum {
+    fn kinetic_energy(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> __S {
+        let theta_dot: __S = state.x.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        __S::from_f64(0.5) * (m * (l * l) * (theta_dot * theta_dot))
+    }
+    fn potential_energy(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> __S {
+        let theta: __S = state.x.q[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        -(m * g * l * theta.cos())
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Inputs<1usize, 1usize, __S>
+for DrivenPendulum {
+    const INPUTS: [&'static str; 1usize] = Self::INPUTS;
+    fn input_jacobian(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         let factors = ::lagrangian::Factorization::new(
-            ::lagrangian::Lagrangian::<1usize, __S>::mass_matrix(self, state),
+            ::lagrangian::quantities::Quantities::<1usize, __S>::mass_matrix(self, state),
         );
-        let prepared = ::lagrangian::Lagrangian::<
+        let prepared = ::lagrangian::quantities::Quantities::<
             1usize,
             ::lagrangian::Dual<__S, 1>,
         >::prepare(self);
@@ -553,17 +364,10 @@ for DrivenPendulum {
         ::lagrangian::__private::input_jacobian_by_columns(
             inputs,
             &factors,
-            |inputs| ::lagrangian::Inputs::<
-                1usize,
+            |inputs| ::lagrangian::quantities::Quantities::<
                 1usize,
                 ::lagrangian::Dual<__S, 1>,
-            >::inverse_dynamics_prepared_with(
-                self,
-                &state,
-                inputs,
-                &accelerations,
-                &prepared,
-            ),
+            >::inverse_dynamics(self, &state, inputs, &accelerations, &prepared),
         )
     }
 }
@@ -586,33 +390,23 @@ pub struct DrivenPendulumOutputs<__S> {
     pub acceleration: __S,
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Outputs<1usize, __S> for DrivenPendulum {
-    type Outputs = DrivenPendulumOutputs<__S>;
-    fn outputs(&self, state: &::lagrangian::State<__S, 1usize>) -> Self::Outputs {
-        ::lagrangian::OutputsWith::<
-            1usize,
-            1usize,
-            __S,
-        >::outputs_with(
-            self,
-            state,
-            &::lagrangian::Inputs::<1usize, 1usize, __S>::inputs(self),
-        )
-    }
-}
-#[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::OutputsWith<1usize, 1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Outputs<1usize, __S>
 for DrivenPendulum {
-    fn outputs_with(
+    type Outputs = DrivenPendulumOutputs<__S>;
+    fn outputs(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> Self::Outputs {
-        let accelerations = ::lagrangian::Inputs::<
-            1usize,
+        let accelerations = ::lagrangian::quantities::Quantities::<
             1usize,
             __S,
-        >::accelerations_with(self, state, inputs);
+        >::accelerations(
+            self,
+            state,
+            inputs,
+            &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
+        );
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let theta_ddot: __S = accelerations[0];

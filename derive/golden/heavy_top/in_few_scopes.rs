@@ -70,86 +70,36 @@ impl HeavyTop {
     pub const LATEX: &'static str = "\\begin{align*}\nq &= (\\varphi, \\theta, \\psi)\n\\end{align*}\n\\begin{align*}\nw_{1} &= \\dot{\\varphi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi \\\\\nw_{2} &= \\dot{\\varphi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi \\\\\nw_{3} &= \\dot{\\varphi} \\cos \\theta + \\dot{\\psi}\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} I_{1} w_{1}^{2} + \\frac{1}{2} I_{2} w_{2}^{2} + \\frac{1}{2} I_{3} w_{3}^{2} \\\\\nV &= m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\varphi} &= \\left(I_{1} w_{1} \\sin \\psi + I_{2} w_{2} \\cos \\psi\\right) \\sin \\theta + I_{3} w_{3} \\cos \\theta \\\\\np_{\\theta} &= I_{1} w_{1} \\cos \\psi - I_{2} w_{2} \\sin \\psi \\\\\np_{\\psi} &= I_{3} w_{3}\n\\end{align*}\n$p_{\\varphi}$ is constant.\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V\n\\end{align*}\n$h$ is constant.\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\n&\\left(\\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi\\right) \\sin^{2} \\theta + I_{3} \\cos^{2} \\theta\\right) \\ddot{\\varphi} + \\left(I_{1} - I_{2}\\right) \\ddot{\\theta} \\sin \\theta \\sin \\psi \\cos \\psi + I_{3} \\ddot{\\psi} \\cos \\theta \\\\\n&\\quad + 2 \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi} \\dot{\\theta} \\sin \\theta \\cos \\theta + 2 \\left(I_{1} - I_{2}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin^{2} \\theta \\sin \\psi \\cos \\psi \\\\\n&\\quad + \\left(I_{1} - I_{2}\\right) \\dot{\\theta}^{2} \\cos \\theta \\sin \\psi \\cos \\psi - \\left(\\left(I_{1} - I_{2}\\right) \\sin^{2} \\psi + \\left(I_{2} - I_{1}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\theta = 0 \\\\\n&\\left(I_{1} - I_{2}\\right) \\ddot{\\varphi} \\sin \\theta \\sin \\psi \\cos \\psi + \\left(I_{1} \\cos^{2} \\psi + I_{2} \\sin^{2} \\psi\\right) \\ddot{\\theta} \\\\\n&\\quad - \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi}^{2} \\sin \\theta \\cos \\theta \\\\\n&\\quad + \\left(\\left(I_{2} - I_{1}\\right) \\sin^{2} \\psi + \\left(I_{1} - I_{2}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin \\theta + 2 \\left(I_{2} - I_{1}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\psi \\cos \\psi \\\\\n&\\quad - m g l \\sin \\theta = 0 \\\\\nI_{3} \\ddot{\\varphi} \\cos \\theta + I_{3} \\ddot{\\psi} + \\left(I_{2} - I_{1}\\right) w_{1} w_{2} - I_{3} \\dot{\\varphi} \\dot{\\theta} \\sin \\theta &= 0\n\\end{align*}\nBoltzmann--Hamel equations, Euler's (3.5)--(3.7) for a rigid body, and kinematics:\n\\begin{align*}\nI_{1} \\dot{w}_{1} &= \\left(I_{2} - I_{3}\\right) w_{2} w_{3} + m g l \\sin \\theta \\cos \\psi \\\\\nI_{2} \\dot{w}_{2} &= \\left(I_{3} - I_{1}\\right) w_{1} w_{3} - m g l \\sin \\theta \\sin \\psi \\\\\nI_{3} \\dot{w}_{3} &= \\left(I_{1} - I_{2}\\right) w_{1} w_{2} \\\\\n\\dot{\\varphi} &= \\frac{w_{1} \\sin \\psi + w_{2} \\cos \\psi}{\\sin \\theta} \\\\\n\\dot{\\theta} &= w_{1} \\cos \\psi - w_{2} \\sin \\psi \\\\\n\\dot{\\psi} &= w_{3} - \\frac{\\left(w_{1} \\sin \\psi + w_{2} \\cos \\psi\\right) \\cos \\theta}{\\sin \\theta}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
-        lagrangian: ::lagrangian::OperationCount {
-            additions: 6usize,
-            multiplications: 16usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 2usize,
-            functions: 0usize,
-        },
-        energy: ::lagrangian::OperationCount {
-            additions: 6usize,
-            multiplications: 16usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 2usize,
-            functions: 0usize,
-        },
-        momenta: ::lagrangian::OperationCount {
-            additions: 6usize,
-            multiplications: 15usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 2usize,
-            functions: 0usize,
-        },
-        mass_matrix: ::lagrangian::OperationCount {
-            additions: 4usize,
-            multiplications: 13usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 2usize,
-            functions: 0usize,
-        },
-        forcing: ::lagrangian::OperationCount {
-            additions: 19usize,
-            multiplications: 40usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 2usize,
-            functions: 0usize,
-        },
-        generalized_forces: ::lagrangian::OperationCount {
-            additions: 0usize,
-            multiplications: 0usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        prepare: ::lagrangian::OperationCount {
-            additions: 4usize,
-            multiplications: 3usize,
-            divisions: 5usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        accelerations: ::lagrangian::OperationCount {
-            additions: 16usize,
-            multiplications: 27usize,
-            divisions: 1usize,
-            square_roots: 0usize,
-            sines_and_cosines: 2usize,
-            functions: 0usize,
-        },
-        inverse_dynamics: ::lagrangian::OperationCount {
-            additions: 23usize,
-            multiplications: 45usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 2usize,
-            functions: 0usize,
-        },
-        linearize: ::lagrangian::OperationCount {
-            additions: 83usize,
-            multiplications: 130usize,
-            divisions: 4usize,
-            square_roots: 0usize,
-            sines_and_cosines: 2usize,
-            functions: 0usize,
-        },
+        lagrangian: ::lagrangian::__private::operation_count([
+            6usize, 16usize, 0usize, 0usize, 2usize, 0usize,
+        ]),
+        energy: ::lagrangian::__private::operation_count([
+            6usize, 16usize, 0usize, 0usize, 2usize, 0usize,
+        ]),
+        momenta: ::lagrangian::__private::operation_count([
+            6usize, 15usize, 0usize, 0usize, 2usize, 0usize,
+        ]),
+        mass_matrix: ::lagrangian::__private::operation_count([
+            4usize, 13usize, 0usize, 0usize, 2usize, 0usize,
+        ]),
+        forcing: ::lagrangian::__private::operation_count([
+            19usize, 40usize, 0usize, 0usize, 2usize, 0usize,
+        ]),
+        generalized_forces: ::lagrangian::__private::operation_count([
+            0usize, 0usize, 0usize, 0usize, 0usize, 0usize,
+        ]),
+        prepare: ::lagrangian::__private::operation_count([
+            4usize, 3usize, 5usize, 0usize, 0usize, 0usize,
+        ]),
+        accelerations: ::lagrangian::__private::operation_count([
+            16usize, 27usize, 1usize, 0usize, 2usize, 0usize,
+        ]),
+        inverse_dynamics: ::lagrangian::__private::operation_count([
+            23usize, 45usize, 0usize, 0usize, 2usize, 0usize,
+        ]),
+        linearize: ::lagrangian::__private::operation_count([
+            83usize, 130usize, 4usize, 0usize, 2usize, 0usize,
+        ]),
     };
     #[doc(hidden)]
     fn __mentions(&self) {
@@ -192,28 +142,17 @@ impl ::lagrangian::GeneralizedCoordinates<3usize> for HeavyTop {
     const SINGULARITIES: [&'static [usize]; 3usize] = [&[1], &[1], &[1]];
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
-    type Prepared = [__S; 7usize];
-    fn prepare(&self) -> [__S; 7usize] {
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
-        let x0 = m * g;
-        let x1 = l * x0;
-        [
-            (i1 - i3) / i2,
-            x1 / i2,
-            (i3 - i2) / i1,
-            x1 / i1,
-            (i1 - i2) / i3,
-            x0 * l,
-            i2 - i1,
-        ]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<3usize, __S>
+for HeavyTop {
+    type Inputs = ::lagrangian::__private::SVector<__S, 0usize>;
+    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0usize> {
+        ::lagrangian::__private::vector([])
     }
-    fn lagrangian(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
+    fn lagrangian(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+    ) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
         theta = state.x.q[1];
@@ -243,7 +182,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             );
         x1
     }
-    fn energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
+    fn energy(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+    ) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
         theta = state.x.q[1];
@@ -273,9 +216,70 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             );
         x1
     }
+    fn momenta(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_theta, cos_theta,
+        sin_psi, cos_psi, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
+        theta = state.x.q[1];
+        psi = state.x.q[2];
+        phi_dot = state.x.v[0];
+        theta_dot = state.x.v[1];
+        psi_dot = state.x.v[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
+        w3 = phi_dot.mul_add(cos_theta, psi_dot);
+        x0 = i3 * w3;
+        x1 = phi_dot * sin_theta;
+        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x1);
+        x2 = i2 * w2;
+        w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
+        x3 = i1 * w1;
+        ::lagrangian::__private::vector([
+            sin_theta.mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0),
+            (-sin_psi).mul_add(x2, cos_psi * x3),
+            x0,
+        ])
+    }
+    fn mass_matrix(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+    ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
+        let [theta, psi, i1, i2, i3, sin_theta, cos_theta, sin_psi, cos_psi, x0, x1, x2,
+        x3]: [__S; 13usize];
+        theta = state.x.q[1];
+        psi = state.x.q[2];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
+        ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
+            theta,
+            psi,
+        ]);
+        x0 = i3 * cos_theta;
+        x1 = cos_psi * cos_psi;
+        x2 = sin_psi * sin_psi;
+        x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
+        ::lagrangian::__private::matrix([
+            [
+                sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
+                x3,
+                x0,
+            ],
+            [x3, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
+            [x0, __S::from_f64(0.0), i3],
+        ])
+    }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3,
@@ -332,6 +336,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     fn generalized_forces(
         &self,
         _state: &::lagrangian::State<__S, 3usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         ::lagrangian::__private::vector([
             __S::from_f64(0.0),
@@ -339,20 +344,31 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             __S::from_f64(0.0),
         ])
     }
+    type Prepared = [__S; 7usize];
+    fn prepare(&self) -> [__S; 7usize] {
+        let i1: __S = ::lagrangian::__private::parameter(self.i1);
+        let i2: __S = ::lagrangian::__private::parameter(self.i2);
+        let i3: __S = ::lagrangian::__private::parameter(self.i3);
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let x0 = m * g;
+        let x1 = l * x0;
+        [
+            (i1 - i3) / i2,
+            x1 / i2,
+            (i3 - i2) / i1,
+            x1 / i1,
+            (i1 - i2) / i3,
+            x0 * l,
+            i2 - i1,
+        ]
+    }
+    #[inline(always)]
     fn accelerations(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let prepared = ::lagrangian::Lagrangian::<3usize, __S>::prepare(self);
-        ::lagrangian::Lagrangian::<
-            3usize,
-            __S,
-        >::accelerations_prepared(self, state, &prepared)
-    }
-    #[inline(always)]
-    fn accelerations_prepared(
-        &self,
-        state: &::lagrangian::State<__S, 3usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1, c2, c3, c4, sin_psi,
@@ -399,17 +415,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     fn inverse_dynamics(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let prepared = ::lagrangian::Lagrangian::<3usize, __S>::prepare(self);
-        ::lagrangian::Lagrangian::<
-            3usize,
-            __S,
-        >::inverse_dynamics_prepared(self, state, accelerations, &prepared)
-    }
-    fn inverse_dynamics_prepared(
-        &self,
-        state: &::lagrangian::State<__S, 3usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
         prepared: &[__S; 7usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
@@ -538,6 +544,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     fn linearize(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> ::lagrangian::Linearization<__S, 3usize> {
         let mut values: [__S; 36usize] = [__S::from_f64(0.0); 36usize];
         ::lagrangian::__private::scatter(
@@ -905,66 +912,6 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
             ]),
         }
     }
-    fn momenta(
-        &self,
-        state: &::lagrangian::State<__S, 3usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_theta, cos_theta,
-        sin_psi, cos_psi, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
-            theta,
-            psi,
-        ]);
-        w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        x0 = i3 * w3;
-        x1 = phi_dot * sin_theta;
-        w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x1);
-        x2 = i2 * w2;
-        w1 = sin_psi.mul_add(x1, theta_dot * cos_psi);
-        x3 = i1 * w1;
-        ::lagrangian::__private::vector([
-            sin_theta.mul_add(sin_psi.mul_add(x3, cos_psi * x2), cos_theta * x0),
-            (-sin_psi).mul_add(x2, cos_psi * x3),
-            x0,
-        ])
-    }
-    fn mass_matrix(
-        &self,
-        state: &::lagrangian::State<__S, 3usize>,
-    ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
-        let [theta, psi, i1, i2, i3, sin_theta, cos_theta, sin_psi, cos_psi, x0, x1, x2,
-        x3]: [__S; 13usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
-            theta,
-            psi,
-        ]);
-        x0 = i3 * cos_theta;
-        x1 = cos_psi * cos_psi;
-        x2 = sin_psi * sin_psi;
-        x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
-        ::lagrangian::__private::matrix([
-            [
-                sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
-                x3,
-                x0,
-            ],
-            [x3, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
-            [x0, __S::from_f64(0.0), i3],
-        ])
-    }
     fn relative_pivots(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
@@ -991,8 +938,20 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop {
-    fn kinetic_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
+    type Model = Self;
+    fn model(&self) -> &Self {
+        self
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3usize, __S>
+for HeavyTop {
+    fn kinetic_energy(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+    ) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_psi, cos_psi,
         sin_theta, cos_theta, x0, w2, w1, w3]: [__S; 16usize];
         theta = state.x.q[1];
@@ -1013,7 +972,11 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<3usize, __S> for HeavyTop
         w3 = phi_dot.mul_add(cos_theta, psi_dot);
         __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
     }
-    fn potential_energy(&self, state: &::lagrangian::State<__S, 3usize>) -> __S {
+    fn potential_energy(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+    ) -> __S {
         let theta: __S = state.x.q[1];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);

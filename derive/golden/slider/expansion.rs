@@ -47,86 +47,36 @@ impl Slider {
     pub const LATEX: &'static str = "\\begin{align*}\nq &= x\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m \\dot{x}^{2} \\\\\nV &= \\frac{1}{2} k x^{2}\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{x} &= m \\dot{x}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= -\\dot{x} \\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\dot{x} \\operatorname{side}\\left(x\\right)\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm \\ddot{x} + k x &= -\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{x} &= -\\frac{\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right)}{m} - \\frac{0.1 \\left(10 k x + \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\\right)}{m}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
-        lagrangian: ::lagrangian::OperationCount {
-            additions: 1usize,
-            multiplications: 5usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        energy: ::lagrangian::OperationCount {
-            additions: 1usize,
-            multiplications: 5usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        momenta: ::lagrangian::OperationCount {
-            additions: 0usize,
-            multiplications: 1usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        mass_matrix: ::lagrangian::OperationCount {
-            additions: 0usize,
-            multiplications: 0usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        forcing: ::lagrangian::OperationCount {
-            additions: 3usize,
-            multiplications: 3usize,
-            divisions: 1usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 2usize,
-        },
-        generalized_forces: ::lagrangian::OperationCount {
-            additions: 2usize,
-            multiplications: 2usize,
-            divisions: 1usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 2usize,
-        },
-        prepare: ::lagrangian::OperationCount {
-            additions: 0usize,
-            multiplications: 2usize,
-            divisions: 2usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 0usize,
-        },
-        accelerations: ::lagrangian::OperationCount {
-            additions: 3usize,
-            multiplications: 5usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 2usize,
-        },
-        inverse_dynamics: ::lagrangian::OperationCount {
-            additions: 3usize,
-            multiplications: 4usize,
-            divisions: 0usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 2usize,
-        },
-        linearize: ::lagrangian::OperationCount {
-            additions: 5usize,
-            multiplications: 11usize,
-            divisions: 2usize,
-            square_roots: 0usize,
-            sines_and_cosines: 0usize,
-            functions: 3usize,
-        },
+        lagrangian: ::lagrangian::__private::operation_count([
+            1usize, 5usize, 0usize, 0usize, 0usize, 0usize,
+        ]),
+        energy: ::lagrangian::__private::operation_count([
+            1usize, 5usize, 0usize, 0usize, 0usize, 0usize,
+        ]),
+        momenta: ::lagrangian::__private::operation_count([
+            0usize, 1usize, 0usize, 0usize, 0usize, 0usize,
+        ]),
+        mass_matrix: ::lagrangian::__private::operation_count([
+            0usize, 0usize, 0usize, 0usize, 0usize, 0usize,
+        ]),
+        forcing: ::lagrangian::__private::operation_count([
+            3usize, 3usize, 1usize, 0usize, 0usize, 2usize,
+        ]),
+        generalized_forces: ::lagrangian::__private::operation_count([
+            2usize, 2usize, 1usize, 0usize, 0usize, 2usize,
+        ]),
+        prepare: ::lagrangian::__private::operation_count([
+            0usize, 2usize, 2usize, 0usize, 0usize, 0usize,
+        ]),
+        accelerations: ::lagrangian::__private::operation_count([
+            3usize, 5usize, 0usize, 0usize, 0usize, 2usize,
+        ]),
+        inverse_dynamics: ::lagrangian::__private::operation_count([
+            3usize, 4usize, 0usize, 0usize, 0usize, 2usize,
+        ]),
+        linearize: ::lagrangian::__private::operation_count([
+            5usize, 11usize, 2usize, 0usize, 0usize, 3usize,
+        ]),
     };
     #[doc(hidden)]
     fn __mentions(&self) {
@@ -160,37 +110,53 @@ impl ::lagrangian::GeneralizedCoordinates<1usize> for Slider {
     const STAYS_REGULAR: bool = true;
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider {
-    type Prepared = [__S; 4usize];
-    fn prepare(&self) -> [__S; 4usize] {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let k: __S = ::lagrangian::__private::parameter(self.k);
-        let weight: __S = ::lagrangian::__private::parameter(self.weight);
-        let width: __S = ::lagrangian::__private::parameter(self.width);
-        [
-            __S::from_f64(1.0) / width,
-            k * __S::from_f64(10.0),
-            __S::ratio(1.0, 10.0) / m,
-            weight * __S::ratio(1.0, 10.0),
-        ]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1usize, __S>
+for Slider {
+    type Inputs = ::lagrangian::__private::SVector<__S, 0usize>;
+    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0usize> {
+        ::lagrangian::__private::vector([])
     }
-    fn lagrangian(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+    fn lagrangian(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+    ) -> __S {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
         __S::from_f64(0.5) * (-k).mul_add(x * x, m * (x_dot * x_dot))
     }
-    fn energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+    fn energy(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+    ) -> __S {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
         __S::from_f64(0.5) * k.mul_add(x * x, m * (x_dot * x_dot))
     }
+    fn momenta(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let x_dot: __S = state.x.v[0];
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        ::lagrangian::__private::vector([m * x_dot])
+    }
+    fn mass_matrix(
+        &self,
+        _state: &::lagrangian::State<__S, 1usize>,
+    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        ::lagrangian::__private::matrix([[m]])
+    }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
@@ -211,6 +177,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
     fn generalized_forces(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
@@ -224,20 +191,24 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
                 ),
         ])
     }
+    type Prepared = [__S; 4usize];
+    fn prepare(&self) -> [__S; 4usize] {
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let k: __S = ::lagrangian::__private::parameter(self.k);
+        let weight: __S = ::lagrangian::__private::parameter(self.weight);
+        let width: __S = ::lagrangian::__private::parameter(self.width);
+        [
+            __S::from_f64(1.0) / width,
+            k * __S::from_f64(10.0),
+            __S::ratio(1.0, 10.0) / m,
+            weight * __S::ratio(1.0, 10.0),
+        ]
+    }
+    #[inline(always)]
     fn accelerations(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let prepared = ::lagrangian::Lagrangian::<1usize, __S>::prepare(self);
-        ::lagrangian::Lagrangian::<
-            1usize,
-            __S,
-        >::accelerations_prepared(self, state, &prepared)
-    }
-    #[inline(always)]
-    fn accelerations_prepared(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 4usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x: __S = state.x.q[0];
@@ -256,17 +227,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
     fn inverse_dynamics(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let prepared = ::lagrangian::Lagrangian::<1usize, __S>::prepare(self);
-        ::lagrangian::Lagrangian::<
-            1usize,
-            __S,
-        >::inverse_dynamics_prepared(self, state, accelerations, &prepared)
-    }
-    fn inverse_dynamics_prepared(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 4usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
@@ -298,6 +259,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
     fn linearize(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> ::lagrangian::Linearization<__S, 1usize> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
@@ -323,21 +285,6 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
             time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
         }
     }
-    fn momenta(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let x_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        ::lagrangian::__private::vector([m * x_dot])
-    }
-    fn mass_matrix(
-        &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        ::lagrangian::__private::matrix([[m]])
-    }
     fn relative_pivots(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
@@ -350,13 +297,29 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Energies<1usize, __S> for Slider {
-    fn kinetic_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider {
+    type Model = Self;
+    fn model(&self) -> &Self {
+        self
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
+for Slider {
+    fn kinetic_energy(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+    ) -> __S {
         let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         __S::from_f64(0.5) * (m * (x_dot * x_dot))
     }
-    fn potential_energy(&self, state: &::lagrangian::State<__S, 1usize>) -> __S {
+    fn potential_energy(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+    ) -> __S {
         let x: __S = state.x.q[0];
         let k: __S = ::lagrangian::__private::parameter(self.k);
         __S::from_f64(0.5) * (k * (x * x))

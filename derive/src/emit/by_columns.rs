@@ -3,7 +3,6 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::signatures::InputsFrom;
 use super::writer::Writer;
 use crate::limits::DIRECTIONS_AT_ONCE;
 use crate::plan::Columns;
@@ -23,29 +22,26 @@ impl Writer<'_> {
         let (n, scalar) = (self.emitter.coordinates(), &self.emitter.scalar);
         quote! {
             #root::__private::mass_matrix_by_columns(state, |state| {
-                #root::Lagrangian::<#n, #scalar>::momenta(self, state)
+                #root::quantities::Quantities::<#n, #scalar>::momenta(self, state)
             })
         }
     }
 
     fn linearization_by_columns(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
-        let accelerations = self.emitter.accelerations(self.inputs);
+        let accelerations = self.emitter.accelerations();
         let (factors, prepared) = (self.factors_of_mass_matrix(), self.prepared_on_duals());
-        let has_inputs = self.inputs == InputsFrom::Argument;
-        let inputs = has_inputs.then(|| quote!(let inputs = #root::__private::constants(inputs);));
-        let given = has_inputs.then(|| quote!(&inputs,));
         let function = self.inverse_dynamics_on_duals();
         quote! {
             let accelerations = #accelerations;
             let factors = #factors;
             let prepared = #prepared;
-            #inputs
+            let inputs = #root::__private::constants(inputs);
             #root::__private::linearization_by_columns(
                 state,
                 &accelerations,
                 &factors,
-                |state, accelerations| #function(self, state, #given accelerations, &prepared),
+                |state, accelerations| #function(self, state, &inputs, accelerations, &prepared),
             )
         }
     }
@@ -82,20 +78,12 @@ impl Writer<'_> {
     fn prepared_on_duals(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
         let (n, dual) = (self.emitter.coordinates(), self.dual());
-        quote!(#root::Lagrangian::<#n, #dual>::prepare(self))
+        quote!(#root::quantities::Quantities::<#n, #dual>::prepare(self))
     }
 
     fn inverse_dynamics_on_duals(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
         let (n, dual) = (self.emitter.coordinates(), self.dual());
-        let inputs = self.emitter.model.inputs as usize;
-        match self.inputs {
-            InputsFrom::Fields => {
-                quote!(#root::Lagrangian::<#n, #dual>::inverse_dynamics_prepared)
-            }
-            InputsFrom::Argument => {
-                quote!(#root::Inputs::<#n, #inputs, #dual>::inverse_dynamics_prepared_with)
-            }
-        }
+        quote!(#root::quantities::Quantities::<#n, #dual>::inverse_dynamics)
     }
 }

@@ -119,13 +119,8 @@ fn operation_count(count: &OperationCount, root: &Root) -> TokenStream {
         functions,
     } = *count;
     quote! {
-        #root::OperationCount {
-            additions: #additions,
-            multiplications: #multiplications,
-            divisions: #divisions,
-            square_roots: #square_roots,
-            sines_and_cosines: #sines_and_cosines,
-            functions: #functions,
-        }
+        #root::__private::operation_count([
+            #additions, #multiplications, #divisions, #square_roots, #sines_and_cosines, #functions,
+        ])
     }
 }

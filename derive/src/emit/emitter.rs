@@ -2,13 +2,13 @@
 
 use lagrangian_symbolic::{Equations, Listing, Model};
 use proc_macro2::TokenStream;
-use quote::{ToTokens as _, quote};
+use quote::{ToTokens as _, format_ident, quote};
 
-use super::signatures::{InputsFrom, Signatures, method_name};
+use super::signatures::Signatures;
 use crate::limits::MethodLimits;
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
-use crate::plan::{EmittedMethod, Methods, SeriesMethods};
+use crate::plan::{EmittedMethod, Interface, Methods, SeriesMethods};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::scalar::Scalar;
 
@@ -133,28 +133,18 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// A call of a method of the state, in the variant for these inputs.
-    fn call(&self, method: EmittedMethod, inputs: InputsFrom) -> TokenStream {
+    /// A call of a method of the state at the same inputs.
+    pub(super) fn call(&self, method: EmittedMethod) -> TokenStream {
         let row = method.row();
-        let interface = self.signatures().interface(row.interface, inputs);
-        let name = method_name(row.unprepared(), inputs);
-        let given = (inputs == InputsFrom::Argument).then(|| quote!(, inputs));
-        quote!(#interface::#name(self, state #given))
-    }
-
-    /// The forcing at the same state and inputs.
-    pub(super) fn forcing(&self, inputs: InputsFrom) -> TokenStream {
-        self.call(EmittedMethod::Forcing, inputs)
+        let interface = self.signatures().interface(row.interface);
+        let name = format_ident!("{}", row.name);
+        let inputs = row.takes_inputs.then(|| quote!(, inputs));
+        quote!(#interface::#name(self, state #inputs))
     }
 
     /// The accelerations at the same state and inputs.
-    pub(super) fn accelerations(&self, inputs: InputsFrom) -> TokenStream {
-        match inputs {
-            InputsFrom::Fields => {
-                let root = &self.declaration.root;
-                quote!(#root::Lagrangian::accelerations(self, state))
-            }
-            InputsFrom::Argument => self.call(EmittedMethod::Accelerations, inputs),
-        }
+    pub(super) fn accelerations(&self) -> TokenStream {
+        let interface = self.signatures().interface(Interface::Quantities);
+        quote!(#interface::accelerations(self, state, inputs, &#interface::prepare(self)))
     }
 }

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::emitter::Emitter;
-use super::signatures::InputsFrom;
+use super::parameters::mentions;
 use super::taylor_series::indices_of;
 use crate::plan::{EventSeries, Interface, ValueSeries};
 use crate::syntax::declaration::Declaration;
@@ -19,7 +19,7 @@ impl Emitter<'_> {
         if self.methods.event_functions.is_none() {
             return TokenStream::new();
         }
-        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
+        let scalar = &self.scalar;
         let count = self.model.outputs.len() - count(&self.lowered.outputs);
         let types = quote! {
             const EVENTS: &'static [&'static str] = &Self::EVENTS;
@@ -34,22 +34,8 @@ impl Emitter<'_> {
         } else {
             types
         };
-        let methods = |inputs| self.methods_where(inputs, |row| row.interface == Interface::Events);
-        let interface = quote!(#root::Events<#n, #scalar>);
-        if !self.has_inputs() {
-            let functions = methods(InputsFrom::Fields);
-            let series = self.series_of_events(InputsFrom::Fields);
-            return self.implement(&interface, &quote!(#types #functions #series));
-        }
-        let u = self.model.inputs as usize;
-        let interface_with = quote!(#root::EventsWith<#n, #u, #scalar>);
-        let functions = methods(InputsFrom::Argument);
-        let series = self.series_of_events(InputsFrom::Argument);
-        let with_inputs = self.implement(&interface_with, &quote!(#functions #series));
-        let functions = self.delegations(Interface::Events);
-        let series = self.series_of_held_inputs();
-        let held = self.implement(&interface, &quote!(#types #functions #series));
-        quote!(#with_inputs #held)
+        let series = self.series_of_events();
+        self.interface(Interface::Events, quote!(#types #series))
     }
 
     /// The series of the events, if they have some.
@@ -58,52 +44,54 @@ impl Emitter<'_> {
     }
 
     /// The method that computes the series of the events, if they have series.
-    fn series_of_events(&self, inputs: InputsFrom) -> Option<TokenStream> {
+    fn series_of_events(&self) -> Option<TokenStream> {
         let series = self.event_series()?;
-        let signature = self.parameters_of_series();
         let result = self.result_of_series();
-        let body = self.body_of_series(&series.series, inputs);
-        if inputs == InputsFrom::Fields {
-            return Some(quote! {
-                fn event_series<const HALF: usize>(&self, #signature) -> #result {
-                    ::core::option::Option::Some({ #body })
-                }
-            });
-        }
-        let (root, vector) = (&self.declaration.root, self.signatures().inputs());
-        Some(quote! {
-            fn event_series_with<const HALF: usize>(
-                &self, series_of_inputs: &[#vector], #signature
-            ) -> #result {
-                let (inputs, mut higher_inputs) = #root::__private::orders(series_of_inputs);
-                let inputs = &inputs;
-                ::core::option::Option::Some({ #body })
-            }
-        })
+        let body = self.body_of_series(&series.series);
+        let value = quote!(::core::option::Option::Some({ #body }));
+        Some(self.function_of_series(&quote!(event_series), None, value, Some(&result)))
     }
 
-    /// The method that computes the series of the events at the inputs of the fields, if they have series.
-    fn series_of_held_inputs(&self) -> Option<TokenStream> {
-        self.event_series()?;
-        let (root, scalar) = (&self.declaration.root, &self.scalar);
-        let (n, u) = (self.coordinates(), self.model.inputs as usize);
-        let signature = self.parameters_of_series();
-        let result = self.result_of_series();
-        Some(quote! {
-            fn event_series<const HALF: usize>(&self, #signature) -> #result {
-                let held = [#root::Inputs::<#n, #u, #scalar>::inputs(self)];
-                #root::EventsWith::<#n, #u, #scalar>::event_series_with(
-                    self, &held, state, unit, motion,
-                )
+    /// A method that takes the series of a motion and of the inputs, whose body reads those.
+    pub(super) fn function_of_series(
+        &self,
+        name: &TokenStream,
+        more: Option<TokenStream>,
+        body: TokenStream,
+        result: Option<&TokenStream>,
+    ) -> TokenStream {
+        let (state, others) = (self.signatures().state(), self.parameters_of_series());
+        let (inputs, orders) = self.series_of_inputs(&body);
+        let result = result.map(|ty| quote!(-> #ty));
+        quote! {
+            fn #name<const HALF: usize>(&self, state: #state, #inputs #others #more) #result {
+                #orders
+                #body
             }
-        })
+        }
+    }
+
+    /// The parameter for the series of the inputs, and the statements that read it for a body.
+    pub(super) fn series_of_inputs(
+        &self,
+        body: &TokenStream,
+    ) -> (TokenStream, Option<TokenStream>) {
+        let (root, vector) = (&self.declaration.root, self.signatures().inputs());
+        if !self.has_inputs() {
+            let none = mentions(body, "inputs");
+            let none = none.then(|| quote!(let inputs = &#root::__private::vector([]);));
+            return (quote!(_: &[#vector],), none);
+        }
+        let orders = quote! {
+            let (inputs, mut higher_inputs) = #root::__private::orders(series_of_inputs);
+            let inputs = &inputs;
+        };
+        (quote!(series_of_inputs: &[#vector],), Some(orders))
     }
 
     pub(super) fn parameters_of_series(&self) -> TokenStream {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let state = self.signatures().state();
         quote! {
-            state: #state,
             unit: #scalar,
             motion: &#root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
         }
@@ -114,11 +102,10 @@ impl Emitter<'_> {
         quote!(::core::option::Option<#root::TaylorCoefficients<Self::EventValues, HALF>>)
     }
 
-    pub(super) fn body_of_series(&self, series: &ValueSeries, inputs: InputsFrom) -> TokenStream {
+    pub(super) fn body_of_series(&self, series: &ValueSeries) -> TokenStream {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let next_inputs = (inputs == InputsFrom::Argument)
-            .then(|| quote!(let term_of_inputs = higher_inputs.next();));
-        self.with_writer(&series.initial, inputs, &[], |writer| {
+        let next_inputs = self.next_inputs();
+        self.with_writer(&series.initial, &[], |writer| {
             let (statements, values) = writer.compute(&series.values);
             let (more, invariants) = writer.compute(&series.invariants);
             let [(of_terms, terms), (of_factors, factors)] = self.recurrence(&series.program);
@@ -141,6 +128,12 @@ impl Emitter<'_> {
                 })
             }
         })
+    }
+
+    /// The statement that reads the inputs of the next order, in a model with inputs.
+    pub(super) fn next_inputs(&self) -> Option<TokenStream> {
+        let has_inputs = self.has_inputs();
+        has_inputs.then(|| quote!(let term_of_inputs = higher_inputs.next();))
     }
 
     /// The names of the events and their indices, as constants of the type.

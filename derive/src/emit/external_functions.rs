@@ -9,7 +9,6 @@ use syn::Expr;
 use super::emitter::Emitter;
 use super::item_names::{derivative_name, value_name};
 use super::parameters::marked_if_unused;
-use super::signatures::InputsFrom;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::external_function::FunctionDeclaration;
 use crate::syntax::names::unraw;
@@ -25,7 +24,7 @@ impl Emitter<'_> {
         let derivatives = self.derivatives();
         let name = &self.declaration.name;
         let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
-        let interface = self.interface();
+        let interface = self.external_functions();
         quote! {
             impl #generics #name #arguments #conditions {
                 #values
@@ -45,7 +44,7 @@ impl Emitter<'_> {
             let count = function.arguments.len();
             let parameters = parameters(scalar, &quote!(#scalar), self.declaration);
             let (method, names) = (&derivative.method, &function.arguments);
-            let body = self.body(method, InputsFrom::Fields, names);
+            let body = self.body(method, names);
             let arguments = quote!(arguments: [#scalar; #count]);
             let arguments = marked_if_unused(arguments, &body);
             quote! {
@@ -58,7 +57,7 @@ impl Emitter<'_> {
         derivatives.collect()
     }
 
-    fn interface(&self) -> TokenStream {
+    fn external_functions(&self) -> TokenStream {
         let root = &self.declaration.root;
         let declared = &self.declaration.clauses.functions;
         let values = declared.iter().enumerate().map(|(i, function)| {

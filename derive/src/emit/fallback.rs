@@ -14,17 +14,17 @@ use core::ops::Range;
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use super::editor;
 use super::inputs::{Indices, input_indices};
-use super::signatures::{InputsFrom, Signatures, method_name};
+use super::signatures::Signatures;
 use crate::lower::Lowered;
 use crate::plan::constants::{
     CONSTANTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS, CONSTANTS_OF_REGRESSORS,
     CONSTANTS_OF_SENSITIVITIES,
 };
-use crate::plan::{EmittedMethod, Interface, MethodRow};
+use crate::plan::{EmittedMethod, Interface};
 use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::{constant_name, hygienic_ident};
@@ -109,7 +109,7 @@ impl<'a> Fallback<'a> {
         [
             self.constants(),
             self.system(),
-            self.lagrangian(),
+            self.quantities(),
             self.energies(),
             self.inputs(),
             self.outputs(),
@@ -226,30 +226,38 @@ impl<'a> Fallback<'a> {
         self.implement(&quote!(#root::GeneralizedCoordinates<#n>), None, &names)
     }
 
-    fn lagrangian(&self) -> TokenStream {
+    fn quantities(&self) -> TokenStream {
         let root = &self.declaration.root;
         let (n, scalar) = (&self.dimension, &self.scalar);
-        let methods = self.methods_where(InputsFrom::Fields, |row| {
-            row.interface == Interface::Lagrangian
-        });
+        let inputs = self.signatures().inputs();
         let items = quote! {
+            type Inputs = #inputs;
             type Prepared = ();
+            fn inputs(&self) -> #inputs { ::core::unreachable!() }
             fn prepare(&self) {}
-            #methods
         };
-        let interface = quote!(#root::Lagrangian<#n, #scalar>);
-        self.implement(&interface, Some(scalar), &items)
+        let quantities = self.interface(Interface::Quantities, &items);
+        let lagrangian = self.implement(
+            &quote!(#root::Lagrangian<#n, #scalar>),
+            Some(scalar),
+            &quote! {
+                type Model = Self;
+                fn model(&self) -> &Self { ::core::unreachable!() }
+            },
+        );
+        quote!(#quantities #lagrangian)
+    }
+
+    /// The impl of a trait of the table: these items, and its methods.
+    fn interface(&self, interface: Interface, items: &TokenStream) -> TokenStream {
+        let methods = self.methods_of(interface);
+        let path = self.signatures().interface(interface);
+        self.implement(&path, Some(&self.scalar), &quote!(#items #methods))
     }
 
     /// The energies, also beside a `lagrangian`: what is meant is not known.
     fn energies(&self) -> TokenStream {
-        let root = &self.declaration.root;
-        let (n, scalar) = (&self.dimension, &self.scalar);
-        let items = self.methods_where(InputsFrom::Fields, |row| {
-            row.interface == Interface::Energies
-        });
-        let interface = quote!(#root::Energies<#n, #scalar>);
-        self.implement(&interface, Some(scalar), &items)
+        self.interface(Interface::Energies, &TokenStream::new())
     }
 
     /// What the types in signatures are made of.
@@ -265,31 +273,27 @@ impl<'a> Fallback<'a> {
         }
     }
 
-    /// The methods of some rows, of which one looks for unknown names among the fields.
-    fn methods_where(
-        &self,
-        inputs: InputsFrom,
-        is_wanted: impl Fn(MethodRow) -> bool,
-    ) -> TokenStream {
+    /// The methods of a trait, of which one looks for unknown names among the fields.
+    fn methods_of(&self, interface: Interface) -> TokenStream {
         let signatures = self.signatures();
-        let (state, given) = (signatures.state(), signatures.inputs());
-        let given = (inputs == InputsFrom::Argument).then(|| quote!(_: &#given,));
+        let state = signatures.state();
         let methods = EmittedMethod::ALL.iter();
-        let methods =
-            methods.filter(|method| is_wanted(method.row()) && method.row().takes_state());
+        let methods = methods.filter(|method| {
+            let row = method.row();
+            row.interface == interface && row.takes_state()
+        });
         let methods = methods.map(|method| {
             let row = method.row();
-            let variant = row.unprepared();
-            let (name, output) = (method_name(variant, inputs), signatures.result(row.result));
-            let others = signatures.parameters(variant);
+            let (name, output) = (format_ident!("{}", row.name), signatures.result(row.result));
+            let others = signatures.parameters(row);
             let others = others.iter().map(|(_, ty)| quote!(_: #ty,));
-            let looks = *method == EmittedMethod::Forcing && inputs == InputsFrom::Fields;
+            let looks = *method == EmittedMethod::Forcing;
             let unknown = self.unknown.iter().filter(|_| looks);
             let lookups = unknown.map(|name| quote!(#[cfg(rust_analyzer)] let _ = &self.#name;));
             let lints = looks.then(|| quote!(#[allow(unexpected_cfgs)]));
             quote! {
                 #lints
-                fn #name(&self, _: #state, #given #(#others)*) -> #output {
+                fn #name(&self, _: #state, #(#others)*) -> #output {
                     #(#lookups)*
                     ::core::unreachable!()
                 }

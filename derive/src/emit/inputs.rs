@@ -6,9 +6,8 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::emitter::Emitter;
-use super::signatures::InputsFrom;
 use crate::lower::quantities::Component;
-use crate::plan::MethodRow;
+use crate::plan::Interface;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 
@@ -17,25 +16,9 @@ impl Emitter<'_> {
         if !self.has_inputs() {
             return TokenStream::new();
         }
-        let (n, u) = (self.coordinates(), self.model.inputs as usize);
-        let root = &self.declaration.root;
-        let scalar = &self.scalar;
-        let vector = self.signatures().inputs();
-        let components = &self.lowered.quantities.inputs;
-        let values = components.iter().map(|input| self.read(input));
-        let taking_inputs = self.methods_where(InputsFrom::Argument, MethodRow::is_of_inputs);
-        let items = quote! {
-            const INPUTS: [&'static str; #u] = Self::INPUTS;
-
-            fn inputs(&self) -> #vector {
-                <#vector as ::core::convert::From<[#scalar; #u]>>::from([
-                    #(#values),*
-                ])
-            }
-
-            #taking_inputs
-        };
-        let inputs = self.implement(&quote!(#root::Inputs<#n, #u, #scalar>), &items);
+        let u = self.model.inputs as usize;
+        let names = quote!(const INPUTS: [&'static str; #u] = Self::INPUTS;);
+        let inputs = self.interface(Interface::Inputs, names);
         let plant = self.plant();
         quote!(#inputs #plant)
     }
@@ -83,7 +66,7 @@ impl Emitter<'_> {
         let values = self.on_own_scalar(
             "The inputs as the fields have them.",
             &quote!(inputs),
-            &quote!(Inputs::<#n, #u, _>),
+            &quote!(quantities::Quantities::<#n, _>),
             u,
         );
         quote! {

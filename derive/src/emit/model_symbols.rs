@@ -6,13 +6,11 @@ use quote::quote;
 
 use super::body::{Element, SymbolReader};
 use super::emitter::Emitter;
-use super::signatures::InputsFrom;
 use crate::lower::quantities::Component;
 
 /// Reads the symbols of a model.
 pub(super) struct ModelSymbols<'a> {
     pub(super) emitter: &'a Emitter<'a>,
-    pub(super) inputs: InputsFrom,
 }
 
 impl SymbolReader for ModelSymbols<'_> {
@@ -26,8 +24,7 @@ impl SymbolReader for ModelSymbols<'_> {
             Symbol::Acceleration(i) => element(&quote!(accelerations), i),
             Symbol::RightHandSide(i) => element(&quote!(momenta), i),
             Symbol::Parameter(i) => field(&quantities.parameters, i),
-            Symbol::Input(i) if self.inputs == InputsFrom::Argument => element(&quote!(inputs), i),
-            Symbol::Input(i) => field(&quantities.inputs, i),
+            Symbol::Input(i) => element(&quote!(inputs), i),
             Symbol::Invariant(i) => element(&quote!(prepared), i),
             Symbol::Variation(i) => element(&quote!(variation), i),
             Symbol::Argument(i) => element(&quote!(arguments), i),

@@ -5,7 +5,6 @@ use quote::quote;
 
 use super::emitter::Emitter;
 use super::item_names::outputs_name;
-use super::signatures::InputsFrom;
 use crate::plan::Interface;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::{hygienic_span, unraw};
@@ -19,32 +18,13 @@ impl Emitter<'_> {
         if outputs.is_empty() {
             return TokenStream::new();
         }
-        let n = self.coordinates();
-        let root = &self.declaration.root;
         let scalar = &self.scalar;
         let names = outputs.iter().map(|output| &output.name);
         let shapes = self.lowered.outputs.iter().copied();
         let named: Vec<_> = names.zip(shapes).collect();
         let (results, definition) = results(self.declaration, scalar, &named);
-        let methods =
-            |inputs| self.methods_where(inputs, |row| row.interface == Interface::Outputs);
-        let interface = quote!(#root::Outputs<#n, #scalar>);
-        if !self.has_inputs() {
-            let method = methods(InputsFrom::Fields);
-            let items = quote!(type Outputs = #results<#scalar>; #method);
-            let implementation = self.implement(&interface, &items);
-            return quote!(#definition #implementation);
-        }
-        let u = self.model.inputs as usize;
-        let method = methods(InputsFrom::Argument);
-        let interface_with = quote!(#root::OutputsWith<#n, #u, #scalar>);
-        let delegation = self.delegations(Interface::Outputs);
-        let delegation = quote!(type Outputs = #results<#scalar>; #delegation);
-        let implementation = [
-            self.implement(&interface, &delegation),
-            self.implement(&interface_with, &method),
-        ];
-        let implementation: TokenStream = implementation.into_iter().collect();
+        let items = quote!(type Outputs = #results<#scalar>;);
+        let implementation = self.interface(Interface::Outputs, items);
         quote!(#definition #implementation)
     }
 }

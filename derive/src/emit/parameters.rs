@@ -1,6 +1,6 @@
 //! The parameters of emitted methods.
 
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 use quote::format_ident;
 
 use crate::plan::PARAMETERS;
@@ -11,7 +11,7 @@ pub(super) fn marked_if_unused(parameters: TokenStream, body: &TokenStream) -> T
     for token in parameters {
         match token {
             TokenTree::Ident(name) if PARAMETERS.iter().any(|known| name == known) => {
-                let unused = !mentions(body, &name);
+                let unused = !mentions(body, &name.to_string());
                 tokens.push(if unused {
                     format_ident!("_{name}").into()
                 } else {
@@ -24,9 +24,10 @@ pub(super) fn marked_if_unused(parameters: TokenStream, body: &TokenStream) -> T
     tokens.into_iter().collect()
 }
 
-fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
+/// Whether a name occurs in some tokens.
+pub(super) fn mentions(tokens: &TokenStream, name: &str) -> bool {
     tokens.clone().into_iter().any(|token| match token {
-        TokenTree::Ident(ident) => ident == *name,
+        TokenTree::Ident(ident) => ident == name,
         TokenTree::Group(group) => mentions(&group.stream(), name),
         _ => false,
     })

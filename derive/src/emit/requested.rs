@@ -6,7 +6,6 @@ use quote::quote;
 
 use super::emitter::Emitter;
 use super::printed_names::printed_names;
-use super::signatures::InputsFrom;
 use crate::lower::quantities::Quantities;
 use crate::plan::Interface;
 
@@ -14,18 +13,17 @@ impl Emitter<'_> {
     /// The impls of what clauses ask for.
     pub(super) fn requested(&self) -> TokenStream {
         let requested = &self.methods.requested;
-        let none = TokenStream::new();
         let mut impls = TokenStream::new();
         if requested.momentum_rates.is_some() {
-            impls.extend(self.with_and_without_inputs(Interface::Hamiltonian, &none));
+            impls.extend(self.interface(Interface::Hamiltonian, TokenStream::new()));
         }
         if requested.energy_rate.is_some() {
-            impls.extend(self.with_and_without_inputs(Interface::EnergyBalance, &none));
+            impls.extend(self.interface(Interface::EnergyBalance, TokenStream::new()));
         }
         if let Some(sensitivities) = &requested.sensitivities {
             let count = sensitivities.parameters.len();
             let items = quote!(const PARAMETERS: [&'static str; #count] = Self::PARAMETERS;);
-            impls.extend(self.with_and_without_inputs(Interface::Sensitivities, &items));
+            impls.extend(self.interface(Interface::Sensitivities, items));
         }
         if let Some(regressor) = &requested.regressor {
             let count = regressor.values.len();
@@ -33,30 +31,9 @@ impl Emitter<'_> {
                 const BASE_PARAMETERS: [&'static str; #count] = Self::BASE_PARAMETERS;
                 const WITHOUT_EFFECT: &'static [&'static str] = Self::WITHOUT_EFFECT;
             };
-            impls.extend(self.with_and_without_inputs(Interface::Regressor, &items));
+            impls.extend(self.interface(Interface::Regressor, items));
         }
         impls
-    }
-
-    /// The impl of a trait, and that of its companion for models with inputs.
-    fn with_and_without_inputs(&self, interface: Interface, items: &TokenStream) -> TokenStream {
-        let signatures = self.signatures();
-        let path = signatures.interface(interface, InputsFrom::Fields);
-        if !self.has_inputs() {
-            let methods = self.methods_where(InputsFrom::Fields, |row| row.interface == interface);
-            return self.implement(&path, &quote!(#items #methods));
-        }
-        let methods = self.methods_where(InputsFrom::Fields, |row| {
-            row.interface == interface && !row.takes_inputs
-        });
-        let delegations = self.delegations(interface);
-        let held = self.implement(&path, &quote!(#items #methods #delegations));
-        let path = signatures.interface(interface, InputsFrom::Argument);
-        let methods = self.methods_where(InputsFrom::Argument, |row| {
-            row.interface == interface && row.takes_inputs
-        });
-        let with_inputs = self.implement(&path, &methods);
-        quote!(#held #with_inputs)
     }
 
     /// The base parameters as they are printed.
@@ -82,7 +59,7 @@ impl Emitter<'_> {
             let values = self.on_own_scalar(
                 "The base parameters that the parameters of this model give.",
                 &quote!(base_parameters),
-                &quote!(Regressor::<#n, #count, _>),
+                &quote!(quantities::Regressor::<#n, #count, _>),
                 count,
             );
             let text = format!(

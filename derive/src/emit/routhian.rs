@@ -4,8 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::emitter::Emitter;
-use super::parameters::marked_if_unused;
-use super::signatures::InputsFrom;
+use super::parameters::{marked_if_unused, mentions};
 use crate::plan::ReducedMethods;
 use crate::reduce::{ReducedDeclaration, Split};
 use crate::syntax::declaration::Declaration;
@@ -133,7 +132,7 @@ impl Emitter<'_> {
         let constants = constants.skip(full.lowered.quantities.parameters.len());
         let constants = constants.map(|constant| self.read(constant));
         let [potential, velocities] = [&methods.effective_potential, &methods.ignorable_velocities]
-            .map(|method| self.body(method, InputsFrom::Fields, &[]));
+            .map(|method| self.at_own_inputs(self.body(method, &[])));
         let of_potential = marked_if_unused(quote!(state: #state), &potential);
         let of_velocities = marked_if_unused(quote!(state: #state), &velocities);
         let [places, rates] = [
@@ -190,17 +189,38 @@ impl Emitter<'_> {
     fn routhian_series(&self, methods: &ReducedMethods, k: usize) -> Option<TokenStream> {
         let series = methods.series.as_ref()?;
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let signature = self.parameters_of_series();
-        let body = self.body_of_series(series, InputsFrom::Fields);
+        let (state, signature) = (self.signatures().state(), self.parameters_of_series());
+        let body = self.body_of_series(series);
+        let held = self.has_inputs().then(|| {
+            quote! {
+                let held = [#root::quantities::Quantities::<#n, #scalar>::inputs(self)];
+                let (inputs, mut higher_inputs) = #root::__private::orders(&held);
+            }
+        });
         let items = quote! {
             fn ignorable_velocity_series<const HALF: usize>(
                 &self,
+                state: #state,
                 #signature
             ) -> #root::TaylorCoefficients<[#scalar; #k], HALF> {
+                #held
                 #body
             }
         };
-        Some(self.implement(&quote!(#root::RouthianSeries<#n, #k, #scalar>), &items))
+        let interface = quote!(#root::quantities::RouthianSeries<#n, #k, #scalar>);
+        Some(self.implement(&interface, &items))
+    }
+
+    /// A body in which the inputs, if it reads them, are those of the fields.
+    fn at_own_inputs(&self, body: TokenStream) -> TokenStream {
+        if !mentions(&body, "inputs") {
+            return body;
+        }
+        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
+        quote! {
+            let inputs = #root::quantities::Quantities::<#n, #scalar>::inputs(self);
+            #body
+        }
     }
 }
 

@@ -3,18 +3,9 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::plan::{Argument, Interface, ResultType, Variant};
+use crate::plan::{Argument, Interface, MethodRow, ResultType};
 use crate::syntax::root::Root;
 use crate::syntax::scalar::Scalar;
-
-/// Where the values of inputs come from.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum InputsFrom {
-    /// From the fields of the struct.
-    Fields,
-    /// From a parameter: then the name of the method ends in `_with`.
-    Argument,
-}
 
 /// What the types in signatures are made of.
 pub(crate) struct Signatures<'a> {
@@ -91,23 +82,24 @@ impl Signatures<'_> {
         }
     }
 
-    /// The names and the types of the parameters besides the state and the inputs.
-    pub(crate) fn parameters(&self, variant: Variant) -> Vec<(Ident, TokenStream)> {
-        let vector = match variant.row.argument {
+    /// The names and the types of the parameters besides the state.
+    pub(crate) fn parameters(&self, row: MethodRow) -> Vec<(Ident, TokenStream)> {
+        let inputs = row.takes_inputs.then(|| ("inputs", self.inputs()));
+        let vector = match row.argument {
             Argument::Accelerations => Some(("accelerations", self.vector())),
             Argument::Momenta => Some(("momenta", self.vector())),
             Argument::StateOnly | Argument::Parameters => None,
         };
-        let prepared = variant
-            .is_prepared
+        let prepared = row
+            .is_prepared()
             .then(|| ("prepared", self.prepared.clone()));
-        let all = vector.into_iter().chain(prepared);
+        let all = inputs.into_iter().chain(vector).chain(prepared);
         all.map(|(name, ty)| (format_ident!("{name}"), quote!(&#ty)))
             .collect()
     }
 
     /// The trait that declares a method.
-    pub(crate) fn interface(&self, interface: Interface, inputs: InputsFrom) -> TokenStream {
+    pub(crate) fn interface(&self, interface: Interface) -> TokenStream {
         let Self {
             root,
             scalar,
@@ -117,53 +109,18 @@ impl Signatures<'_> {
             base_parameters: b,
             ..
         } = self;
-        match (interface, inputs) {
-            (Interface::Lagrangian, InputsFrom::Fields) => quote!(#root::Lagrangian::<#n, #scalar>),
-            (Interface::Events, InputsFrom::Fields) => quote!(#root::Events::<#n, #scalar>),
-            (Interface::Events, InputsFrom::Argument) => {
-                quote!(#root::EventsWith::<#n, #u, #scalar>)
-            }
-            (Interface::Hamiltonian, InputsFrom::Fields) => {
-                quote!(#root::Hamiltonian::<#n, #scalar>)
-            }
-            (Interface::Hamiltonian, InputsFrom::Argument) => {
-                quote!(#root::HamiltonianWith::<#n, #u, #scalar>)
-            }
-            (Interface::EnergyBalance, InputsFrom::Fields) => {
-                quote!(#root::EnergyBalance::<#n, #scalar>)
-            }
-            (Interface::EnergyBalance, InputsFrom::Argument) => {
-                quote!(#root::EnergyBalanceWith::<#n, #u, #scalar>)
-            }
-            (Interface::Sensitivities, InputsFrom::Fields) => {
-                quote!(#root::Sensitivities::<#n, #p, #scalar>)
-            }
-            (Interface::Sensitivities, InputsFrom::Argument) => {
-                quote!(#root::SensitivitiesWith::<#n, #u, #p, #scalar>)
-            }
-            (Interface::Regressor, InputsFrom::Fields) => {
-                quote!(#root::Regressor::<#n, #b, #scalar>)
-            }
-            (Interface::Regressor, InputsFrom::Argument) => {
-                quote!(#root::RegressorWith::<#n, #u, #b, #scalar>)
-            }
-            (Interface::Energies, _) => quote!(#root::Energies::<#n, #scalar>),
-            (Interface::Lagrangian, InputsFrom::Argument) | (Interface::Inputs, _) => {
-                quote!(#root::Inputs::<#n, #u, #scalar>)
-            }
-            (Interface::Outputs, InputsFrom::Fields) => quote!(#root::Outputs::<#n, #scalar>),
-            (Interface::Outputs, InputsFrom::Argument) => {
-                quote!(#root::OutputsWith::<#n, #u, #scalar>)
-            }
-        }
-    }
-}
-
-/// The name of an emitted function.
-pub(crate) fn method_name(variant: Variant, inputs: InputsFrom) -> Ident {
-    let name = variant.name();
-    match inputs {
-        InputsFrom::Fields => format_ident!("{name}"),
-        InputsFrom::Argument => format_ident!("{name}_with"),
+        let (name, counts) = match interface {
+            Interface::Quantities => ("Quantities", quote!(#n)),
+            Interface::Energies => ("Energies", quote!(#n)),
+            Interface::Inputs => ("Inputs", quote!(#n, #u)),
+            Interface::Outputs => ("Outputs", quote!(#n)),
+            Interface::Events => ("Events", quote!(#n)),
+            Interface::Hamiltonian => ("Hamiltonian", quote!(#n)),
+            Interface::EnergyBalance => ("EnergyBalance", quote!(#n)),
+            Interface::Sensitivities => ("Sensitivities", quote!(#n, #p)),
+            Interface::Regressor => ("Regressor", quote!(#n, #b)),
+        };
+        let name = format_ident!("{name}");
+        quote!(#root::quantities::#name::<#counts, #scalar>)
     }
 }

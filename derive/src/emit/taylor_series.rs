@@ -12,7 +12,6 @@ use super::emitter::Emitter;
 use super::locals::Locals;
 use super::model_symbols::element;
 use super::printed_names::printed_names;
-use super::signatures::InputsFrom;
 use super::writer::Writer;
 use crate::limits::MAX_SWITCHING_FUNCTION_LENGTH;
 use crate::plan::{AccelerationOutputs, BranchSeries, Rates, TaylorMethod};
@@ -57,72 +56,31 @@ impl Emitter<'_> {
         let Some(series) = self.series else {
             return TokenStream::new();
         };
-        if self.has_inputs() {
-            return self.taylor_series_with_inputs(&series.motion);
-        }
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let state = self.signatures().state();
-        let signature = self.parameters_of_motion();
-        let body = self.series(&series.motion, InputsFrom::Fields);
-        let branches = self.branches(InputsFrom::Fields);
+        let (state, prepared) = (self.signatures().state(), self.signatures().prepared);
+        let body = self.series(&series.motion);
+        let (inputs, orders) = self.series_of_inputs(&body);
+        let branches = self.branches();
         let names = self.switching_functions();
         let items = quote! {
             #names
-            fn taylor_series<const HALF: usize>(&self, state: #state, #signature) { #body }
-            #branches
-        };
-        self.implement(&quote!(#root::MotionSeries<#n, #scalar>), &items)
-    }
-
-    /// The impl of `MotionSeriesWith` inputs, and that of `MotionSeries` at the inputs of the fields.
-    fn taylor_series_with_inputs(&self, motion: &TaylorMethod) -> TokenStream {
-        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let signatures = self.signatures();
-        let (state, u, inputs) = (
-            signatures.state(),
-            self.model.inputs as usize,
-            signatures.inputs(),
-        );
-        let signature = self.parameters_of_motion();
-        let taking_inputs = quote!(#root::MotionSeriesWith<#n, #u, #scalar>);
-        let body = self.series(motion, InputsFrom::Argument);
-        let branches = self.branches(InputsFrom::Argument);
-        let with_inputs = quote! {
-            fn taylor_series_with<const HALF: usize>(
-                &self, state: #state, series_of_inputs: &[#inputs], #signature
+            fn taylor_series<const HALF: usize>(
+                &self,
+                state: #state,
+                #inputs
+                prepared: &#prepared,
+                unit: #scalar,
+                coefficients: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
             ) {
-                let (inputs, mut higher_inputs) = #root::__private::orders(series_of_inputs);
-                let inputs = &inputs;
+                #orders
                 #body
             }
             #branches
         };
-        let branches = self.branches_of_held_inputs(&taking_inputs);
-        let names = self.switching_functions();
-        let held = quote! {
-            #names
-            fn taylor_series<const HALF: usize>(&self, state: #state, #signature) {
-                let held = [#root::Inputs::<#n, #u, #scalar>::inputs(self)];
-                <Self as #taking_inputs>::taylor_series_with(
-                    self, state, &held, prepared, unit, coefficients,
-                );
-            }
-            #branches
-        };
-        let with_inputs = self.implement(&taking_inputs, &with_inputs);
-        let held = self.implement(&quote!(#root::MotionSeries<#n, #scalar>), &held);
-        quote!(#with_inputs #held)
-    }
-
-    /// The parameters of the methods that compute the series of a motion, behind the state and the inputs.
-    fn parameters_of_motion(&self) -> TokenStream {
-        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let prepared = &self.signatures().prepared;
-        quote! {
-            prepared: &#prepared,
-            unit: #scalar,
-            coefficients: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
-        }
+        self.implement(
+            &quote!(#root::quantities::MotionSeries<#n, #scalar>),
+            &items,
+        )
     }
 
     /// The series of the switching functions, for equations that have some.
@@ -147,49 +105,18 @@ impl Emitter<'_> {
     }
 
     /// The method that visits the series of the arguments of branches, for equations that have some.
-    fn branches(&self, inputs: InputsFrom) -> Option<TokenStream> {
+    fn branches(&self) -> Option<TokenStream> {
         let series = self.branch_series()?;
         let (root, scalar) = (&self.declaration.root, &self.scalar);
-        let signature = self.parameters_of_series();
-        let body = self.body_of_series(&series.series, inputs);
+        let body = self.body_of_series(&series.series);
         let visit = quote!(visit: &mut #root::BranchVisitor<'_, #scalar>);
         let visited = quote!(#root::__private::visit_branches(&{ #body }, visit););
-        if inputs == InputsFrom::Fields {
-            return Some(quote! {
-                fn branch_series<const HALF: usize>(&self, #signature #visit) { #visited }
-            });
-        }
-        let vector = self.signatures().inputs();
-        Some(quote! {
-            fn branch_series_with<const HALF: usize>(
-                &self, series_of_inputs: &[#vector], #signature #visit
-            ) {
-                let (inputs, mut higher_inputs) = #root::__private::orders(series_of_inputs);
-                let inputs = &inputs;
-                #visited
-            }
-        })
+        Some(self.function_of_series(&quote!(branch_series), Some(visit), visited, None))
     }
 
-    /// The same at the inputs of the fields.
-    fn branches_of_held_inputs(&self, taking_inputs: &TokenStream) -> Option<TokenStream> {
-        self.branch_series()?;
-        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let u = self.model.inputs as usize;
-        let signature = self.parameters_of_series();
-        Some(quote! {
-            fn branch_series<const HALF: usize>(
-                &self, #signature visit: &mut #root::BranchVisitor<'_, #scalar>
-            ) {
-                let held = [#root::Inputs::<#n, #u, #scalar>::inputs(self)];
-                <Self as #taking_inputs>::branch_series_with(self, &held, state, unit, motion, visit);
-            }
-        })
-    }
-
-    fn series(&self, method: &TaylorMethod, inputs: InputsFrom) -> TokenStream {
+    fn series(&self, method: &TaylorMethod) -> TokenStream {
         let (root, scalar) = (&self.declaration.root, &self.scalar);
-        self.with_writer(&method.initial, inputs, &[], |writer| {
+        self.with_writer(&method.initial, &[], |writer| {
             let (statements, rates) = match &method.rates {
                 Rates::Accelerations(outputs) => writer.accelerations(outputs),
                 Rates::QuasiVelocities(rates) => {
@@ -210,9 +137,7 @@ impl Emitter<'_> {
             let arrange = arrangement(&pairs, factors);
             let pairs = pairs.into_iter().map(indices_of);
             let count = invariants.len();
-            let next_inputs = self
-                .has_inputs()
-                .then(|| quote!(let term_of_inputs = higher_inputs.next();));
+            let next_inputs = self.next_inputs();
             quote! {
                 #statements
                 let accelerations = #rates;

@@ -9,9 +9,9 @@ use super::emitter::Emitter;
 use super::item_names::{outputs_name, value_name};
 use super::locals::Locals;
 use super::model_symbols::ModelSymbols;
-use super::signatures::InputsFrom;
 use crate::plan::{
-    AccelerationOutputs, LowerTriangle, Method, MethodOutputs, OutputSlice, PivotOutputs,
+    AccelerationOutputs, EmittedMethod, LowerTriangle, Method, MethodOutputs, OutputSlice,
+    PivotOutputs,
 };
 use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
@@ -28,7 +28,6 @@ pub(super) fn joined(parts: impl IntoIterator<Item = TokenStream>) -> TokenStrea
 pub(super) struct Writer<'a> {
     pub(super) emitter: &'a Emitter<'a>,
     pub(super) method: &'a Method,
-    pub(super) inputs: InputsFrom,
     pub(super) body: Body<'a>,
     /// The outputs of the groups that are written.
     pub(super) computed: Vec<Vec<TokenStream>>,
@@ -37,29 +36,20 @@ pub(super) struct Writer<'a> {
 impl Emitter<'_> {
     /// The body of a method, with variables of its own; in that of a function's derivative its arguments have
     /// these names.
-    pub(super) fn body(
-        &self,
-        method: &Method,
-        inputs: InputsFrom,
-        arguments: &[Ident],
-    ) -> TokenStream {
+    pub(super) fn body(&self, method: &Method, arguments: &[Ident]) -> TokenStream {
         #[allow(clippy::redundant_closure_for_method_calls)]
         // The path has one lifetime, the closure any.
-        self.with_writer(method, inputs, arguments, |writer| writer.write())
+        self.with_writer(method, arguments, |writer| writer.write())
     }
 
     /// What is written with a writer of the body of a method.
     pub(super) fn with_writer(
         &self,
         method: &Method,
-        inputs: InputsFrom,
         arguments: &[Ident],
         write: impl FnOnce(&mut Writer<'_>) -> TokenStream,
     ) -> TokenStream {
-        let symbols = ModelSymbols {
-            emitter: self,
-            inputs,
-        };
+        let symbols = ModelSymbols { emitter: self };
         let graph = &self.model.graph;
         let functions = self.declaration.clauses.functions.iter();
         let functions = functions.map(value_name).collect();
@@ -68,7 +58,6 @@ impl Emitter<'_> {
         let mut writer = Writer {
             emitter: self,
             method,
-            inputs,
             body: Body::new(
                 &method.program,
                 graph.passes,
@@ -185,7 +174,7 @@ impl Writer<'_> {
             return accelerations;
         }
         let factors = self.factors_of_mass_matrix();
-        let forcing = self.emitter.forcing(self.inputs);
+        let forcing = self.emitter.call(EmittedMethod::Forcing);
         quote! {
             #root::__private::if_positive([#(#pivots),*], #accelerations, || {
                 #factors.solve(&#forcing)
@@ -206,7 +195,7 @@ impl Writer<'_> {
             ..
         } = self.emitter;
         let (root, n) = (&declaration.root, self.emitter.coordinates());
-        quote!(#root::Lagrangian::<#n, #scalar>::mass_matrix(self, state))
+        quote!(#root::quantities::Quantities::<#n, #scalar>::mass_matrix(self, state))
     }
 
     /// Whether the program reads accelerations.
@@ -270,7 +259,7 @@ impl Writer<'_> {
     /// The struct of the declared outputs.
     fn declared_outputs(&mut self, outputs: &[(Shape, OutputSlice)]) -> TokenStream {
         let accelerations = self.reads_accelerations().then(|| {
-            let accelerations = self.emitter.accelerations(self.inputs);
+            let accelerations = self.emitter.accelerations();
             quote!(let accelerations = #accelerations;)
         });
         let mut statements = TokenStream::new();

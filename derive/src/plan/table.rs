@@ -1,13 +1,12 @@
 //! The emitted methods, one row each.
 //!
-//! Emission, the impls beside errors, the operation counts, the delegations of models with inputs, and the names
-//! that no output may have are read off this table. To add a method, add its row here, its program in `methods.rs`,
+//! Emission, the impls beside errors, the operation counts, and the names that no output may have are read off this table. To add a method, add its row here, its program in `methods.rs`,
 //! and its declaration in the trait of the runtime.
 
 /// The trait of the runtime that declares a method.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Interface {
-    Lagrangian,
+    Quantities,
     Energies,
     Inputs,
     Outputs,
@@ -44,7 +43,7 @@ pub(crate) enum ResultType {
     BaseParameters,
 }
 
-/// What a method takes besides the inputs.
+/// What a method takes besides the inputs and the hoisted invariants.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Argument {
     /// The state.
@@ -61,7 +60,7 @@ pub(crate) enum Argument {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Invariants {
     Within,
-    /// A second method, whose name ends in `_prepared`, takes the hoisted invariants.
+    /// The method takes them: they are hoisted out of loops.
     Hoisted,
 }
 
@@ -69,12 +68,12 @@ pub(crate) enum Invariants {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MethodRow {
     pub(crate) name: &'static str,
-    /// The trait that declares the method; where it takes inputs, that of models without them.
+    /// The trait that declares the method.
     pub(crate) interface: Interface,
     pub(crate) result: ResultType,
     pub(crate) argument: Argument,
     pub(crate) invariants: Invariants,
-    /// Whether inputs act on it: then models with inputs have a second method, whose name ends in `_with`.
+    /// Whether inputs act on it: then it takes them.
     pub(crate) takes_inputs: bool,
     /// Whether its operations are counted in the constant `OPERATIONS` and in the documentation.
     pub(crate) is_counted: bool,
@@ -112,19 +111,19 @@ macro_rules! table {
 
 table! {
     // method            name                  trait       result         argument       invariants  inputs counted
-    Lagrangian:        "lagrangian",         Lagrangian, Scalar,        StateOnly,     Within,    true,  true;
-    Energy:            "energy",             Lagrangian, Scalar,        StateOnly,     Within,    true,  true;
-    Momenta:           "momenta",            Lagrangian, Vector,        StateOnly,     Within,    false, true;
-    MassMatrix:        "mass_matrix",        Lagrangian, SquareMatrix,  StateOnly,     Within,    false, true;
-    Forcing:           "forcing",            Lagrangian, Vector,        StateOnly,     Within,    true,  true;
-    GeneralizedForces: "generalized_forces", Lagrangian, Vector,        StateOnly,     Within,    true,  true;
-    Prepare:           "prepare",            Lagrangian, Invariants,    Parameters,    Within,    false, true;
-    Accelerations:     "accelerations",      Lagrangian, Vector,        StateOnly,     Hoisted,   true,  true;
-    InverseDynamics:   "inverse_dynamics",   Lagrangian, Vector,        Accelerations, Hoisted,   true,  true;
-    Linearize:         "linearize",          Lagrangian, Linearization, StateOnly,     Within,    true,  true;
-    RelativePivots:    "relative_pivots",    Lagrangian, Vector,        StateOnly,     Within,    false, false;
-    KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        StateOnly,     Within,    false, false;
-    PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     Within,    false, false;
+    Lagrangian:        "lagrangian",         Quantities, Scalar,        StateOnly,     Within,    true,  true;
+    Energy:            "energy",             Quantities, Scalar,        StateOnly,     Within,    true,  true;
+    Momenta:           "momenta",            Quantities, Vector,        StateOnly,     Within,    false, true;
+    MassMatrix:        "mass_matrix",        Quantities, SquareMatrix,  StateOnly,     Within,    false, true;
+    Forcing:           "forcing",            Quantities, Vector,        StateOnly,     Within,    true,  true;
+    GeneralizedForces: "generalized_forces", Quantities, Vector,        StateOnly,     Within,    true,  true;
+    Prepare:           "prepare",            Quantities, Invariants,    Parameters,    Within,    false, true;
+    Accelerations:     "accelerations",      Quantities, Vector,        StateOnly,     Hoisted,   true,  true;
+    InverseDynamics:   "inverse_dynamics",   Quantities, Vector,        Accelerations, Hoisted,   true,  true;
+    Linearize:         "linearize",          Quantities, Linearization, StateOnly,     Within,    true,  true;
+    RelativePivots:    "relative_pivots",    Quantities, Vector,        StateOnly,     Within,    false, false;
+    KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        StateOnly,     Within,    true,  false;
+    PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     Within,    true,  false;
     InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     Within,    true,  false;
     Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     Within,    true,  false;
     EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     Within,    true,  false;
@@ -138,14 +137,13 @@ table! {
 }
 
 /// The methods that the traits of the runtime have besides.
-const PROVIDED: [&str; 11] = [
+const PROVIDED: [&str; 10] = [
     "dynamics",
     "into_dynamics",
     "taylor_series",
     "event_series",
     "inputs",
     "with_inputs",
-    "input_matrix",
     "controlled_by",
     "with_controller",
     "constants_of_motion",
@@ -164,9 +162,8 @@ pub(crate) const PARAMETERS: [&str; 6] = [
 
 /// Whether a method of every model is called `name`.
 pub(crate) fn is_method(name: &str) -> bool {
-    let emitted = EmittedMethod::ALL.iter().map(|method| method.row());
-    let mut variants = emitted.flat_map(MethodRow::variants);
-    PROVIDED.contains(&name) || variants.any(|variant| variant.name() == name)
+    let mut emitted = EmittedMethod::ALL.iter().map(|method| method.row());
+    PROVIDED.contains(&name) || emitted.any(|row| row.name == name)
 }
 
 impl MethodRow {
@@ -175,50 +172,13 @@ impl MethodRow {
         self.argument != Argument::Parameters
     }
 
-    /// Whether the method stands in the trait `Inputs`, with the inputs as a parameter.
-    pub(crate) fn is_of_inputs(self) -> bool {
-        self.takes_inputs && matches!(self.interface, Interface::Lagrangian | Interface::Inputs)
-    }
-
-    /// The function that takes no invariants.
-    pub(crate) const fn unprepared(self) -> Variant {
-        Variant {
-            row: self,
-            is_prepared: false,
-        }
-    }
-
-    /// The emitted functions of the row: two where the invariants are computed apart.
-    pub(crate) fn variants(self) -> impl Iterator<Item = Variant> {
-        let prepared = self.invariants == Invariants::Hoisted;
-        let variant = move |is_prepared| Variant {
-            row: self,
-            is_prepared,
-        };
-        [false, true]
-            .into_iter()
-            .filter(move |is_prepared| prepared || !is_prepared)
-            .map(variant)
-    }
-}
-
-/// One of the emitted functions of a row.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Variant {
-    pub(crate) row: MethodRow,
-    /// Whether it takes the hoisted invariants.
-    pub(crate) is_prepared: bool,
-}
-
-impl Variant {
-    /// Its name in models without inputs.
-    pub(crate) fn name(self) -> String {
-        let suffix = if self.is_prepared { "_prepared" } else { "" };
-        format!("{}{suffix}", self.row.name)
+    /// Whether it takes what does not depend on the state.
+    pub(crate) fn is_prepared(self) -> bool {
+        self.invariants == Invariants::Hoisted
     }
 
     /// Whether it takes the accelerations.
     pub(crate) fn takes_accelerations(self) -> bool {
-        self.row.argument == Argument::Accelerations
+        self.argument == Argument::Accelerations
     }
 }

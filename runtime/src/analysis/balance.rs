@@ -94,15 +94,15 @@ where
     }
 
     fn accelerations(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N> {
-        self.0.accelerations_with(state, inputs)
+        self.0.accelerations(state, inputs, &self.0.prepare())
     }
 
     fn linearize(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N> {
-        self.0.linearize_with(state, inputs)
+        self.0.linearize(state, inputs)
     }
 
     fn input_jacobian(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SMatrix<S, N, U> {
-        self.0.input_jacobian_with(state, inputs)
+        self.0.input_jacobian(state, inputs)
     }
 
     fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
@@ -114,7 +114,7 @@ where
     }
 
     fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N> {
-        self.0.forcing_with(state, inputs)
+        self.0.forcing(state, inputs)
     }
 
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {

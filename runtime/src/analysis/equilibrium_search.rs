@@ -119,7 +119,7 @@ where
     S: SingleNumber,
 {
     /// Equilibria and steady motions of a model, under the inputs of its fields if it has inputs, or of
-    /// [`with_inputs`](crate::Inputs::with_inputs).
+    /// [`with_inputs`](crate::Lagrangian::with_inputs).
     pub fn of(model: &'a M) -> Self {
         Self::about(HeldInputs(model))
     }

@@ -28,9 +28,9 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
     ///
     /// let model = Pendulum { m: 2.0, l: 0.5, g: 9.81, torque: 0.0 };
     /// let (state, inputs) = (State::new(0.0, [0.5], [0.0]), [3.0].into());
-    /// let plant = StateSpace::<f64, 2, 1, 2>::about(&model, &state, &inputs)
+    /// let plant = StateSpace::<f64, 2, 1, 2>::of(&model.with_inputs(inputs), &state)
     ///     .with_linearized_outputs(&state, &inputs, |state, inputs| {
-    ///         let outputs = model.outputs_with(state, inputs);
+    ///         let outputs = model.with_inputs(*inputs).outputs(state);
     ///         [outputs.height, outputs.acceleration]
     ///     });
     /// let (sine, cosine) = 0.5_f64.sin_cos();

@@ -99,30 +99,21 @@ impl<S: Scalar, const D: usize> StateSpace<S, D, 0, D> {
 }
 
 impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
-    /// The linearization of a model about a state and the inputs of its fields.
+    /// The linearization of a model about a state and its inputs: those of its fields, or of
+    /// [`with_inputs`](Lagrangian::with_inputs), such as those that
+    /// [`EquilibriumSearch::trim`](crate::analysis::EquilibriumSearch::trim) finds.
     ///
     /// Another `D` than 2 `N` does not compile.
     pub fn of<M, const N: usize>(model: &M, state: &State<S, N>) -> Self
     where
-        M: Inputs<N, U, S> + ?Sized,
-    {
-        Self::about(model, state, &model.inputs())
-    }
-
-    /// The linearization of a model about a state and inputs, such as those that
-    /// [`EquilibriumSearch::trim`](crate::analysis::EquilibriumSearch::trim) finds.
-    ///
-    /// Another `D` than 2 `N` does not compile.
-    pub fn about<M, const N: usize>(model: &M, state: &State<S, N>, inputs: &SVector<S, U>) -> Self
-    where
-        M: Inputs<N, U, S> + ?Sized,
+        M: Lagrangian<N, S, Model: Inputs<N, U, S>> + ?Sized,
     {
         Self {
-            a: model.linearize_with(state, inputs).state_matrix(),
-            b: model.input_matrix_with(state, inputs),
+            a: model.linearize(state).state_matrix(),
+            b: below_zeros(&model.input_jacobian(state)),
             c: identity(),
             d: SMatrix::zeros(),
-            derivative: stacked(&state.v, &model.accelerations_with(state, inputs)),
+            derivative: stacked(&state.v, &model.accelerations(state)),
             output: stacked(&state.q, &state.v),
         }
     }
@@ -215,6 +206,13 @@ pub(super) fn poles<S: Scalar, const D: usize>(a: &SMatrix<S, D, D>) -> Option<S
     let mut found = [[Complex::new(0.0, 0.0); D]; 2];
     let converged = eigenvalues(entries.as_flattened_mut(), D, D, found.as_flattened_mut());
     converged.then(|| Spectrum::new(found, D))
+}
+
+/// A matrix of which the upper half is zero.
+fn below_zeros<S: Scalar, const D: usize, const N: usize, const U: usize>(
+    lower: &SMatrix<S, N, U>,
+) -> SMatrix<S, D, U> {
+    SMatrix::from_fn(|i, j| i.checked_sub(N).map_or(S::zero(), |i| lower[(i, j)]))
 }
 
 fn stacked<S: Scalar, const N: usize, const D: usize>(

@@ -9,7 +9,7 @@ use super::error::IdentificationError;
 use super::identified::Identified;
 use super::singular_values::SingularValues;
 use crate::limits::MAX_CONDITION_NUMBER;
-use crate::model::{Regressor, State};
+use crate::model::{Lagrangian, Regressor, State};
 use crate::scalar::Scalar;
 
 /// Equations for the base parameters of a model, gathered from measurements.
@@ -91,7 +91,7 @@ impl<const B: usize> Identification<B> {
         accelerations: &SVector<f64, N>,
         forces: &SVector<f64, N>,
     ) where
-        M: Regressor<N, B>,
+        M: Lagrangian<N, Model: Regressor<N, B>>,
     {
         self.add_weighted(model, state, accelerations, forces, &SVector::repeat(1.0));
     }
@@ -105,7 +105,7 @@ impl<const B: usize> Identification<B> {
         forces: &SVector<f64, N>,
         deviations: &SVector<f64, N>,
     ) where
-        M: Regressor<N, B>,
+        M: Lagrangian<N, Model: Regressor<N, B>>,
     {
         let regressor = model.regressor(state, accelerations);
         let right = forces - model.known_terms(state, accelerations);

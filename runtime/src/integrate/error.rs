@@ -58,6 +58,15 @@ pub enum IntegrationError {
         /// Whether the absolute tolerance is zero, so that a component near zero may have no error.
         relative_only: bool,
     },
+    /// A step of the smallest size that is allowed does not meet the tolerance.
+    SmallestStep {
+        /// The time reached.
+        time: f64,
+        /// That size, which [`Dop853::min_step`](crate::Dop853::min_step) sets.
+        step: f64,
+        /// The component with the largest error relative to the tolerance.
+        component: ComponentName,
+    },
     /// The state and its derivative are finite, but not the Taylor series of the motion.
     NoTaylorSeries {
         /// The time of the state.
@@ -210,6 +219,16 @@ impl fmt::Display for IntegrationError {
                 component,
                 relative_only,
             } => write_too_small(f, (time, step), component, relative_only),
+            Self::SmallestStep {
+                time,
+                step,
+                component,
+            } => write!(
+                f,
+                "at t = {} a step of {step:e}, the smallest that `min_step` allows, does not meet the tolerance: the error of \
+                 {component} is too large; allow shorter steps, or larger errors",
+                Readable(time)
+            ),
             Self::NoTaylorSeries { time, component } => write_no_series(f, time, component),
             Self::VanishingInertia {
                 time,

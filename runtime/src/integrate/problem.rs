@@ -35,7 +35,7 @@ use super::outcome::{Outcome, StopReason};
 use super::partial::Partial;
 use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
-use keep::{Begun, Collecting};
+use keep::{Begun, Collecting, Saved};
 pub use reaction::Reactions;
 
 /// An initial value problem: dynamics with an initial state, and what is asked of their integration.
@@ -277,7 +277,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
 impl<S: Scalar, D: Dynamics<S>, C, R, O> Problem<S, D, End, C, R, O> {
     /// What is kept of the motion besides its end and its events: samples ([`Every`], a list of times, [`StepEnds`]), or
     /// all of it ([`Dense`]).
-    pub fn save<K>(self, keep: K) -> Problem<S, D, K, C, R, O> {
+    pub fn save<K: Saved>(self, keep: K) -> Problem<S, D, K, C, R, O> {
         Problem {
             dynamics: self.dynamics,
             start: self.start,

@@ -1,11 +1,10 @@
 //! Hamilton's equations of a model, as an integrator sees them.
 
-use core::marker::PhantomData;
-
 use nalgebra::SVector;
 
 use super::canonical_phase::CanonicalPhase;
 use super::hamiltonian::{Hamiltonian, NoVelocities};
+use super::legendre;
 use super::singular_configuration::singularity_between;
 use super::state::State;
 use crate::integrate::{At, ComponentName, Dynamics, Singularity};
@@ -13,13 +12,17 @@ use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
 /// Hamilton's equations q̇ = ∂H/∂p, ṗ = −∂H/∂q + Q of a model, made by
-/// [`canonical_equations`](Hamiltonian::canonical_equations). Every method that needs derivatives alone integrates them.
+/// [`canonical_equations`](crate::Lagrangian::canonical_equations). Every method that needs derivatives alone integrates them.
 ///
 /// Where there are no velocities for the momenta, derivatives are not numbers, and the integration ends with an error.
 #[derive(Debug)]
-pub struct CanonicalEquations<'a, M, S, const N: usize> {
+pub struct CanonicalEquations<'a, M, S, const N: usize>
+where
+    M: Hamiltonian<N, S>,
+    S: Scalar,
+{
     model: &'a M,
-    scalar: PhantomData<S>,
+    inputs: M::Inputs,
 }
 
 impl<'a, M, S, const N: usize> CanonicalEquations<'a, M, S, N>
@@ -27,11 +30,8 @@ where
     M: Hamiltonian<N, S>,
     S: Scalar,
 {
-    pub(super) const fn new(model: &'a M) -> Self {
-        Self {
-            model,
-            scalar: PhantomData,
-        }
+    pub(super) const fn new(model: &'a M, inputs: M::Inputs) -> Self {
+        Self { model, inputs }
     }
 
     /// The coordinates and momenta of a state, at its time: an initial value.
@@ -54,7 +54,7 @@ where
     /// [`NoVelocities`] where there are none.
     pub fn state(&self, t: f64, phase: &CanonicalPhase<S, N>) -> Result<State<S, N>, NoVelocities> {
         let t = S::from_f64(t);
-        let v = self.model.velocities(t, phase)?;
+        let v = legendre::velocities(self.model, t, phase)?;
         Ok(State::new(t, phase.q, v))
     }
 }
@@ -68,11 +68,11 @@ where
 
     fn derivative(&self, t: S, x: &Self::State) -> Self::State {
         let not_a_number = |_| SVector::repeat(S::from_f64(f64::NAN));
-        let v = self.model.velocities(t, x).unwrap_or_else(not_a_number);
+        let v = legendre::velocities(self.model, t, x).unwrap_or_else(not_a_number);
         let state = State::new(t, x.q, v);
         CanonicalPhase {
             q: v,
-            p: self.model.momentum_rates(&state),
+            p: self.model.momentum_rates(&state, &self.inputs),
         }
     }
 

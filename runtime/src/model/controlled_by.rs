@@ -85,9 +85,7 @@ where
         let inputs = self.inputs(&state);
         Phase {
             q: x.v,
-            v: self
-                .model
-                .accelerations_prepared_with(&state, &inputs, &self.prepared),
+            v: self.model.accelerations(&state, &inputs, &self.prepared),
         }
     }
 

@@ -4,14 +4,15 @@ use nalgebra::SVector;
 
 use super::common_dynamics::{errors_of_the_model, reduced};
 use super::inputs::Inputs;
-use super::motion_series::{MotionSeriesWith, switching_function};
+use super::motion_series::{MotionSeries, switching_function};
 use super::phase::Phase;
 use super::signals::Signals;
 use super::state::State;
 use crate::integrate::{BranchVisitor, Dynamics, Series, SwitchingFunction, TaylorCoefficients};
 use crate::scalar::Scalar;
 
-/// A system under inputs u(t) that are [`Signals`]; made by [`Inputs::driven_by`].
+/// A system under inputs u(t) that are [`Signals`]; made by
+/// [`Lagrangian::driven_by`](crate::Lagrangian::driven_by).
 ///
 /// The quantities that depend on parameters only are computed when it is made.
 #[derive(Debug)]
@@ -74,9 +75,7 @@ where
         let (state, inputs) = (x.at(t), self.signals.values(t));
         Phase {
             q: x.v,
-            v: self
-                .model
-                .accelerations_prepared_with(&state, &inputs, &self.prepared),
+            v: self.model.accelerations(&state, &inputs, &self.prepared),
         }
     }
 
@@ -90,7 +89,7 @@ where
 
 impl<M, I, S, const N: usize, const U: usize> Series<S> for DrivenBy<'_, M, I, S, N, U>
 where
-    M: MotionSeriesWith<N, U, S> + ?Sized,
+    M: Inputs<N, U, S> + MotionSeries<N, S> + ?Sized,
     I: Signals<S, U>,
     S: Scalar,
 {
@@ -106,7 +105,7 @@ where
         let inputs = inputs.as_flattened_mut();
         self.signals.series::<HALF>(t, unit, inputs);
         self.model
-            .taylor_series_with(&state, inputs, &self.prepared, unit, coefficients);
+            .taylor_series(&state, inputs, &self.prepared, unit, coefficients);
     }
 
     fn branches<const HALF: usize>(
@@ -121,7 +120,7 @@ where
         let inputs = inputs.as_flattened_mut();
         self.signals.series::<HALF>(t, unit, inputs);
         self.model
-            .branch_series_with(inputs, &x.at(t), unit, motion, visit);
+            .branch_series(&x.at(t), inputs, unit, motion, visit);
     }
 
     fn switching_function(&self, index: usize) -> SwitchingFunction {

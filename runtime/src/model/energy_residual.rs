@@ -4,7 +4,7 @@
 //! table 25.4), step by step.
 
 #[cfg(feature = "alloc")]
-use super::{energy_balance::EnergyBalance, phase::Phase};
+use super::{energy_balance::EnergyBalance, lagrangian::Lagrangian, phase::Phase};
 #[cfg(feature = "alloc")]
 use crate::integrate::{DenseSolution, IntegrationError, Interpolant, Solution};
 
@@ -74,7 +74,7 @@ impl EnergyResidual {
         solution: &Solution<f64, Phase<f64, N>, DenseSolution<Phase<f64, N>, P>>,
     ) -> Result<Self, IntegrationError>
     where
-        M: EnergyBalance<N>,
+        M: Lagrangian<N, Model: EnergyBalance<N>>,
         P: Interpolant<f64, Phase<f64, N>>,
     {
         let mut residual = Self::default();

@@ -1,5 +1,6 @@
 //! Ensembles of models with different parameters.
 
+use super::lagrangian::Lagrangian;
 use super::motion_series::MotionSeries;
 use super::phase::Phase;
 use super::state::State;
@@ -21,7 +22,7 @@ impl<const L: usize, const HALF: usize> Ensemble<L, HALF> {
         mut begin: impl FnMut(&mut M, usize, P) -> (State<f64, N>, f64),
         report: impl FnMut(usize, Result<Solution<f64, Phase<f64, N>>, IntegrationError>),
     ) where
-        M: MotionSeries<N, Lanes<L>>,
+        M: Lagrangian<N, Lanes<L>, Model: MotionSeries<N, Lanes<L>>>,
     {
         let mut running =
             Running::<Phase<Lanes<L>, N>, _, _, L, HALF>::new(self, motions.into_iter(), report);

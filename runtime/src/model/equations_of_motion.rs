@@ -1,15 +1,19 @@
 //! Lagrange's equations as a system of first-order differential equations.
 
+use nalgebra::SVector;
+
 use super::common_dynamics::{errors_of_the_model, reduced};
-use super::lagrangian::Lagrangian;
 use super::phase::Phase;
+use super::quantities::Quantities;
+use super::state::State;
 use crate::integrate::Dynamics;
 use crate::scalar::Scalar;
 
 /// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
-/// [`Lagrangian::dynamics`].
+/// [`Lagrangian::dynamics`](crate::Lagrangian::dynamics).
 ///
-/// The quantities that depend on parameters only are computed when it is made.
+/// The quantities that depend on parameters alone are computed when it is made: a controller that evaluates the model in its
+/// loop asks it for [`accelerations`](Self::accelerations) and [`inverse_dynamics`](Self::inverse_dynamics).
 ///
 /// # Parallel integrations
 ///
@@ -49,34 +53,55 @@ use crate::scalar::Scalar;
 #[derive(Debug)]
 pub struct EquationsOfMotion<'a, M, S, const N: usize>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     pub(super) model: &'a M,
+    pub(super) inputs: M::Inputs,
     pub(super) prepared: M::Prepared,
 }
 
 impl<'a, M, S, const N: usize> EquationsOfMotion<'a, M, S, N>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
-    pub(crate) fn new(model: &'a M) -> Self {
+    pub(crate) fn new(model: &'a M, inputs: M::Inputs) -> Self {
         Self {
             model,
+            inputs,
             prepared: model.prepare(),
         }
+    }
+
+    /// The accelerations q̈: [`Lagrangian::accelerations`](crate::Lagrangian::accelerations).
+    #[inline]
+    pub fn accelerations(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model
+            .accelerations(state, &self.inputs, &self.prepared)
+    }
+
+    /// The forces M q̈ − f: [`Lagrangian::inverse_dynamics`](crate::Lagrangian::inverse_dynamics).
+    #[inline]
+    pub fn inverse_dynamics(
+        &self,
+        state: &State<S, N>,
+        accelerations: &SVector<S, N>,
+    ) -> SVector<S, N> {
+        self.model
+            .inverse_dynamics(state, &self.inputs, accelerations, &self.prepared)
     }
 }
 
 impl<M, S, const N: usize> Clone for EquationsOfMotion<'_, M, S, N>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     fn clone(&self) -> Self {
         Self {
             model: self.model,
+            inputs: self.inputs.clone(),
             prepared: self.prepared.clone(),
         }
     }
@@ -84,7 +109,7 @@ where
 
 impl<M, S, const N: usize> Dynamics<S> for EquationsOfMotion<'_, M, S, N>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     type State = Phase<S, N>;
@@ -93,7 +118,7 @@ where
     fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
         Phase {
             q: x.v,
-            v: self.model.accelerations_prepared(&x.at(t), &self.prepared),
+            v: self.accelerations(&x.at(t)),
         }
     }
 

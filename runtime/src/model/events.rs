@@ -6,10 +6,10 @@ use super::augmented_phase::AugmentedPhase;
 use super::controlled_by::ControlledBy;
 use super::driven_by::DrivenBy;
 use super::equations_of_motion::EquationsOfMotion;
-use super::inputs::{Inputs, WithInputs};
-use super::lagrangian::Lagrangian;
+use super::inputs::Inputs;
 use super::owned_equations::OwnedEquations;
 use super::phase::Phase;
+use super::quantities::Quantities;
 use super::signals::Signals;
 use super::state::State;
 use super::with_controller::WithController;
@@ -25,7 +25,7 @@ use crate::scalar::Scalar;
     message = "`{Self}` declares no events",
     note = "write the clause `event(name = expression)` in its declaration, or give functions to `Problem::when`"
 )]
-pub trait Events<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
+pub trait Events<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     /// The names of the events, in order.
     const EVENTS: &'static [&'static str];
 
@@ -37,80 +37,22 @@ pub trait Events<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// distinguish the branches of event functions, such as u for |u| and u − v for max(u, v).
     type EventValues: AsRef<[S]> + Copy + core::fmt::Debug;
 
-    /// The values of the event functions. Inputs have the values of their fields.
-    fn event_functions(&self, state: &State<S, N>) -> Self::EventValues;
+    /// [`Lagrangian::event_functions`](crate::Lagrangian::event_functions) under these inputs.
+    fn event_functions(&self, state: &State<S, N>, inputs: &Self::Inputs) -> Self::EventValues;
 
     /// The Taylor coefficients of the event functions along a motion through a state, given those of the motion, in their
-    /// unit of time; its coefficients of order 0 are not read. `None` where they are not known: without the clause
+    /// unit of time; its coefficients of order 0 are not read. The inputs are u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has
+    /// the coefficients of order 0, 1, …; those that it does not have are 0. `None` where they are not known: without the clause
     /// `taylor`, or where an event depends on an external function without series.
     fn event_series<const HALF: usize>(
         &self,
         state: &State<S, N>,
+        inputs: &[Self::Inputs],
         unit: S,
         motion: &TaylorCoefficients<Phase<S, N>, HALF>,
     ) -> Option<TaylorCoefficients<Self::EventValues, HALF>> {
-        let _ = (state, unit, motion);
+        let _ = (state, inputs, unit, motion);
         None
-    }
-}
-
-/// A model that declares events and has inputs: the events under inputs that vary in time.
-///
-/// [`WithInputs`](crate::WithInputs) has the events under constant inputs.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` declares no events",
-    note = "write the clause `event(name = expression)` in its declaration, or give functions to `Problem::when`"
-)]
-pub trait EventsWith<const N: usize, const U: usize, S: Scalar = f64>:
-    Inputs<N, U, S> + Events<N, S>
-{
-    /// The values of the event functions at a state under these inputs.
-    fn event_functions_with(
-        &self,
-        state: &State<S, N>,
-        inputs: &SVector<S, U>,
-    ) -> Self::EventValues;
-
-    /// The same as [`event_series`](Events::event_series), under the inputs u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has
-    /// the coefficients of order 0, 1, …. Those that it does not have are 0: a single one is held.
-    fn event_series_with<const HALF: usize>(
-        &self,
-        inputs: &[SVector<S, U>],
-        state: &State<S, N>,
-        unit: S,
-        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
-    ) -> Option<TaylorCoefficients<Self::EventValues, HALF>> {
-        let _ = (inputs, state, unit, motion);
-        None
-    }
-}
-
-/// Under inputs that are held.
-impl<M, S, const N: usize, const U: usize> Events<N, S> for WithInputs<'_, M, S, U>
-where
-    M: EventsWith<N, U, S> + ?Sized,
-    S: Scalar,
-{
-    const EVENTS: &'static [&'static str] = M::EVENTS;
-
-    const BRANCHES: &'static [&'static [usize]] = M::BRANCHES;
-
-    type EventValues = M::EventValues;
-
-    #[inline]
-    fn event_functions(&self, state: &State<S, N>) -> M::EventValues {
-        self.model.event_functions_with(state, &self.inputs)
-    }
-
-    #[inline]
-    fn event_series<const HALF: usize>(
-        &self,
-        state: &State<S, N>,
-        unit: S,
-        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
-    ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
-        let held = [self.inputs];
-        self.model.event_series_with(&held, state, unit, motion)
     }
 }
 
@@ -137,7 +79,7 @@ macro_rules! event_dynamics {
 
         #[inline]
         fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
-            self.model.event_functions(&x.at(t))
+            self.model.event_functions(&x.at(t), &self.inputs)
         }
 
         #[inline]
@@ -148,7 +90,8 @@ macro_rules! event_dynamics {
             unit: S,
             motion: &TaylorCoefficients<Phase<S, N>, HALF>,
         ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
-            self.model.event_series(&x.at(t), unit, motion)
+            let inputs = core::slice::from_ref(&self.inputs);
+            self.model.event_series(&x.at(t), inputs, unit, motion)
         }
     };
 }
@@ -172,7 +115,7 @@ where
 /// Under the inputs that the signals have.
 impl<M, I, S, const N: usize, const U: usize> EventDynamics<S> for DrivenBy<'_, M, I, S, N, U>
 where
-    M: EventsWith<N, U, S> + ?Sized,
+    M: Inputs<N, U, S> + Events<N, S> + ?Sized,
     I: Signals<S, U>,
     S: Scalar,
 {
@@ -181,7 +124,7 @@ where
     #[inline]
     fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
         let inputs = self.inputs(t);
-        self.model.event_functions_with(&x.at(t), &inputs)
+        self.model.event_functions(&x.at(t), &inputs)
     }
 
     fn event_series<const HALF: usize>(
@@ -194,7 +137,7 @@ where
         let mut inputs = [[SVector::from_element(S::zero()); 2]; HALF];
         let inputs = inputs.as_flattened_mut();
         self.signals.series::<HALF>(t, unit, inputs);
-        self.model.event_series_with(inputs, &x.at(t), unit, motion)
+        self.model.event_series(&x.at(t), inputs, unit, motion)
     }
 }
 
@@ -202,7 +145,7 @@ where
 impl<M, C, R, S, const N: usize, const U: usize> EventDynamics<S>
     for ControlledBy<'_, M, C, S, N, U>
 where
-    M: EventsWith<N, U, S> + ?Sized,
+    M: Inputs<N, U, S> + Events<N, S> + ?Sized,
     C: Fn(&State<S, N>) -> R,
     R: IntoVector<S, U>,
     S: Scalar,
@@ -212,8 +155,7 @@ where
     #[inline]
     fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
         let state = x.at(t);
-        self.model
-            .event_functions_with(&state, &self.inputs(&state))
+        self.model.event_functions(&state, &self.inputs(&state))
     }
 }
 
@@ -221,7 +163,7 @@ where
 impl<M, C, R, Z, S, const N: usize, const U: usize, const K: usize> EventDynamics<S>
     for WithController<'_, M, C, S, N, U, K>
 where
-    M: EventsWith<N, U, S> + ?Sized,
+    M: Inputs<N, U, S> + Events<N, S> + ?Sized,
     C: Fn(&State<S, N>, &SVector<S, K>) -> (R, Z),
     R: IntoVector<S, U>,
     Z: IntoVector<S, K>,
@@ -233,6 +175,6 @@ where
     fn event_functions(&self, t: S, x: &AugmentedPhase<S, N, K>) -> M::EventValues {
         let state = x.at(t);
         let inputs = self.inputs(&state, &x.controller);
-        self.model.event_functions_with(&state, &inputs)
+        self.model.event_functions(&state, &inputs)
     }
 }

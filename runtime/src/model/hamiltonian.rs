@@ -4,12 +4,8 @@ use core::fmt;
 
 use nalgebra::SVector;
 
-use super::canonical_equations::CanonicalEquations;
-use super::canonical_phase::CanonicalPhase;
 use super::emitted::no_velocities;
-use super::inputs::{Inputs, WithInputs};
-use super::lagrangian::Lagrangian;
-use super::legendre;
+use super::quantities::Quantities;
 use super::state::State;
 use crate::error_debug::debug_by_message;
 use crate::scalar::Scalar;
@@ -47,59 +43,17 @@ use crate::scalar::Scalar;
     message = "`{Self}` has no Hamiltonian form",
     note = "write the clause `hamiltonian` in its declaration"
 )]
-pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
-    /// The rates of the momenta, ṗ = ∂L/∂q + Q, at constant velocities.
-    fn momentum_rates(&self, state: &State<S, N>) -> SVector<S, N>;
+pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Quantities<N, S> {
+    /// [`Lagrangian::momentum_rates`](crate::Lagrangian::momentum_rates) under these inputs.
+    fn momentum_rates(&self, state: &State<S, N>, inputs: &Self::Inputs) -> SVector<S, N>;
 
     /// The velocities that have these momenta at the coordinates and the time of a state, where L is quadratic in the
     /// velocities: M(q, t) q̇ = p − p(q, 0, t), by the factors that the accelerations are solved for with.
     /// Not numbers where L is not quadratic, where M is factored
-    /// numerically, and where a pivot is not positive; [`velocities`](Self::velocities) then goes another way.
+    /// numerically, and where a pivot is not positive; [`velocities`](crate::Lagrangian::velocities) then goes another way.
     fn solved_velocities(&self, state: &State<S, N>, momenta: &SVector<S, N>) -> SVector<S, N> {
         let _ = (state, momenta);
         no_velocities()
-    }
-
-    /// The velocities that have these momenta at a time, p = ∂L/∂q̇ solved for q̇ (the Legendre transformation).
-    ///
-    /// Where L is quadratic in the velocities they are [`solved_velocities`](Self::solved_velocities), or M(q, t) q̇ =
-    /// p − p(q, 0, t) is factored here, and solved once more for the rounding errors that are left; else Newton's method goes
-    /// on until the velocities stay, with steps that are halved where they miss. Velocities are unique where L is convex in them, and
-    /// are found there even if M is singular or infinite on the way, as it is at rest for L = |q̇|^(3/2) or q̇⁴.
-    ///
-    /// # Errors
-    ///
-    /// [`NoVelocities`] where M is singular, where Newton's method does not converge, or where L is not quadratic and not convex
-    /// at what it finds: M is not positive definite there, and other velocities may have the same momenta.
-    fn velocities(
-        &self,
-        t: S,
-        phase: &CanonicalPhase<S, N>,
-    ) -> Result<SVector<S, N>, NoVelocities> {
-        let state = State::new(t, phase.q, SVector::zeros());
-        let solved = self.solved_velocities(&state, &phase.p);
-        if solved.iter().all(|v| v.is_finite()) {
-            return Ok(solved);
-        }
-        legendre::velocities(self, &state, &phase.p)
-    }
-
-    /// The Hamiltonian function H(q, p, t) = Σ pᵢ q̇ᵢ − L.
-    ///
-    /// # Errors
-    ///
-    /// As of [`velocities`](Self::velocities).
-    fn hamiltonian(&self, t: S, phase: &CanonicalPhase<S, N>) -> Result<S, NoVelocities> {
-        let v = self.velocities(t, phase)?;
-        Ok(self.energy(&State::new(t, phase.q, v)))
-    }
-
-    /// Hamilton's equations, for an integrator.
-    fn canonical_equations(&self) -> CanonicalEquations<'_, Self, S, N>
-    where
-        Self: Sized,
-    {
-        CanonicalEquations::new(self)
     }
 }
 
@@ -137,31 +91,3 @@ impl fmt::Display for NoVelocities {
 debug_by_message!(NoVelocities);
 
 impl core::error::Error for NoVelocities {}
-
-/// The same under inputs that vary in time.
-///
-/// [`WithInputs`](crate::WithInputs) has it under constant inputs.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no Hamiltonian form",
-    note = "write the clause `hamiltonian` in its declaration"
-)]
-pub trait HamiltonianWith<const N: usize, const U: usize, S: Scalar = f64>:
-    Inputs<N, U, S> + Hamiltonian<N, S>
-{
-    /// The rates of the momenta under these inputs.
-    fn momentum_rates_with(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
-}
-
-impl<M, S, const N: usize, const U: usize> Hamiltonian<N, S> for WithInputs<'_, M, S, U>
-where
-    M: HamiltonianWith<N, U, S> + ?Sized,
-    S: Scalar,
-{
-    fn momentum_rates(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.model.momentum_rates_with(state, &self.inputs)
-    }
-
-    fn solved_velocities(&self, state: &State<S, N>, momenta: &SVector<S, N>) -> SVector<S, N> {
-        self.model.solved_velocities(state, momenta)
-    }
-}

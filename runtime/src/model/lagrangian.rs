@@ -1,83 +1,135 @@
-//! Systems that have a Lagrangian.
+//! Models, as programs see them.
 
 use nalgebra::{SMatrix, SVector};
 
+use super::canonical_equations::CanonicalEquations;
+use super::canonical_phase::CanonicalPhase;
+use super::driven_by::DrivenBy;
+use super::energy_balance::EnergyBalance;
 use super::equations_of_motion::EquationsOfMotion;
+use super::events::Events;
 use super::generalized_coordinates::GeneralizedCoordinates;
+use super::hamiltonian::{Hamiltonian, NoVelocities};
+use super::inputs::{Inputs, WithInputs};
+use super::legendre;
 use super::linearization::Linearization;
+use super::outputs::Outputs;
 use super::owned_equations::OwnedEquations;
+use super::quantities::{Energies, Quantities};
+use super::regressor::Regressor;
+use super::sensitivities::Sensitivities;
+use super::signals::Signals;
 use super::state::State;
-use crate::linalg::Factorization;
+use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
-/// A system with the equations of motion of Lagrange, d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6).
+/// A model with the equations of motion of Lagrange, d/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6), at its parameters and inputs.
 ///
-/// `#[derive(Lagrangian)]` implements it; a model can also be written by hand against it. All
-/// methods are functions of the state and the parameters, do not allocate, and return NaN or infinity
-/// where the declaration has no value.
+/// `#[derive(Lagrangian)]` implements it. All methods are functions of the state and the parameters, do not allocate, and
+/// return NaN or infinity where the declaration has no value. Inputs have the values of their fields, or those of
+/// [`with_inputs`](Self::with_inputs). Some methods need a clause of the declaration; without it the compiler says which.
 pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N> {
-    /// Quantities that depend on parameters only; `()` for a model written by hand that has none.
-    type Prepared: Clone + core::fmt::Debug;
+    /// The type with the equations: the struct of the declaration.
+    type Model: Quantities<N, S>;
+
+    /// The model with the equations.
+    fn model(&self) -> &Self::Model;
+
+    /// The values of the inputs.
+    #[inline]
+    fn inputs(&self) -> <Self::Model as Quantities<N, S>>::Inputs {
+        self.model().inputs()
+    }
 
     /// The Lagrangian function L = T − V.
-    fn lagrangian(&self, state: &State<S, N>) -> S;
+    #[inline]
+    fn lagrangian(&self, state: &State<S, N>) -> S {
+        self.model().lagrangian(state, &self.inputs())
+    }
 
     /// The energy function h = Σ pᵢ q̇ᵢ − L: conserved where L does not contain the time and no
     /// generalized force does work. It is T + V only if T is quadratic in q̇ and V does not contain q̇.
-    fn energy(&self, state: &State<S, N>) -> S;
-
-    /// The generalized momenta p = ∂L/∂q̇.
-    fn momenta(&self, state: &State<S, N>) -> SVector<S, N>;
-
-    /// The mass matrix M = ∂²L/∂q̇².
-    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
-
-    /// The forcing f in M q̈ = f: all terms of the equations of motion but M q̈.
-    fn forcing(&self, state: &State<S, N>) -> SVector<S, N>;
-
-    /// The generalized forces Q, from the clauses `force` and `dissipation`.
-    fn generalized_forces(&self, state: &State<S, N>) -> SVector<S, N>;
-
-    /// The accelerations q̈.
-    fn accelerations(&self, state: &State<S, N>) -> SVector<S, N>;
-
-    /// Computes the quantities that depend on parameters only (invariants of the integration), for
-    /// [`accelerations_prepared`](Self::accelerations_prepared) and
-    /// [`inverse_dynamics_prepared`](Self::inverse_dynamics_prepared). [`dynamics`](Self::dynamics) calls it once.
-    fn prepare(&self) -> Self::Prepared;
-
-    /// The accelerations q̈, given the result of [`prepare`](Self::prepare) for the same parameters.
-    fn accelerations_prepared(
-        &self,
-        state: &State<S, N>,
-        _prepared: &Self::Prepared,
-    ) -> SVector<S, N> {
-        self.accelerations(state)
+    #[inline]
+    fn energy(&self, state: &State<S, N>) -> S {
+        self.model().energy(state, &self.inputs())
     }
 
-    /// Inverse dynamics: the forces M q̈ − f that have to act in addition to Q for these accelerations.
-    fn inverse_dynamics(&self, state: &State<S, N>, accelerations: &SVector<S, N>)
-    -> SVector<S, N>;
+    /// The kinetic energy T, if the declaration has the clauses `kinetic` and `potential`.
+    #[inline]
+    fn kinetic_energy(&self, state: &State<S, N>) -> S
+    where
+        Self::Model: Energies<N, S>,
+    {
+        self.model().kinetic_energy(state, &self.inputs())
+    }
 
-    /// Inverse dynamics, given the result of [`prepare`](Self::prepare) for the same parameters: what a controller
-    /// evaluates in its loop.
-    fn inverse_dynamics_prepared(
+    /// The potential energy V, generalized if it contains velocities, if the declaration has the clauses `kinetic` and
+    /// `potential`.
+    #[inline]
+    fn potential_energy(&self, state: &State<S, N>) -> S
+    where
+        Self::Model: Energies<N, S>,
+    {
+        self.model().potential_energy(state, &self.inputs())
+    }
+
+    /// The generalized momenta p = ∂L/∂q̇.
+    #[inline]
+    fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model().momenta(state)
+    }
+
+    /// The mass matrix M = ∂²L/∂q̇².
+    #[inline]
+    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N> {
+        self.model().mass_matrix(state)
+    }
+
+    /// The forcing f in M q̈ = f: all terms of the equations of motion but M q̈.
+    #[inline]
+    fn forcing(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model().forcing(state, &self.inputs())
+    }
+
+    /// The generalized forces Q, from the clauses `force` and `dissipation`.
+    #[inline]
+    fn generalized_forces(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model().generalized_forces(state, &self.inputs())
+    }
+
+    /// The accelerations q̈. In a loop, [`dynamics`](Self::dynamics) has them without computing again what depends on
+    /// parameters alone.
+    #[inline]
+    fn accelerations(&self, state: &State<S, N>) -> SVector<S, N> {
+        let model = self.model();
+        model.accelerations(state, &self.inputs(), &model.prepare())
+    }
+
+    /// Inverse dynamics: the forces M q̈ − f that have to act in addition to Q for these accelerations. In a loop,
+    /// [`dynamics`](Self::dynamics) has them without computing again what depends on parameters alone.
+    #[inline]
+    fn inverse_dynamics(
         &self,
         state: &State<S, N>,
         accelerations: &SVector<S, N>,
-        _prepared: &Self::Prepared,
     ) -> SVector<S, N> {
-        self.inverse_dynamics(state, accelerations)
+        let model = self.model();
+        model.inverse_dynamics(state, &self.inputs(), accelerations, &model.prepare())
     }
 
-    /// The derivatives of the accelerations with respect to q, q̇ and t.
+    /// The derivatives of the accelerations with respect to q, q̇ and t, at constant inputs.
     ///
     /// In the first-order form ẋ = A x + B u, x = (q, q̇), they are the lower rows of A, below
-    /// (0 1); the lower rows of B are [`Inputs::input_jacobian`](crate::Inputs::input_jacobian).
+    /// (0 1); the lower rows of B are [`input_jacobian`](Self::input_jacobian).
     ///
     /// For more than a few coupled coordinates they are solved for with a numerical factorization of M.
     /// Near a singularity of M their accuracy is then what [`Factorization::relative_pivots`] says.
-    fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>;
+    ///
+    /// [`Factorization::relative_pivots`]: crate::Factorization::relative_pivots
+    #[inline]
+    fn linearize(&self, state: &State<S, N>) -> Linearization<S, N> {
+        self.model().linearize(state, &self.inputs())
+    }
 
     /// For each coordinate, a measure of the conditioning of M q̈ = f: near 1 if it is well-conditioned,
     /// 0 or NaN if M is singular. Its inverse estimates the factor by which the rounding errors of what is solved
@@ -88,36 +140,216 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// pivots of their inertia; for articulated bodies those of the elimination along the tree; else those of the
     /// factorization of M. Of several pivots of one coordinate it is the product. Where M is indefinite and regular, as for
     /// ẋ ẏ, and is factored numerically, it is the reciprocal of (|M⁻¹| |M|)ᵢᵢ.
+    #[inline]
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
-        Factorization::new(self.mass_matrix(state)).relative_pivots()
+        self.model().relative_pivots(state)
     }
 
-    /// The equations of motion, for an integrator.
-    fn dynamics(&self) -> EquationsOfMotion<'_, Self, S, N>
+    /// The derivatives ∂q̈ᵢ/∂uⱼ by the inputs in row i, column j.
+    #[inline]
+    fn input_jacobian<const U: usize>(&self, state: &State<S, N>) -> SMatrix<S, N, U>
     where
-        Self: Sized,
+        Self::Model: Inputs<N, U, S>,
     {
-        EquationsOfMotion::new(self)
+        self.model().input_jacobian(state, &self.inputs())
+    }
+
+    /// All outputs at a state, if the declaration has the clause `output`: a struct with a field for each. Accelerations in
+    /// them are [`accelerations`](Self::accelerations).
+    #[inline]
+    fn outputs(&self, state: &State<S, N>) -> <Self::Model as Outputs<N, S>>::Outputs
+    where
+        Self::Model: Outputs<N, S>,
+    {
+        self.model().outputs(state, &self.inputs())
+    }
+
+    /// The values of the event functions, if the declaration has the clause `event`.
+    #[inline]
+    fn event_functions(&self, state: &State<S, N>) -> <Self::Model as Events<N, S>>::EventValues
+    where
+        Self::Model: Events<N, S>,
+    {
+        self.model().event_functions(state, &self.inputs())
+    }
+
+    /// The regressor Y(q, q̇, q̈, t) in M q̈ − f = Y π + r, whose columns belong to the base parameters π, if the declaration
+    /// has the clause `regressor`.
+    #[inline]
+    fn regressor<const B: usize>(
+        &self,
+        state: &State<S, N>,
+        accelerations: &SVector<S, N>,
+    ) -> SMatrix<S, N, B>
+    where
+        Self::Model: Regressor<N, B, S>,
+    {
+        self.model().regressor(state, &self.inputs(), accelerations)
+    }
+
+    /// r = M q̈ − f − Y π, which contains no unknown parameter, if the declaration has the clause `regressor`.
+    #[inline]
+    fn known_terms<const B: usize>(
+        &self,
+        state: &State<S, N>,
+        accelerations: &SVector<S, N>,
+    ) -> SVector<S, N>
+    where
+        Self::Model: Regressor<N, B, S>,
+    {
+        self.model()
+            .known_terms(state, &self.inputs(), accelerations)
+    }
+
+    /// The base parameters π that the parameters of this model give, if the declaration has the clause `regressor`.
+    #[inline]
+    fn base_parameters<const B: usize>(&self) -> SVector<S, B>
+    where
+        Self::Model: Regressor<N, B, S>,
+    {
+        self.model().base_parameters()
+    }
+
+    /// The derivatives ∂q̈ᵢ/∂πⱼ by parameters in row i, column j, at fixed q, q̇, t and inputs, if the declaration has the
+    /// clause `sensitivities`.
+    #[inline]
+    fn sensitivities<const P: usize>(&self, state: &State<S, N>) -> SMatrix<S, N, P>
+    where
+        Self::Model: Sensitivities<N, P, S>,
+    {
+        self.model().sensitivities(state, &self.inputs())
+    }
+
+    /// The rate Q·q̇ − ∂L/∂t of the energy function h along every motion: the power of the generalized forces, and what
+    /// supports that move by themselves, and parameters that depend on time, put into the system (Whittaker, Analytical
+    /// Dynamics, 1937, section 41). The declaration has the clause `energy_balance`.
+    #[inline]
+    fn energy_rate(&self, state: &State<S, N>) -> S
+    where
+        Self::Model: EnergyBalance<N, S>,
+    {
+        self.model().energy_rate(state, &self.inputs())
+    }
+
+    /// The power Q·q̇ of the generalized forces.
+    #[inline]
+    fn power(&self, state: &State<S, N>) -> S {
+        self.generalized_forces(state).dot(&state.v)
+    }
+
+    /// The rates of the momenta, ṗ = ∂L/∂q + Q, at constant velocities, if the declaration has the clause `hamiltonian`.
+    #[inline]
+    fn momentum_rates(&self, state: &State<S, N>) -> SVector<S, N>
+    where
+        Self::Model: Hamiltonian<N, S>,
+    {
+        self.model().momentum_rates(state, &self.inputs())
+    }
+
+    /// The velocities that have these momenta at a time, p = ∂L/∂q̇ solved for q̇ (the Legendre transformation), if the
+    /// declaration has the clause `hamiltonian`.
+    ///
+    /// Where L is quadratic in the velocities, M(q, t) q̇ = p − p(q, 0, t) is solved with the factors of the accelerations, or M
+    /// is factored here, and it is solved once more for the rounding errors that are left; else Newton's method goes
+    /// on until the velocities stay, with steps that are halved where they miss. Velocities are unique where L is convex in them, and
+    /// are found there even if M is singular or infinite on the way, as it is at rest for L = |q̇|^(3/2) or q̇⁴.
+    ///
+    /// # Errors
+    ///
+    /// [`NoVelocities`] where M is singular, where Newton's method does not converge, or where L is not quadratic and not convex
+    /// at what it finds: M is not positive definite there, and other velocities may have the same momenta.
+    fn velocities(&self, t: S, phase: &CanonicalPhase<S, N>) -> Result<SVector<S, N>, NoVelocities>
+    where
+        Self::Model: Hamiltonian<N, S>,
+    {
+        legendre::velocities(self.model(), t, phase)
+    }
+
+    /// The Hamiltonian function H(q, p, t) = Σ pᵢ q̇ᵢ − L, if the declaration has the clause `hamiltonian`.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`velocities`](Self::velocities).
+    fn hamiltonian(&self, t: S, phase: &CanonicalPhase<S, N>) -> Result<S, NoVelocities>
+    where
+        Self::Model: Hamiltonian<N, S>,
+    {
+        let v = self.velocities(t, phase)?;
+        Ok(self.energy(&State::new(t, phase.q, v)))
+    }
+
+    /// Hamilton's equations, for an integrator, if the declaration has the clause `hamiltonian`.
+    fn canonical_equations(&self) -> CanonicalEquations<'_, Self::Model, S, N>
+    where
+        Self::Model: Hamiltonian<N, S>,
+    {
+        CanonicalEquations::new(self.model(), self.inputs())
+    }
+
+    /// The equations of motion, for an integrator or a loop: what depends on parameters alone is computed once.
+    fn dynamics(&self) -> EquationsOfMotion<'_, Self::Model, S, N> {
+        EquationsOfMotion::new(self.model(), self.inputs())
     }
 
     /// The equations of motion together with the model, so that a reaction to an event can change its parameters.
     fn into_dynamics(self) -> OwnedEquations<Self, S, N>
     where
-        Self: Sized,
+        Self: Quantities<N, S> + Sized,
     {
         OwnedEquations::new(self)
     }
-}
 
-/// The energies T and V of a system that is declared by them.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no kinetic and potential energy apart",
-    note = "declare `kinetic = …` and `potential = …` in place of `lagrangian = …`"
-)]
-pub trait Energies<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
-    /// The kinetic energy T.
-    fn kinetic_energy(&self, state: &State<S, N>) -> S;
+    /// The model under other, constant inputs: an array, an `SVector`, or one number for one input. They may be of another
+    /// scalar than the fields, such as dual numbers.
+    fn with_inputs<const U: usize>(
+        &self,
+        inputs: impl IntoVector<S, U>,
+    ) -> WithInputs<'_, Self::Model, S, U>
+    where
+        Self::Model: Inputs<N, U, S>,
+    {
+        WithInputs::new(self.model(), inputs.into_vector())
+    }
 
-    /// The potential energy V, generalized if it contains velocities.
-    fn potential_energy(&self, state: &State<S, N>) -> S;
+    /// The model under inputs that are functions of time, one [`Signal`](crate::Signal) for each: an array of signals
+    /// of one type, or a tuple of different ones. [`Taylor`](crate::Taylor) integrates it, since signals have Taylor series;
+    /// so do all other methods.
+    ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    /// use lagrangian::{Constant, Sinusoid, Sum};
+    ///
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     taylor,
+    ///     coordinates(x),
+    ///     kinetic = 0.5 * m * dot(x).powi(2),
+    ///     potential = 0.5 * k * (x - shift).powi(2),
+    ///     force(x = push),
+    /// )]
+    /// struct Oscillator {
+    ///     m: f64,
+    ///     k: f64,
+    ///     #[lagrangian(input)]
+    ///     push: f64,
+    ///     #[lagrangian(input)]
+    ///     shift: f64,
+    /// }
+    ///
+    /// let oscillator = Oscillator { m: 1.0, k: 4.0, push: 0.0, shift: 0.0 };
+    /// let push = Sinusoid { amplitude: 3.0, angular_frequency: 1.0, phase: 0.0 };
+    /// let driven = oscillator.driven_by((push, Constant(0.5)));
+    /// let start = State::new(0.0, [0.5], [1.0]);
+    /// let end = Problem::new(&driven, start).solve(20.0, Taylor::new())?;
+    /// // ẍ = −4 (x − ½) + 3 sin t.
+    /// assert!((end.q[0] - 0.5 - 20.0_f64.sin()).abs() < 1e-13);
+    /// # Ok::<(), IntegrationError>(())
+    /// ```
+    fn driven_by<I, const U: usize>(&self, signals: I) -> DrivenBy<'_, Self::Model, I, S, N, U>
+    where
+        I: Signals<S, U>,
+        Self::Model: Inputs<N, U, S>,
+    {
+        DrivenBy::new(self.model(), signals)
+    }
 }

@@ -7,7 +7,7 @@ use super::controlled_by::ControlledBy;
 use super::driven_by::DrivenBy;
 use super::equations_of_motion::EquationsOfMotion;
 use super::inputs::Inputs;
-use super::lagrangian::Lagrangian;
+use super::quantities::Quantities;
 use super::sampled_feedback::SampledFeedback;
 use super::sampled_phase::SampledPhase;
 use super::signals::Signals;
@@ -20,7 +20,7 @@ use crate::scalar::Scalar;
 /// The law of the inputs is set before what is watched for, since it decides on the state.
 impl<'a, M, S, K, const N: usize> Problem<S, EquationsOfMotion<'a, M, S, N>, K>
 where
-    M: Lagrangian<N, S>,
+    M: Quantities<N, S>,
     S: Scalar,
 {
     /// Static state feedback: the inputs are a function of time, coordinates and velocities.

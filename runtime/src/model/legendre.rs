@@ -8,8 +8,9 @@
 
 use nalgebra::{Matrix1, SMatrix, SVector};
 
-use super::hamiltonian::NoVelocities;
-use super::lagrangian::Lagrangian;
+use super::canonical_phase::CanonicalPhase;
+use super::hamiltonian::{Hamiltonian, NoVelocities};
+use super::quantities::Quantities;
 use super::state::State;
 use crate::limits::{
     HELD_MOMENTUM, LEGENDRE_BISECTIONS, LEGENDRE_ITERATIONS, LEGENDRE_ROUNDING, LEGENDRE_SWEEPS,
@@ -19,14 +20,32 @@ use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
 
-/// The velocities with which the state has these momenta; those of `state` are where the search begins.
+/// The velocities that have the momenta of a phase at a time.
 pub(super) fn velocities<M, S, const N: usize>(
+    model: &M,
+    t: S,
+    phase: &CanonicalPhase<S, N>,
+) -> Result<SVector<S, N>, NoVelocities>
+where
+    M: Hamiltonian<N, S> + ?Sized,
+    S: Scalar,
+{
+    let state = State::new(t, phase.q, SVector::zeros());
+    let solved = model.solved_velocities(&state, &phase.p);
+    if solved.iter().all(|v| v.is_finite()) {
+        return Ok(solved);
+    }
+    searched(model, &state, &phase.p)
+}
+
+/// The velocities with which the state has these momenta; those of `state` are where the search begins.
+fn searched<M, S, const N: usize>(
     model: &M,
     state: &State<S, N>,
     momenta: &SVector<S, N>,
 ) -> Result<SVector<S, N>, NoVelocities>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     if !momenta.iter().all(|p| p.is_finite()) {
@@ -77,7 +96,7 @@ fn newton<M, S, const N: usize>(
     momenta: &SVector<S, N>,
 ) -> Result<SVector<S, N>, NoVelocities>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let mut missing = momenta - model.momenta(state);
@@ -130,7 +149,7 @@ where
 /// is convex, in each lane apart.
 fn descend<M, S, const N: usize>(model: &M, state: &mut State<S, N>, momenta: &SVector<S, N>)
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let (zero, one) = (S::zero(), S::one());
@@ -191,7 +210,7 @@ fn zero_of_momentum<M, S, const N: usize>(
     coordinate: usize,
 ) -> S
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let missing = |velocity: S| {
@@ -219,7 +238,7 @@ fn unique<M, S, const N: usize>(
     state: &State<S, N>,
 ) -> Result<SVector<S, N>, NoVelocities>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let mass = model.mass_matrix(state);
@@ -236,7 +255,7 @@ where
 /// Whether M is positive definite at other velocities on all sides: L = q̇⁴ is convex at q̇ = 0 though M vanishes there.
 fn is_convex_beside<M, S, const N: usize>(model: &M, state: &State<S, N>) -> bool
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let fastest = largest(&state.v);

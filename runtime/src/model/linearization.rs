@@ -19,13 +19,14 @@ pub struct Linearization<S: Scalar, const N: usize> {
 
 impl<S: Scalar, const N: usize> Linearization<S, N> {
     /// The state matrix A = (0, 1; ∂q̈/∂q, ∂q̈/∂q̇) of the first-order system ẋ = A x + B u, where
-    /// x = (q, q̇) and u are deviations from the point of linearization; B is the
-    /// [`input_matrix`](crate::Inputs::input_matrix). It has `D` = 2 `N` rows and columns.
+    /// x = (q, q̇) and u are deviations from the point of linearization; B = (0; ∂q̈/∂u) is
+    /// that of [`StateSpace::of`](crate::analysis::StateSpace::of). It has `D` = 2 `N` rows and columns.
     ///
     /// About an equilibrium A and B are constant. About a motion x is the deviation
     /// from it, and A and B vary along it.
     ///
     /// ```
+    /// use lagrangian::analysis::StateSpace;
     /// use lagrangian::nalgebra::{Matrix3, Vector2};
     /// use lagrangian::prelude::*;
     ///
@@ -42,7 +43,7 @@ impl<S: Scalar, const N: usize> Linearization<S, N> {
     /// let model = Inverted { m: 2.0, l: 0.5, g: 9.81, torque: 0.0 };
     /// let upright = State::new(0.0, [0.0], [0.0]);
     /// let a: Matrix2<f64> = model.linearize(&upright).state_matrix();
-    /// let b = model.input_matrix::<2>(&upright);
+    /// let b = StateSpace::<f64, 2, 1, 2>::of(&model, &upright).b;
     /// assert_eq!(a, Matrix2::new(0.0, 1.0, 9.81 / 0.5, 0.0));
     /// assert_eq!(b, Vector2::new(0.0, 2.0));
     ///
@@ -92,18 +93,4 @@ impl<S: Scalar, const N: usize> LaneSelect<S> for Linearization<S, N> {
             time: self.time.select(other.time, mask),
         }
     }
-}
-
-/// A matrix of which the upper half is zero.
-pub(crate) fn below_zeros<S: Scalar, const D: usize, const N: usize, const U: usize>(
-    lower: &SMatrix<S, N, U>,
-) -> SMatrix<S, D, U> {
-    const {
-        assert!(
-            D == 2 * N,
-            "the input matrix has twice as many rows as there are coordinates: `D` is 2 `N`, as in \
-             `input_matrix::<4>(…)` for two"
-        );
-    }
-    SMatrix::from_fn(|i, j| i.checked_sub(N).map_or(S::zero(), |i| lower[(i, j)]))
 }

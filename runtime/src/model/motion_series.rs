@@ -1,30 +1,29 @@
 //! The Taylor series of motions.
 
-use nalgebra::SVector;
-
 use super::equations_of_motion::EquationsOfMotion;
-use super::inputs::{Inputs, WithInputs};
-use super::lagrangian::Lagrangian;
 use super::owned_equations::OwnedEquations;
 use super::phase::Phase;
+use super::quantities::Quantities;
 use super::state::State;
 use crate::integrate::{BranchVisitor, Series, SwitchingFunction, TaylorCoefficients};
 use crate::scalar::Scalar;
 
 /// A model whose declaration has the clause `taylor`: recurrences for the Taylor coefficients of its motions.
 ///
-/// They solve for the accelerations as [`accelerations`](Lagrangian::accelerations) does where all pivots are positive;
+/// They solve for the accelerations as [`accelerations`](crate::Lagrangian::accelerations) does where all pivots are positive;
 /// where a pivot is 0 there is no series, though M may be regular.
 #[diagnostic::on_unimplemented(
     message = "the Taylor series of the motions of `{Self}` is not known",
     note = "write the clause `taylor` in its declaration, `#[lagrangian(taylor, …)]`, or integrate by `Dop853`"
 )]
-pub trait MotionSeries<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
+pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     /// The Taylor polynomial of the motion through a state, in this unit of time, given the result of
-    /// [`prepare`](Lagrangian::prepare) for the same parameters.
+    /// [`prepare`](Quantities::prepare) for the same parameters, under the inputs u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has
+    /// the coefficients of order 0, 1, …. Those that it does not have are 0: a single one is held.
     fn taylor_series<const HALF: usize>(
         &self,
         state: &State<S, N>,
+        inputs: &[Self::Inputs],
         prepared: &Self::Prepared,
         unit: S,
         coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
@@ -34,82 +33,16 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Lagrangian<N, S> {
     const SWITCHING_FUNCTIONS: &'static [SwitchingFunction] = &[];
 
     /// The Taylor coefficients of each switching function, an argument whose sign distinguishes branches of the equations of
-    /// motion, along a motion through a state ([`Series::branches`]).
+    /// motion, along a motion through a state ([`Series::branches`]) under inputs with these coefficients.
     fn branch_series<const HALF: usize>(
         &self,
         state: &State<S, N>,
+        inputs: &[Self::Inputs],
         unit: S,
         motion: &TaylorCoefficients<Phase<S, N>, HALF>,
         visit: &mut BranchVisitor<'_, S>,
     ) {
-        let _ = (state, unit, motion, visit);
-    }
-}
-
-/// A model with inputs whose declaration has the clause `taylor`: the same recurrences, in which the inputs are functions
-/// of time.
-#[diagnostic::on_unimplemented(
-    message = "the Taylor series of the motions of `{Self}` under inputs is not known",
-    note = "write the clause `taylor` in its declaration, `#[lagrangian(taylor, …)]`, or integrate by `Dop853`"
-)]
-pub trait MotionSeriesWith<const N: usize, const U: usize, S: Scalar = f64>:
-    Inputs<N, U, S> + MotionSeries<N, S>
-{
-    /// The Taylor polynomial of the motion through a state under the inputs u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has
-    /// the coefficients of order 0, 1, …. Those that it does not have are 0: a single one is held.
-    fn taylor_series_with<const HALF: usize>(
-        &self,
-        state: &State<S, N>,
-        inputs: &[SVector<S, U>],
-        prepared: &Self::Prepared,
-        unit: S,
-        coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
-    );
-
-    /// The same as [`branch_series`](MotionSeries::branch_series), under inputs with these coefficients.
-    fn branch_series_with<const HALF: usize>(
-        &self,
-        inputs: &[SVector<S, U>],
-        state: &State<S, N>,
-        unit: S,
-        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
-        visit: &mut BranchVisitor<'_, S>,
-    ) {
-        let _ = (inputs, state, unit, motion, visit);
-    }
-}
-
-/// Under inputs that are held.
-impl<M, S, const N: usize, const U: usize> MotionSeries<N, S> for WithInputs<'_, M, S, U>
-where
-    M: MotionSeriesWith<N, U, S> + ?Sized,
-    S: Scalar,
-{
-    const SWITCHING_FUNCTIONS: &'static [SwitchingFunction] = M::SWITCHING_FUNCTIONS;
-
-    #[inline]
-    fn taylor_series<const HALF: usize>(
-        &self,
-        state: &State<S, N>,
-        prepared: &Self::Prepared,
-        unit: S,
-        coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
-    ) {
-        let held = [self.inputs];
-        self.model
-            .taylor_series_with(state, &held, prepared, unit, coefficients);
-    }
-
-    fn branch_series<const HALF: usize>(
-        &self,
-        state: &State<S, N>,
-        unit: S,
-        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
-        visit: &mut BranchVisitor<'_, S>,
-    ) {
-        let held = [self.inputs];
-        self.model
-            .branch_series_with(&held, state, unit, motion, visit);
+        let _ = (state, inputs, unit, motion, visit);
     }
 }
 
@@ -134,8 +67,9 @@ macro_rules! series_of_the_model {
             unit: S,
             coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
         ) {
+            let inputs = core::slice::from_ref(&self.inputs);
             self.model
-                .taylor_series(&x.at(t), &self.prepared, unit, coefficients);
+                .taylor_series(&x.at(t), inputs, &self.prepared, unit, coefficients);
         }
 
         fn branches<const HALF: usize>(
@@ -146,7 +80,9 @@ macro_rules! series_of_the_model {
             motion: &TaylorCoefficients<Phase<S, N>, HALF>,
             visit: &mut BranchVisitor<'_, S>,
         ) {
-            self.model.branch_series(&x.at(t), unit, motion, visit);
+            let inputs = core::slice::from_ref(&self.inputs);
+            self.model
+                .branch_series(&x.at(t), inputs, unit, motion, visit);
         }
 
         fn switching_function(&self, index: usize) -> SwitchingFunction {

@@ -35,9 +35,9 @@ pub struct Operations {
     pub generalized_forces: OperationCount,
     /// Of `prepare`, which computes the quantities that depend on parameters only.
     pub prepare: OperationCount,
-    /// Of `accelerations_prepared`.
+    /// Of `accelerations`, behind `prepare`.
     pub accelerations: OperationCount,
-    /// Of `inverse_dynamics_prepared`.
+    /// Of `inverse_dynamics`, behind `prepare`.
     pub inverse_dynamics: OperationCount,
     /// Of `linearize`.
     pub linearize: OperationCount,
@@ -79,5 +79,27 @@ impl OperationCount {
             + self.square_roots
             + self.sines_and_cosines
             + self.functions
+    }
+}
+
+/// Additions, multiplications, divisions, square roots, sines and cosines, functions.
+#[doc(hidden)]
+#[must_use]
+pub const fn operation_count(counts: [usize; 6]) -> OperationCount {
+    let [
+        additions,
+        multiplications,
+        divisions,
+        square_roots,
+        sines_and_cosines,
+        functions,
+    ] = counts;
+    OperationCount {
+        additions,
+        multiplications,
+        divisions,
+        square_roots,
+        sines_and_cosines,
+        functions,
     }
 }

@@ -1,13 +1,13 @@
 //! Equations of motion whose model may change.
 
 use super::common_dynamics::{errors_of_the_model, reduced};
-use super::lagrangian::Lagrangian;
 use super::phase::Phase;
+use super::quantities::Quantities;
 use crate::integrate::Dynamics;
 use crate::scalar::Scalar;
 
 /// Lagrange's equations as first-order equations, together with their model, so that a reaction to an event can change
-/// its parameters; made by [`Lagrangian::into_dynamics`].
+/// its parameters; made by [`Lagrangian::into_dynamics`](crate::Lagrangian::into_dynamics).
 ///
 /// A crane drops its load, and the pendulum goes on with less mass and on a shorter rope:
 ///
@@ -36,21 +36,25 @@ use crate::scalar::Scalar;
 #[derive(Debug)]
 pub struct OwnedEquations<M, S, const N: usize>
 where
-    M: Lagrangian<N, S>,
+    M: Quantities<N, S>,
     S: Scalar,
 {
     pub(super) model: M,
+    pub(super) inputs: M::Inputs,
     pub(super) prepared: M::Prepared,
 }
 
 impl<M, S, const N: usize> OwnedEquations<M, S, N>
 where
-    M: Lagrangian<N, S>,
+    M: Quantities<N, S>,
     S: Scalar,
 {
     pub(crate) fn new(model: M) -> Self {
-        let prepared = model.prepare();
-        Self { model, prepared }
+        Self {
+            inputs: model.inputs(),
+            prepared: model.prepare(),
+            model,
+        }
     }
 
     /// The model.
@@ -63,7 +67,7 @@ where
     /// anew, as a [`Problem`](crate::Problem) does behind a reaction by [`then_with`](crate::problem::When::then_with).
     pub fn change<R>(&mut self, change: impl FnOnce(&mut M) -> R) -> R {
         let result = change(&mut self.model);
-        self.prepared = self.model.prepare();
+        (self.inputs, self.prepared) = (self.model.inputs(), self.model.prepare());
         result
     }
 
@@ -76,12 +80,13 @@ where
 
 impl<M, S, const N: usize> Clone for OwnedEquations<M, S, N>
 where
-    M: Lagrangian<N, S> + Clone,
+    M: Quantities<N, S> + Clone,
     S: Scalar,
 {
     fn clone(&self) -> Self {
         Self {
             model: self.model.clone(),
+            inputs: self.inputs.clone(),
             prepared: self.prepared.clone(),
         }
     }
@@ -89,7 +94,7 @@ where
 
 impl<M, S, const N: usize> Dynamics<S> for OwnedEquations<M, S, N>
 where
-    M: Lagrangian<N, S>,
+    M: Quantities<N, S>,
     S: Scalar,
 {
     type State = Phase<S, N>;
@@ -98,7 +103,9 @@ where
     fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
         Phase {
             q: x.v,
-            v: self.model.accelerations_prepared(&x.at(t), &self.prepared),
+            v: self
+                .model
+                .accelerations(&x.at(t), &self.inputs, &self.prepared),
         }
     }
 

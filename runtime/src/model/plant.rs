@@ -17,7 +17,7 @@ use crate::scalar::Scalar;
 /// function of its arguments only; the memory of a controller is a state of its own, which
 /// [`with_controller`](Self::with_controller) integrates. Where a law is discontinuous or not differentiable, the steps
 /// of an adaptive method become short. For a sampled controller with a zero-order hold, integrate from sample to sample
-/// under [`with_inputs`](Inputs::with_inputs).
+/// under [`with_inputs`](crate::Lagrangian::with_inputs).
 ///
 /// The law is evaluated on [`Scalar`](Self::Scalar); on another one,
 /// [`ControlledBy::new`] and [`WithController::new`] take it, with the types of its arguments written.

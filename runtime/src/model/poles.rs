@@ -7,8 +7,8 @@ use core::f64::consts::{FRAC_1_PI, PI};
 
 use nalgebra::SVector;
 
-use super::lagrangian::Lagrangian;
 use super::named_singularity::named;
+use super::quantities::Quantities;
 use super::state::State;
 use crate::integrate::Singularity;
 use crate::scalar::Scalar;
@@ -22,7 +22,7 @@ pub(super) fn at_pole<M, S, const N: usize>(
     read: impl Fn(S) -> f64,
 ) -> Option<Singularity>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     for i in M::POLES {
@@ -44,7 +44,7 @@ pub(super) fn pole_between<M, S, const N: usize>(
     read: impl Fn(S) -> f64,
 ) -> Option<Singularity>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     for i in M::POLES {

@@ -6,6 +6,7 @@ use super::common_dynamics::{allowed_error, component_name, reduced, singulariti
 use super::events::Events;
 use super::motion_series::{MotionSeries, switching_function};
 use super::phase::Phase;
+use super::quantities::Quantities;
 use super::reconstructed_phase::ReconstructedPhase;
 use super::routhian::{Routhian, RouthianSeries};
 use crate::integrate::{
@@ -27,6 +28,7 @@ where
     S: Scalar,
 {
     model: &'a M,
+    inputs: M::Inputs,
     prepared: M::Prepared,
 }
 
@@ -38,6 +40,7 @@ where
     fn clone(&self) -> Self {
         Self {
             model: self.model,
+            inputs: self.inputs.clone(),
             prepared: self.prepared.clone(),
         }
     }
@@ -51,6 +54,7 @@ where
     pub(super) fn new(model: &'a M) -> Self {
         Self {
             model,
+            inputs: Quantities::inputs(model),
             prepared: model.prepare(),
         }
     }
@@ -82,7 +86,7 @@ where
         let state = x.at(t);
         ReconstructedPhase {
             q: x.v,
-            v: self.model.accelerations_prepared(&state, &self.prepared),
+            v: Quantities::accelerations(self.model, &state, &self.inputs, &self.prepared),
             ignorable: self.model.ignorable_velocities(&state),
         }
     }
@@ -126,8 +130,9 @@ where
     ) {
         let state = x.at(t);
         let mut motion = TaylorCoefficients::<Phase<S, N>, HALF>::new(x.phase());
+        let inputs = core::slice::from_ref(&self.inputs);
         self.model
-            .taylor_series(&state, &self.prepared, unit, &mut motion);
+            .taylor_series(&state, inputs, &self.prepared, unit, &mut motion);
         let rates = self.model.ignorable_velocity_series(&state, unit, &motion);
         *coefficients.initial_mut() = joined(*motion.initial(), x.ignorable);
         // ∫ Σ uₖ τᵏ unit dτ = Σ unit uₖ₋₁/k τᵏ.
@@ -150,7 +155,9 @@ where
         visit: &mut BranchVisitor<'_, S>,
     ) {
         let of_phase = motion.map(ReconstructedPhase::phase);
-        self.model.branch_series(&x.at(t), unit, &of_phase, visit);
+        let inputs = core::slice::from_ref(&self.inputs);
+        self.model
+            .branch_series(&x.at(t), inputs, unit, &of_phase, visit);
     }
 
     fn switching_function(&self, index: usize) -> SwitchingFunction {
@@ -172,7 +179,7 @@ where
 
     #[inline]
     fn event_functions(&self, t: S, x: &Self::State) -> M::EventValues {
-        self.model.event_functions(&x.at(t))
+        Events::event_functions(self.model, &x.at(t), &self.inputs)
     }
 
     #[inline]
@@ -183,7 +190,8 @@ where
         unit: S,
         motion: &TaylorCoefficients<Self::State, HALF>,
     ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
-        self.model
-            .event_series(&x.at(t), unit, &motion.map(ReconstructedPhase::phase))
+        let inputs = core::slice::from_ref(&self.inputs);
+        let of_phase = motion.map(ReconstructedPhase::phase);
+        self.model.event_series(&x.at(t), inputs, unit, &of_phase)
     }
 }

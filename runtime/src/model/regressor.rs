@@ -2,8 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::inputs::{Inputs, WithInputs};
-use super::lagrangian::Lagrangian;
+use super::quantities::Quantities;
 use super::state::State;
 use crate::scalar::Scalar;
 
@@ -18,70 +17,29 @@ use crate::scalar::Scalar;
     message = "`{Self}` has no regressor",
     note = "write the clause `regressor`, or `regressor(m, inertia)` with the unknown parameters, in its declaration"
 )]
-pub trait Regressor<const N: usize, const B: usize, S: Scalar = f64>: Lagrangian<N, S> {
+pub trait Regressor<const N: usize, const B: usize, S: Scalar = f64>: Quantities<N, S> {
     /// The base parameters as formulas in the parameters, such as `i₁ + m₂ l²`.
     const BASE_PARAMETERS: [&'static str; B];
 
     /// The unknown parameters on which no equation of motion depends.
     const WITHOUT_EFFECT: &'static [&'static str];
 
-    /// The regressor Y(q, q̇, q̈, t), whose columns belong to the base parameters.
-    fn regressor(&self, state: &State<S, N>, accelerations: &SVector<S, N>) -> SMatrix<S, N, B>;
-
-    /// r = M q̈ − f − Y π, which contains no unknown parameter.
-    fn known_terms(&self, state: &State<S, N>, accelerations: &SVector<S, N>) -> SVector<S, N>;
-
-    /// The base parameters π that the parameters of this model give.
-    fn base_parameters(&self) -> SVector<S, B>;
-}
-
-/// A model with a regressor and inputs: both under inputs that vary in time.
-///
-/// [`WithInputs`](crate::WithInputs) has them under constant inputs.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no regressor",
-    note = "write the clause `regressor`, or `regressor(m, inertia)` with the unknown parameters, in its declaration"
-)]
-pub trait RegressorWith<const N: usize, const U: usize, const B: usize, S: Scalar = f64>:
-    Inputs<N, U, S> + Regressor<N, B, S>
-{
-    /// The regressor Y(q, q̇, q̈, t) under these inputs.
-    fn regressor_with(
+    /// [`Lagrangian::regressor`](crate::Lagrangian::regressor) under these inputs.
+    fn regressor(
         &self,
         state: &State<S, N>,
-        inputs: &SVector<S, U>,
+        inputs: &Self::Inputs,
         accelerations: &SVector<S, N>,
     ) -> SMatrix<S, N, B>;
 
-    /// r = M q̈ − f − Y π under these inputs.
-    fn known_terms_with(
+    /// [`Lagrangian::known_terms`](crate::Lagrangian::known_terms) under these inputs.
+    fn known_terms(
         &self,
         state: &State<S, N>,
-        inputs: &SVector<S, U>,
+        inputs: &Self::Inputs,
         accelerations: &SVector<S, N>,
     ) -> SVector<S, N>;
-}
 
-impl<M, S, const N: usize, const U: usize, const B: usize> Regressor<N, B, S>
-    for WithInputs<'_, M, S, U>
-where
-    M: RegressorWith<N, U, B, S> + ?Sized,
-    S: Scalar,
-{
-    const BASE_PARAMETERS: [&'static str; B] = M::BASE_PARAMETERS;
-    const WITHOUT_EFFECT: &'static [&'static str] = M::WITHOUT_EFFECT;
-
-    fn regressor(&self, state: &State<S, N>, accelerations: &SVector<S, N>) -> SMatrix<S, N, B> {
-        self.model
-            .regressor_with(state, &self.inputs, accelerations)
-    }
-
-    fn known_terms(&self, state: &State<S, N>, accelerations: &SVector<S, N>) -> SVector<S, N> {
-        self.model
-            .known_terms_with(state, &self.inputs, accelerations)
-    }
-
-    fn base_parameters(&self) -> SVector<S, B> {
-        self.model.base_parameters()
-    }
+    /// [`Lagrangian::base_parameters`](crate::Lagrangian::base_parameters).
+    fn base_parameters(&self) -> SVector<S, B>;
 }

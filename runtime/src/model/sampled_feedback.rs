@@ -3,9 +3,9 @@
 use nalgebra::SVector;
 
 use super::common_dynamics::{allowed_error, component_name, reduced, singularities_of_the_model};
-use super::events::{EventsWith, declared_events};
+use super::events::{Events, declared_events};
 use super::inputs::Inputs;
-use super::motion_series::{MotionSeriesWith, switching_function};
+use super::motion_series::{MotionSeries, switching_function};
 use super::phase::Phase;
 use super::sampled_phase::SampledPhase;
 use super::state::State;
@@ -83,7 +83,7 @@ where
             q: x.v,
             v: self
                 .model
-                .accelerations_prepared_with(&x.at(t), &x.inputs, &self.prepared),
+                .accelerations(&x.at(t), &x.inputs, &self.prepared),
         })
     }
 
@@ -129,7 +129,7 @@ where
 impl<M, F, R, S, const N: usize, const U: usize, const J: usize> Series<S>
     for SampledFeedback<'_, M, F, S, N, U, J>
 where
-    M: MotionSeriesWith<N, U, S>,
+    M: Inputs<N, U, S> + MotionSeries<N, S>,
     F: Fn(&State<S, N>, &mut SVector<S, J>) -> R,
     R: IntoVector<S, U>,
     S: SingleNumber,
@@ -144,7 +144,7 @@ where
         let (state, held) = (x.at(t), [x.inputs]);
         let mut motion = TaylorCoefficients::<Phase<S, N>, HALF>::new(x.phase());
         self.model
-            .taylor_series_with(&state, &held, &self.prepared, unit, &mut motion);
+            .taylor_series(&state, &held, &self.prepared, unit, &mut motion);
         *coefficients = motion.map(|term| SampledPhase::moving(*term));
         *coefficients.initial_mut() = *x;
     }
@@ -158,9 +158,9 @@ where
         visit: &mut BranchVisitor<'_, S>,
     ) {
         let held = [x.inputs];
-        self.model.branch_series_with(
-            &held,
+        self.model.branch_series(
             &x.at(t),
+            &held,
             unit,
             &motion.map(SampledPhase::phase),
             visit,
@@ -175,7 +175,7 @@ where
 impl<M, F, R, S, const N: usize, const U: usize, const J: usize> EventDynamics<S>
     for SampledFeedback<'_, M, F, S, N, U, J>
 where
-    M: EventsWith<N, U, S>,
+    M: Inputs<N, U, S> + Events<N, S>,
     F: Fn(&State<S, N>, &mut SVector<S, J>) -> R,
     R: IntoVector<S, U>,
     S: Scalar,
@@ -184,7 +184,7 @@ where
 
     #[inline]
     fn event_functions(&self, t: S, x: &Self::State) -> M::EventValues {
-        self.model.event_functions_with(&x.at(t), &x.inputs)
+        self.model.event_functions(&x.at(t), &x.inputs)
     }
 
     fn event_series<const HALF: usize>(
@@ -196,6 +196,6 @@ where
     ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
         let held = [x.inputs];
         self.model
-            .event_series_with(&held, &x.at(t), unit, &motion.map(SampledPhase::phase))
+            .event_series(&x.at(t), &held, unit, &motion.map(SampledPhase::phase))
     }
 }

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::scalar::Scalar;
 
-/// A function of time s(t) with its Taylor series, such as an input of a model ([`Inputs::driven_by`](crate::Inputs)).
+/// A function of time s(t) with its Taylor series, such as an input of a model ([`Lagrangian::driven_by`](crate::Lagrangian::driven_by)).
 ///
 /// [`Constant`], [`Polynomial`], [`Sinusoid`] and [`Sum`]s of them are signals. Any other is written with the building
 /// blocks of [`recurrences`](crate::recurrences): a chirp a sin(½ r t²) here.

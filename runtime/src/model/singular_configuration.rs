@@ -3,9 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::generalized_coordinates::GeneralizedCoordinates;
-use super::lagrangian::Lagrangian;
 use super::named_singularity::named;
 use super::poles::{at_pole, pole_between};
+use super::quantities::Quantities;
 use super::state::State;
 use crate::integrate::Singularity;
 use crate::limits::{REFERENCE_OFFSETS, VANISHING_INERTIA};
@@ -20,7 +20,7 @@ pub(crate) fn singularity<M, S, const N: usize>(
     min_pivot: f64,
 ) -> Option<Singularity>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let pivots = model.relative_pivots(state);
@@ -31,7 +31,8 @@ where
         at_pole::<M, S, N>(state, min_pivot, Scalar::smallest)
     } else {
         let found = report::<M, S, N>(&pivots, state);
-        let is_outside = model.lagrangian(state).smallest().is_nan();
+        let value = model.lagrangian(state, &model.inputs());
+        let is_outside = value.smallest().is_nan();
         Some(if is_outside {
             found.outside_domain()
         } else {
@@ -48,7 +49,7 @@ pub(crate) fn singularity_in_motion<M, S, const N: usize>(
     min_pivot: f64,
 ) -> Option<Singularity>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     if M::STAYS_REGULAR {
@@ -66,7 +67,7 @@ pub(crate) fn singularity_between<M, S, const N: usize>(
     after: &State<S, N>,
 ) -> Option<Singularity>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     pole_between::<M, S, N>(before, after, |value| match lane {
@@ -83,7 +84,7 @@ pub(super) fn singularity_in_lane<M, S, const N: usize>(
     min_pivot: f64,
 ) -> Option<Singularity>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let pivots = model.relative_pivots(state);
@@ -123,7 +124,7 @@ pub(crate) fn vanishing_inertia<M, S, const N: usize>(
     state: &State<S, N>,
 ) -> Option<Singularity>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let (coordinate, ratio) = least_inertia(model, state, Scalar::smallest)?;
@@ -138,7 +139,7 @@ pub(super) fn vanishing_inertia_in_lane<M, S, const N: usize>(
     state: &State<S, N>,
 ) -> Option<Singularity>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let (coordinate, ratio) = least_inertia(model, state, |inertia| inertia.in_lane(lane))?;
@@ -152,7 +153,7 @@ fn least_inertia<M, S, const N: usize>(
     read: impl Fn(S) -> f64,
 ) -> Option<(usize, f64)>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let here = inertias(model, state);
@@ -185,7 +186,7 @@ fn in_lane<S: Scalar, const N: usize>(lane: usize, state: &State<S, N>) -> State
 /// The magnitude of the effective inertia of each coordinate, with the others free: 1 / (M⁻¹)ᵢᵢ.
 fn inertias<M, S, const N: usize>(model: &M, state: &State<S, N>) -> SVector<S, N>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let unit = SMatrix::<S, N, N>::from_fn(|i, j| if i == j { S::one() } else { S::zero() });

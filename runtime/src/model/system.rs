@@ -4,6 +4,7 @@ use super::equations_of_motion::EquationsOfMotion;
 use super::lagrangian::Lagrangian;
 use super::owned_equations::OwnedEquations;
 use super::phase::Phase;
+use super::quantities::Quantities;
 use crate::integrate::System;
 use crate::scalar::Scalar;
 
@@ -20,7 +21,7 @@ where
     M: Lagrangian<N, S>,
     S: Scalar,
 {
-    type Dynamics = EquationsOfMotion<'a, M, S, N>;
+    type Dynamics = EquationsOfMotion<'a, M::Model, S, N>;
     type State = Phase<S, N>;
 
     fn into_dynamics(self) -> Self::Dynamics {
@@ -30,13 +31,13 @@ where
 
 impl<M, S, const N: usize> System<ByOwnedModel<N>, S> for M
 where
-    M: Lagrangian<N, S>,
+    M: Quantities<N, S>,
     S: Scalar,
 {
     type Dynamics = OwnedEquations<M, S, N>;
     type State = Phase<S, N>;
 
     fn into_dynamics(self) -> Self::Dynamics {
-        Lagrangian::into_dynamics(self)
+        OwnedEquations::new(self)
     }
 }

@@ -1,23 +1,17 @@
-//! What the compiler says of a method or a constant whose clause a declaration does not have.
+//! What the compiler says of a constant, or of a method of a trait of its own, whose clause a declaration does not have.
 //!
-//! Where a method's trait is not implemented, the compiler does not read the trait's `on_unimplemented`: that speaks of
-//! unmet bounds alone. Each such item therefore has a namesake in a trait that is implemented for every type under a bound
+//! Where the trait of an item is not implemented, the compiler does not read the trait's `on_unimplemented`: that speaks of
+//! unmet bounds alone, such as those of the methods of `Lagrangian`. Each other item therefore has a namesake in a trait that is implemented for every type under a bound
 //! that none meets. The compiler passes the namesake over, and reports the bound where it finds nothing else. Namesakes take
 //! `&mut self`, which the compiler tries last, and are never called. The prelude imports their traits without names.
 //!
-//! `reduce` and `power` have none: the types of other crates have methods of these names.
+//! `reduce` has none: the types of other crates have methods of that name.
 
 /// What a model with a field `#[lagrangian(input)]` has.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no inputs: mark the fields that a control law or a signal sets `#[lagrangian(input)]`"
 )]
 pub trait DeclaresInputs {}
-
-/// What a model with the clause `output` has.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no outputs: write the clause `output(name = expression)` in its declaration"
-)]
-pub trait DeclaresOutputs {}
 
 /// What a model with the clause `event` has.
 #[diagnostic::on_unimplemented(
@@ -38,25 +32,6 @@ pub trait DeclaresRegressor {}
                some parameters, in its declaration"
 )]
 pub trait DeclaresSensitivities {}
-
-/// What a model with the clause `hamiltonian` has.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no Hamiltonian form: write the clause `hamiltonian` in its declaration"
-)]
-pub trait DeclaresHamiltonian {}
-
-/// What a model with the clause `energy_balance` has.
-#[diagnostic::on_unimplemented(
-    message = "the rate of the energy of `{Self}` is not known: write the clause `energy_balance` in its declaration"
-)]
-pub trait DeclaresEnergyBalance {}
-
-/// What a model with `kinetic` in place of `lagrangian` has.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no kinetic and potential energy apart: declare `kinetic = …` and `potential = …` in place of \
-               `lagrangian = …`"
-)]
-pub trait DeclaresEnergies {}
 
 /// What the reduced model of a clause `routhian` has.
 #[diagnostic::on_unimplemented(
@@ -92,29 +67,12 @@ macro_rules! namesakes {
 
 namesakes! {
     OfInputs: DeclaresInputs {
-        fn controlled_by, with_controller, with_inputs, driven_by, inputs, lagrangian_with, energy_with, forcing_with,
-            generalized_forces_with, accelerations_with, inverse_dynamics_with, linearize_with, input_jacobian,
-            input_jacobian_with, input_matrix, input_matrix_with;
+        fn controlled_by, with_controller;
         const INPUTS;
     }
-    OfOutputs: DeclaresOutputs { fn outputs, outputs_with; }
-    OfEvents: DeclaresEvents {
-        fn event_functions, event_functions_with;
-        const EVENTS;
-    }
-    OfRegressor: DeclaresRegressor {
-        fn regressor, regressor_with, known_terms, known_terms_with, base_parameters;
-        const BASE_PARAMETERS, WITHOUT_EFFECT;
-    }
-    OfSensitivities: DeclaresSensitivities {
-        fn sensitivities, sensitivities_with;
-        const PARAMETERS;
-    }
-    OfHamiltonian: DeclaresHamiltonian {
-        fn momentum_rates, momentum_rates_with, velocities, hamiltonian, canonical_equations;
-    }
-    OfEnergyBalance: DeclaresEnergyBalance { fn energy_rate, energy_rate_with; }
-    OfEnergies: DeclaresEnergies { fn kinetic_energy, potential_energy; }
+    OfEvents: DeclaresEvents { const EVENTS; }
+    OfRegressor: DeclaresRegressor { const BASE_PARAMETERS, WITHOUT_EFFECT; }
+    OfSensitivities: DeclaresSensitivities { const PARAMETERS; }
     OfReducedModels: IsReduced {
         fn routhian, effective_potential, ignorable_velocities, full_state, reconstruction;
         const ELIMINATED;

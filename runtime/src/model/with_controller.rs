@@ -92,11 +92,9 @@ where
         let (inputs, controller) = (self.law)(&state, &x.controller);
         AugmentedPhase {
             q: x.v,
-            v: self.model.accelerations_prepared_with(
-                &state,
-                &inputs.into_vector(),
-                &self.prepared,
-            ),
+            v: self
+                .model
+                .accelerations(&state, &inputs.into_vector(), &self.prepared),
             controller: controller.into_vector(),
         }
     }

@@ -2,86 +2,23 @@
 
 use core::cell::Cell;
 
-use crate::common::{Written, assert_close};
-use crate::written_model;
+use crate::common::assert_close;
 use lagrangian::prelude::*;
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 /// A mass on a spring under a force: m ẍ = u − k x.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Lagrangian)]
+#[lagrangian(
+    coordinates(x),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    potential = 0.5 * k * x.powi(2),
+    force(x = force)
+)]
 struct Spring {
     m: f64,
     k: f64,
+    #[lagrangian(input)]
     force: f64,
-}
-
-impl GeneralizedCoordinates<1> for Spring {
-    const COORDINATES: [&'static str; 1] = ["x"];
-}
-
-impl<S: Scalar> Written<1, S> for Spring {
-    fn energy(&self, state: &State<S, 1>) -> S {
-        let half = S::from_f64(0.5);
-        half * S::from_f64(self.m) * state.v[0] * state.v[0]
-            + half * S::from_f64(self.k) * state.q[0] * state.q[0]
-    }
-    fn mass_matrix(&self, _: &State<S, 1>) -> SMatrix<S, 1, 1> {
-        SMatrix::from([[S::from_f64(self.m)]])
-    }
-    fn forcing(&self, state: &State<S, 1>) -> SVector<S, 1> {
-        SVector::from([S::from_f64(self.force) - S::from_f64(self.k) * state.q[0]])
-    }
-}
-
-written_model!(Spring, 1);
-
-impl Inputs<1, 1> for Spring {
-    const INPUTS: [&'static str; 1] = ["force"];
-
-    fn inputs(&self) -> SVector<f64, 1> {
-        SVector::from([self.force])
-    }
-    fn lagrangian_with(&self, state: &State<f64, 1>, _: &SVector<f64, 1>) -> f64 {
-        self.lagrangian(state)
-    }
-    fn energy_with(&self, state: &State<f64, 1>, _: &SVector<f64, 1>) -> f64 {
-        Lagrangian::energy(self, state)
-    }
-    fn forcing_with(&self, state: &State<f64, 1>, inputs: &SVector<f64, 1>) -> SVector<f64, 1> {
-        inputs - SVector::from([self.k * state.q[0]])
-    }
-    fn generalized_forces_with(
-        &self,
-        _: &State<f64, 1>,
-        inputs: &SVector<f64, 1>,
-    ) -> SVector<f64, 1> {
-        *inputs
-    }
-    fn accelerations_with(
-        &self,
-        state: &State<f64, 1>,
-        inputs: &SVector<f64, 1>,
-    ) -> SVector<f64, 1> {
-        self.forcing_with(state, inputs) / self.m
-    }
-    fn inverse_dynamics_with(
-        &self,
-        state: &State<f64, 1>,
-        inputs: &SVector<f64, 1>,
-        accelerations: &SVector<f64, 1>,
-    ) -> SVector<f64, 1> {
-        accelerations * self.m - self.forcing_with(state, inputs)
-    }
-    fn linearize_with(&self, _: &State<f64, 1>, _: &SVector<f64, 1>) -> Linearization<f64, 1> {
-        unimplemented!("no test of the integrators needs it")
-    }
-    fn input_jacobian_with(&self, _: &State<f64, 1>, _: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
-        SMatrix::from([[1.0 / self.m]])
-    }
-}
-
-impl Plant<1, 1> for Spring {
-    type Scalar = f64;
 }
 
 /// The same spring with the force sin(3 t) in the model.
@@ -92,7 +29,10 @@ impl Dynamics for Forced {
 
     fn derivative(&self, t: f64, x: &Phase<f64, 1>) -> Phase<f64, 1> {
         let inputs = SVector::from([(3.0 * t).sin()]);
-        Phase::new(x.v, self.0.accelerations_with(&At::from((t, *x)), &inputs))
+        Phase::new(
+            x.v,
+            self.0.with_inputs(inputs).accelerations(&At::from((t, *x))),
+        )
     }
 }
 

@@ -1,6 +1,7 @@
 //! Velocities that have given momenta, for convex Lagrangians whose mass matrix vanishes or is infinite at rest.
 
 use lagrangian::prelude::*;
+use lagrangian::quantities::Hamiltonian;
 use lagrangian::{CanonicalPhase, DoubleDouble, Dual, Lanes, NoVelocities};
 
 /// Declares L(q̇) in one coordinate.
@@ -39,7 +40,12 @@ line!(
 );
 line!(Third, dot(x).powi(3) - 0.5 * x.powi(2));
 
-fn round_trip<M: Hamiltonian<1>>(name: &str, model: &M, velocities: &[f64], tolerance: f64) {
+fn round_trip<M: Lagrangian<1, Model: Hamiltonian<1>>>(
+    name: &str,
+    model: &M,
+    velocities: &[f64],
+    tolerance: f64,
+) {
     for v in velocities {
         let state = State::new(0.0, [0.1], [*v]);
         let phase = model.canonical_equations().canonical(&state).x;

@@ -1,6 +1,7 @@
 //! A and B of the first-order system ẋ = A x + B u, against a closed form and against differences.
 
 use lagrangian::DoubleDouble;
+use lagrangian::analysis::StateSpace;
 use lagrangian::prelude::*;
 use nalgebra::Matrix4;
 
@@ -64,7 +65,7 @@ fn about_the_upright_pole_they_are_those_of_the_textbook() {
     let upright = State::new(0.0, [2.0, 0.0], [0.0, 0.0]);
     let model = model::<f64>();
     let rest = SVector::zeros();
-    let a: Matrix4<f64> = model.linearize_with(&upright, &rest).state_matrix();
+    let a: Matrix4<f64> = model.with_inputs(rest).linearize(&upright).state_matrix();
     #[rustfmt::skip]
     let expected = Matrix4::new(
         0.0, 0.0, 1.0, 0.0,
@@ -73,7 +74,7 @@ fn about_the_upright_pole_they_are_those_of_the_textbook() {
         0.0, (cart + pole) * g / (cart * l), drag / (cart * l), 0.0,
     );
     assert_close(a.as_slice(), expected.as_slice(), 1e-14);
-    let b = model.input_matrix_with::<4>(&upright, &rest);
+    let b = StateSpace::<f64, 4, 2, 4>::of(&model.with_inputs(rest), &upright).b;
     let turned = (1.0 / cart + 1.0 / pole) / (l * l);
     let expected = [
         [0.0, 0.0, 1.0 / cart, -1.0 / (cart * l)],
@@ -112,7 +113,7 @@ fn they_are_the_derivatives_of_the_dynamics() {
         assert_close(a.column(j).as_slice(), &slope(at(h), at(-h)), 1e-13);
     }
 
-    let b = model::<f64>().input_matrix::<4>(&state);
+    let b = StateSpace::<f64, 4, 2, 4>::of(&model::<f64>(), &state).b;
     for j in 0..2 {
         let at = |step: DoubleDouble| {
             let mut inputs = fine.inputs();
@@ -133,6 +134,6 @@ fn inputs_are_read_by_their_constants() {
     assert_eq!(Model::INPUTS, ["push", "torque"]);
     assert_eq!((Model::PUSH, Model::TORQUE), (0, 1));
     let upright = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
-    let b = model::<f64>().input_matrix::<4>(&upright);
+    let b = StateSpace::<f64, 4, 2, 4>::of(&model::<f64>(), &upright).b;
     assert_close(&[b[(2 + Model::X, Model::PUSH)]], &[1.0 / 1.25], 1e-15);
 }

@@ -34,19 +34,30 @@ pub trait Written<const N: usize, S: Scalar> {
     fn forcing(&self, state: &State<S, N>) -> SVector<S, N>;
 }
 
-/// Implements `Lagrangian` for a [`Written`] model whose L is quadratic in the velocities.
+/// Implements `Lagrangian` for a [`Written`] model without inputs whose L is quadratic in the velocities.
 #[macro_export]
 macro_rules! written_model {
     ($model:ty, $n:literal) => {
         impl<S: Scalar> Lagrangian<$n, S> for $model {
+            type Model = Self;
+            fn model(&self) -> &Self {
+                self
+            }
+        }
+
+        impl<S: Scalar> lagrangian::quantities::Quantities<$n, S> for $model {
+            type Inputs = SVector<S, 0>;
             type Prepared = ();
+            fn inputs(&self) -> SVector<S, 0> {
+                SVector::zeros()
+            }
             fn prepare(&self) {}
-            fn lagrangian(&self, state: &State<S, $n>) -> S {
+            fn lagrangian(&self, state: &State<S, $n>, _: &SVector<S, 0>) -> S {
                 // h = T + V and L = T − V.
                 $crate::common::dot(&Lagrangian::momenta(self, state), &state.v)
-                    - Lagrangian::energy(self, state)
+                    - Written::energy(self, state)
             }
-            fn energy(&self, state: &State<S, $n>) -> S {
+            fn energy(&self, state: &State<S, $n>, _: &SVector<S, 0>) -> S {
                 Written::energy(self, state)
             }
             fn momenta(&self, state: &State<S, $n>) -> SVector<S, $n> {
@@ -55,25 +66,32 @@ macro_rules! written_model {
             fn mass_matrix(&self, state: &State<S, $n>) -> SMatrix<S, $n, $n> {
                 Written::mass_matrix(self, state)
             }
-            fn forcing(&self, state: &State<S, $n>) -> SVector<S, $n> {
+            fn forcing(&self, state: &State<S, $n>, _: &SVector<S, 0>) -> SVector<S, $n> {
                 Written::forcing(self, state)
             }
-            fn generalized_forces(&self, _: &State<S, $n>) -> SVector<S, $n> {
+            fn generalized_forces(&self, _: &State<S, $n>, _: &SVector<S, 0>) -> SVector<S, $n> {
                 SVector::zeros()
             }
-            fn accelerations(&self, state: &State<S, $n>) -> SVector<S, $n> {
+            fn accelerations(
+                &self,
+                state: &State<S, $n>,
+                _: &SVector<S, 0>,
+                (): &(),
+            ) -> SVector<S, $n> {
                 let mass = Written::mass_matrix(self, state);
                 lagrangian::Factorization::new(mass).solve(&Written::forcing(self, state))
             }
             fn inverse_dynamics(
                 &self,
                 state: &State<S, $n>,
+                _: &SVector<S, 0>,
                 accelerations: &SVector<S, $n>,
+                (): &(),
             ) -> SVector<S, $n> {
                 $crate::common::apply(&Written::mass_matrix(self, state), accelerations)
                     - Written::forcing(self, state)
             }
-            fn linearize(&self, _: &State<S, $n>) -> Linearization<S, $n> {
+            fn linearize(&self, _: &State<S, $n>, _: &SVector<S, 0>) -> Linearization<S, $n> {
                 unimplemented!("no test of the integrators needs it")
             }
         }

@@ -1,8 +1,8 @@
 //! Everything that a model evaluates, by the names that the data have for it.
 
+use lagrangian::quantities::{Energies, Inputs};
 use lagrangian::{
-    Dop853, Energies, Inputs, Lagrangian, Problem, ReconstructedPhase, RouthReduction, Routhian,
-    State, StopReason,
+    Dop853, Lagrangian, Problem, ReconstructedPhase, RouthReduction, Routhian, State, StopReason,
 };
 use nalgebra::{SMatrix, SVector};
 
@@ -22,7 +22,7 @@ pub type Evaluate = fn(&At) -> Vec<Found>;
 pub fn motion<M: Lagrangian<N>, const N: usize>(model: &M, at: &At) -> Vec<Found> {
     let state = at.state::<N>();
     let linearization = model.linearize(&state);
-    let prepared = model.prepare();
+    let equations = model.dynamics();
     let trial = SVector::<f64, N>::from(at.trial::<N>());
     vec![
         ("L", Ok(vec![model.lagrangian(&state)])),
@@ -32,10 +32,7 @@ pub fn motion<M: Lagrangian<N>, const N: usize>(model: &M, at: &At) -> Vec<Found
         ("f", Ok(rows(&model.forcing(&state)))),
         ("Q", Ok(rows(&model.generalized_forces(&state)))),
         ("qdd", Ok(rows(&model.accelerations(&state)))),
-        (
-            "qdd",
-            Ok(rows(&model.accelerations_prepared(&state, &prepared))),
-        ),
+        ("qdd", Ok(rows(&equations.accelerations(&state)))),
         ("inverse", Ok(rows(&model.inverse_dynamics(&state, &trial)))),
         ("dqdd_dq", Ok(rows(&linearization.position))),
         ("dqdd_dqd", Ok(rows(&linearization.velocity))),
@@ -45,7 +42,10 @@ pub fn motion<M: Lagrangian<N>, const N: usize>(model: &M, at: &At) -> Vec<Found
 
 /// What a model has that is declared by its energies.
 #[must_use]
-pub fn energies<M: Energies<N>, const N: usize>(model: &M, at: &At) -> Vec<Found> {
+pub fn energies<M: Lagrangian<N, Model: Energies<N>>, const N: usize>(
+    model: &M,
+    at: &At,
+) -> Vec<Found> {
     let state = at.state::<N>();
     vec![
         ("T", Ok(vec![model.kinetic_energy(&state)])),
@@ -55,7 +55,10 @@ pub fn energies<M: Energies<N>, const N: usize>(model: &M, at: &At) -> Vec<Found
 
 /// What a model with inputs has besides.
 #[must_use]
-pub fn driven<M: Inputs<N, U>, const N: usize, const U: usize>(model: &M, at: &At) -> Vec<Found> {
+pub fn driven<M: Lagrangian<N, Model: Inputs<N, U>>, const N: usize, const U: usize>(
+    model: &M,
+    at: &At,
+) -> Vec<Found> {
     let jacobian = model.input_jacobian(&at.state::<N>());
     vec![("dqdd_du", Ok(rows(&jacobian)))]
 }

@@ -2,10 +2,10 @@
 
 use std::fmt;
 
+use lagrangian::quantities::{Events, MotionSeries, RouthianSeries};
 use lagrangian::{
-    Dop853, EventDynamics, Events, IntegrationError, Integrator, MotionSeries, Occurrence, Partial,
-    Phase, Problem, ReconstructedPhase, RouthReduction, Routhian, RouthianSeries, Solution, State,
-    StopReason, Taylor,
+    Dop853, EventDynamics, IntegrationError, Integrator, Lagrangian, Occurrence, Partial, Phase,
+    Problem, ReconstructedPhase, RouthReduction, Routhian, Solution, State, StopReason, Taylor,
 };
 use nalgebra::SVector;
 
@@ -33,7 +33,7 @@ macro_rules! ends_by {
         #[must_use]
         pub fn $name<M, const N: usize>(model: &M, at: &At) -> Vec<Found>
         where
-            M: MotionSeries<N>,
+            M: Lagrangian<N, Model: MotionSeries<N>>,
         {
             let name = stringify!($name);
             if !at.asks_for(name) {
@@ -51,7 +51,9 @@ macro_rules! ends_by {
 
 /// What a motion ends at. Each method is a function of its own, so that a model has to be compiled for those alone that it is asked for.
 pub mod ends {
-    use super::{At, Found, MAX_STEPS, MotionSeries, Problem, Taylor, completed, state_or_slide};
+    use super::{
+        At, Found, Lagrangian, MAX_STEPS, MotionSeries, Problem, Taylor, completed, state_or_slide,
+    };
 
     ends_by! {
         taylor = Taylor::new();
@@ -114,7 +116,7 @@ macro_rules! reduced_ends_by {
             at: &At,
         ) -> Vec<Found>
         where
-            M: MotionSeries<N> + Events<N> + RouthReduction<N, R, Scalar = f64>,
+            M: Lagrangian<N, Model: MotionSeries<N> + Events<N>> + RouthReduction<N, R, Scalar = f64>,
             M::Reduced: MotionSeries<R> + Events<R> + RouthianSeries<R, K, FullState = State<f64, N>>,
         {
             let names: [&'static str; 4] = $names;
@@ -141,7 +143,7 @@ macro_rules! reduced_ends_by {
 /// What motions of a model with ignorable coordinates end at, by one of the methods.
 pub mod reduced_ends {
     use super::{
-        At, Events, Found, MotionSeries, Problem, ReconstructedPhase, RouthReduction,
+        At, Events, Found, Lagrangian, MotionSeries, Problem, ReconstructedPhase, RouthReduction,
         Routhian as _, RouthianSeries, SVector, State, Taylor, beside, flat, named, with_events,
     };
 
@@ -203,7 +205,8 @@ pub(crate) fn list(events: &[(usize, f64)]) -> Vec<f64> {
 #[must_use]
 pub fn lanes<M, const N: usize>(model: &M, at: &At) -> Vec<Found>
 where
-    M: MotionSeries<N> + MotionSeries<N, lagrangian::Lanes<4>>,
+    M: Lagrangian<N, Model: MotionSeries<N>>
+        + Lagrangian<N, lagrangian::Lanes<4>, Model: MotionSeries<N, lagrangian::Lanes<4>>>,
 {
     let starts = at.starts::<N>();
     let lanes = <M as lagrangian::Lagrangian<N, lagrangian::Lanes<4>>>::dynamics(model);

@@ -3,9 +3,10 @@
 use core::cell::RefCell;
 
 use lagrangian::problem::{End, Watched};
+use lagrangian::quantities::{Events, MotionSeries};
 use lagrangian::{
-    Dynamics, Events, MotionSeries, ObservationKind, Partial, Phase, Problem, Progress, Resume,
-    RungeKutta, Solution, State, StopReason, Taylor,
+    Dynamics, Lagrangian, ObservationKind, Partial, Phase, Problem, Progress, Resume, RungeKutta,
+    Solution, State, StopReason, Taylor,
 };
 
 use crate::At;
@@ -55,7 +56,7 @@ macro_rules! splits_by {
         #[must_use]
         pub fn $name<M, const N: usize>(model: &M, at: &At) -> Vec<Found>
         where
-            M: MotionSeries<N> + Events<N>,
+            M: Lagrangian<N, Model: MotionSeries<N> + Events<N>>,
         {
             let run = at.run();
             if run.name() != stringify!($name) {

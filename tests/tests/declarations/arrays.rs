@@ -359,7 +359,10 @@ fn inputs_are_vectors_too() {
         Craft::INPUTS,
         ["thrust[0]", "thrust[1]", "thrust[2]", "spin"]
     );
-    assert_eq!(<Craft as Inputs<4, 4>>::INPUTS, Craft::INPUTS);
+    assert_eq!(
+        <Craft as lagrangian::quantities::Inputs<4, 4>>::INPUTS,
+        Craft::INPUTS
+    );
     assert_eq!((Craft::THRUST, Craft::SPIN), ([0, 1, 2], 3));
     let state = State::new(0.0, [0.0; 4], [1.0, 0.0, 0.0, 0.0]);
     assert_eq!(

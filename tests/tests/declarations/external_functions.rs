@@ -32,7 +32,7 @@ fn computed<const N: usize>(
     values.extend(&model.forcing(state));
     values.extend(&model.generalized_forces(state));
     values.extend(&model.accelerations(state));
-    values.extend(&model.accelerations_prepared(state, &model.prepare()));
+    values.extend(&model.dynamics().accelerations(state));
     values.extend(&model.inverse_dynamics(state, accelerations));
     values.extend(&linearization.position);
     values.extend(&linearization.velocity);
@@ -133,7 +133,10 @@ fn a_model_may_be_on_one_scalar_alone() {
         motor.linearize(&state).velocity[0],
         -0.5 * 4.0 * 12.0 / 25.0,
     );
-    close(motor.input_jacobian_with(&state, &motor.inputs())[0], 0.1);
+    close(
+        motor.with_inputs(motor.inputs()).input_jacobian(&state)[0],
+        0.1,
+    );
     let MotorOutputs { power, turned } = motor.outputs(&state);
     close(power, 4.8);
     close(turned[0], 0.5_f32.cos());

@@ -32,5 +32,8 @@ fn outputs_follow_the_inputs_that_act() {
         power: 12.0,
     };
     assert_eq!(cart.with_inputs([3.0]).outputs(&state), pushed);
-    assert_eq!(cart.outputs_with(&state, &SVector::from([3.0])), pushed);
+    assert_eq!(
+        cart.with_inputs(SVector::from([3.0])).outputs(&state),
+        pushed
+    );
 }

@@ -12,6 +12,7 @@
 )]
 
 use lagrangian::prelude::*;
+use lagrangian::quantities::Energies;
 
 /// The declarations, expanded by the derive.
 mod derived {
@@ -93,7 +94,10 @@ mod by_columns {
 }
 
 /// All that a model computes at a state.
-fn numbers<const N: usize>(model: &impl Energies<N>, state: &State<f64, N>) -> Vec<f64> {
+fn numbers<const N: usize>(
+    model: &impl Lagrangian<N, Model: Energies<N>>,
+    state: &State<f64, N>,
+) -> Vec<f64> {
     let accelerations = model.accelerations(state);
     let linearization = model.linearize(state);
     let mut numbers = vec![
@@ -242,15 +246,15 @@ fn the_committed_pendulum_computes_what_the_derived_one_does() {
     assert_same(&numbers(&derived, &state), &numbers(&committed, &state));
     macro_rules! driven {
         ($model:expr) => {{
-            let (model, inputs) = (&$model, [0.7].into());
+            let (model, inputs) = (&$model, [0.7]);
             let outputs = model.outputs(&state);
             [
                 outputs.height,
                 outputs.acceleration,
-                model.accelerations_with(&state, &inputs)[0],
+                model.with_inputs(inputs).accelerations(&state)[0],
                 model.inputs()[0],
                 model.input_jacobian(&state)[0],
-                model.linearize_with(&state, &inputs).position[0],
+                model.with_inputs(inputs).linearize(&state).position[0],
             ]
         }};
     }
@@ -308,13 +312,24 @@ fn matrices_are_the_same_column_by_column() {
     let state = State::new(0.0, [0.5], [-0.4]);
     let (found, expected) = (pendulum!(by_columns), pendulum!(derived));
     assert_near(&numbers(&found, &state), &numbers(&expected, &state));
-    let inputs = [0.7].into();
+    let inputs = [0.7];
     assert_near(
-        found.input_jacobian_with(&state, &inputs).as_slice(),
-        expected.input_jacobian_with(&state, &inputs).as_slice(),
+        found.with_inputs(inputs).input_jacobian(&state).as_slice(),
+        expected
+            .with_inputs(inputs)
+            .input_jacobian(&state)
+            .as_slice(),
     );
     assert_near(
-        found.linearize_with(&state, &inputs).position.as_slice(),
-        expected.linearize_with(&state, &inputs).position.as_slice(),
+        found
+            .with_inputs(inputs)
+            .linearize(&state)
+            .position
+            .as_slice(),
+        expected
+            .with_inputs(inputs)
+            .linearize(&state)
+            .position
+            .as_slice(),
     );
 }

@@ -56,8 +56,8 @@ mod user {
     use super::facade::mechanics::prelude::*;
     #[allow(unused_imports)]
     use super::facade::mechanics::{
-        Energies, Factorization, GeneralizedCoordinates, Inputs, Linearization, OperationCount,
-        Operations, Outputs, OutputsWith, Scalar, State,
+        Factorization, GeneralizedCoordinates, Linearization, OperationCount, Operations, Scalar,
+        State, quantities,
     };
 
     /// A double pendulum with a motor, by whose declaration everything is emitted that there is.

@@ -23,6 +23,7 @@
 use core::fmt::Debug;
 
 use lagrangian::prelude::*;
+use lagrangian::quantities;
 use lagrangian_tests::assert_close;
 
 /// Everything that is emitted for a model, on one struct: energies, an input, outputs, preparation, and
@@ -101,18 +102,17 @@ const DRIVEN: Driven = Driven {
 /// All that a model with outputs and an input gives at a state.
 fn numbers<M>(model: &M, observe: impl Fn(&M, &State<f64, 2>) -> [f64; 6]) -> Vec<f64>
 where
-    M: Energies<2> + Inputs<2, 1>,
+    M: Lagrangian<2, Model: quantities::Energies<2> + quantities::Inputs<2, 1>>,
 {
     let state = State::new(0.7, [0.4, -0.9], [1.3, 0.6]);
     let inputs = SVector::from([0.1]);
     let linearization = model.linearize(&state);
-    let prepared = model.prepare();
     let mut numbers = vec![
         model.lagrangian(&state),
         model.energy(&state),
         model.kinetic_energy(&state),
         model.potential_energy(&state),
-        model.lagrangian_with(&state, &inputs),
+        model.with_inputs(inputs).lagrangian(&state),
         model.inputs()[0],
     ];
     for vector in [
@@ -120,8 +120,8 @@ where
         model.forcing(&state),
         model.generalized_forces(&state),
         model.accelerations(&state),
-        model.accelerations_prepared(&state, &prepared),
-        model.accelerations_with(&state, &inputs),
+        model.dynamics().accelerations(&state),
+        model.with_inputs(inputs).accelerations(&state),
         model.inverse_dynamics(&state, &SVector::from([0.2, 0.3])),
         model.relative_pivots(&state),
         model.input_jacobian(&state),
@@ -144,11 +144,17 @@ where
 fn parameters_of_a_scalar_give_what_plain_numbers_give() {
     let inputs = SVector::from([0.1]);
     let driven = numbers(&DRIVEN, |model, state| {
-        let (held, under) = (model.outputs(state), model.outputs_with(state, &inputs));
+        let (held, under) = (
+            model.outputs(state),
+            model.with_inputs(inputs).outputs(state),
+        );
         [held.x, held.y, held.sensed, under.x, under.y, under.sensed]
     });
     let plain = numbers(&PLAIN, |model, state| {
-        let (held, under) = (model.outputs(state), model.outputs_with(state, &inputs));
+        let (held, under) = (
+            model.outputs(state),
+            model.with_inputs(inputs).outputs(state),
+        );
         [held.x, held.y, held.sensed, under.x, under.y, under.sensed]
     });
     for (driven, plain) in driven.iter().zip(&plain) {
@@ -168,8 +174,8 @@ fn what_is_known_of_the_model_is_known_for_every_scalar() {
         <Plain as GeneralizedCoordinates<2>>::ANGLES
     );
     assert_eq!(
-        <Driven<f32> as Inputs<2, 1, f32>>::INPUTS,
-        <Plain as Inputs<2, 1>>::INPUTS
+        <Driven<f32> as quantities::Inputs<2, 1, f32>>::INPUTS,
+        <Plain as quantities::Inputs<2, 1>>::INPUTS
     );
     assert_eq!(<Driven>::INPUTS, Plain::INPUTS);
     assert_eq!((<Driven>::TORQUE, Plain::TORQUE), (0, 0));

@@ -3,6 +3,7 @@
 #![allow(clippy::float_cmp)] // Parameters are returned as they are.
 
 use lagrangian::prelude::*;
+use lagrangian::quantities;
 
 /// Two carriages on a rail: one is pushed, the other floats. The energy at the height of the rail moves nothing.
 #[derive(Lagrangian)]
@@ -43,7 +44,7 @@ fn constants_are_those_of_the_type() {
     assert_eq!(Carriage::ELIMINATED, ["y"]);
     // The traits have the same.
     assert_eq!(
-        <Carriages as Regressor<2, 3, f32>>::WITHOUT_EFFECT,
+        <Carriages as quantities::Regressor<2, 3, f32>>::WITHOUT_EFFECT,
         Carriages::WITHOUT_EFFECT
     );
     assert_eq!(
@@ -67,6 +68,6 @@ fn values_are_those_of_the_parameters() {
     assert_eq!(carriage.constants()[0], 3.0 * 0.4);
     assert_eq!(carriage.inputs()[0], 0.25);
     // On other scalars they are the traits'.
-    let inputs = Inputs::<2, 1, f32>::inputs(&CARRIAGES);
+    let inputs = quantities::Quantities::<2, f32>::inputs(&CARRIAGES);
     assert_eq!(inputs[0], 0.25_f32);
 }

@@ -229,7 +229,7 @@ fn disturbed_chains_follow_the_closed_form() {
                 let state = random.state();
                 let nu = 7.0;
                 let chain = Disturbed { m, l, g: G, sway, lift, nu, c, torque: f64::NAN };
-                let found = chain.accelerations_with(&state, &[torque].into());
+                let found = chain.with_inputs([torque]).accelerations(&state);
                 let suspension = [sway * (nu * state.t).sin(), lift * (nu * state.t).cos()];
                 let expected = ClosedForm {
                     suspension: Vector2::from(suspension) * -nu.powi(2),

@@ -227,7 +227,7 @@ fn parameters_are_identified_with_the_covariance_that_is_expected() {
         let mut identification = Identification::new(RobotArm::BASE_PARAMETERS);
         for state in motion.samples() {
             let torque = SVector::from(law(state));
-            let accelerations = ROBOT_ARM.accelerations_with(state, &torque);
+            let accelerations = ROBOT_ARM.with_inputs(torque).accelerations(state);
             let measured = torque + SVector::from_fn(|_, _| deviation * normal(&mut random));
             let model = unknown.with_inputs(measured);
             let none = SVector::zeros();

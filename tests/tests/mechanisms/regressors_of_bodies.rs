@@ -152,7 +152,7 @@ fn identification_gives_the_base_parameters_back() {
     let mut identification = Identification::new(Elbow::BASE_PARAMETERS);
     for state in motion {
         let torque = SVector::from(law(&state));
-        let accelerations = arm.accelerations_with(&state, &torque);
+        let accelerations = arm.with_inputs(torque).accelerations(&state);
         let unknown = Elbow {
             upper: nothing,
             lower: nothing,

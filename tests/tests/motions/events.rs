@@ -78,7 +78,7 @@ fn names_and_indices_are_constants() {
         (0, [6, 7], 8)
     );
     let state = State::new(0.5, [0.5_f64], [1.0]);
-    let values = Events::event_functions(&PARTICLE, &state);
+    let values = PARTICLE.event_functions(&state);
     close(values[Particle::WALLS[1]], 0.375, 1e-15);
     close(values[Particle::LATE], -0.25, 1e-15);
 }

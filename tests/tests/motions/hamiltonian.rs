@@ -1,6 +1,7 @@
 //! The Hamiltonian form, against the same motions in velocities and against derivatives of H, and the balance of energy.
 
 use lagrangian::prelude::*;
+use lagrangian::quantities;
 use lagrangian::{CanonicalPhase, EnergyResidual, NoVelocities};
 use lagrangian_tests::{Dual, Random, assert_close};
 
@@ -76,14 +77,18 @@ fn velocities_are_solved_for_by_the_factors_of_the_model() {
     for _ in 0..100 {
         let state: State<f64, 2> = random.state();
         let momenta = CART.momenta(&state);
-        let found = CART.solved_velocities(&state, &momenta);
+        let found = quantities::Hamiltonian::solved_velocities(&CART, &state, &momenta);
         assert_close("q̇", found.as_slice(), state.v.as_slice(), 1e-13);
         let at_rest = State::new(state.t, state.q, SVector::zeros());
         let right = momenta - CART.momenta(&at_rest);
         let expected = CART.mass_matrix(&state).lu().solve(&right).unwrap();
         assert_close("M⁻¹ (p − b)", found.as_slice(), expected.as_slice(), 1e-12);
+        let phase = CanonicalPhase {
+            q: state.q,
+            p: momenta,
+        };
         let given = CART.with_inputs([2.0]);
-        assert_eq!(given.solved_velocities(&state, &momenta), found);
+        assert_eq!(given.velocities(state.t, &phase), Ok(found));
         // A mass that is negative makes M indefinite: M is factored with interchanges.
         let indefinite = DrivenCart { cart: -0.9, ..CART };
         let equations = indefinite.canonical_equations();
@@ -97,7 +102,9 @@ fn velocities_are_solved_for_by_the_factors_of_the_model() {
         k: 0.1,
     };
     let state = State::new(0.0, [0.1, 0.2], [1.0, 0.5]);
-    let found: SVector<f64, 2> = particle.solved_velocities(&state, &particle.momenta(&state));
+    let momenta = particle.momenta(&state);
+    let found: SVector<f64, 2> =
+        quantities::Hamiltonian::solved_velocities(&particle, &state, &momenta);
     assert!(found.iter().all(|v| v.is_nan()));
 }
 
@@ -125,7 +132,8 @@ fn velocities_near_the_pole_keep_the_digits_that_momenta_have() {
     for theta in [1e-2, 1e-4, 1e-6_f64] {
         // Spinning about the axis of the body and precessing about an axis at right angles to the line of nodes.
         let state = State::new(0.0, [0.3, theta, 0.8], [0.4, 0.7, -0.2]);
-        let found = body.solved_velocities(&state, &body.momenta(&state));
+        let momenta = body.momenta(&state);
+        let found = quantities::Hamiltonian::solved_velocities(&body, &state, &momenta);
         // ω = E q̇ is regular at the pole, and so are the velocities along it.
         let omega = |v: &SVector<f64, 3>| {
             let (sin_psi, cos_psi) = state.q[2].sin_cos();

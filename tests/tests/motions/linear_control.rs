@@ -170,7 +170,7 @@ const MODEL: CartPole = CartPole {
 #[test]
 fn linearization_where_no_equilibrium_is() {
     let state = State::new(0.0, [0.2, 0.7], [-0.3, 0.9]);
-    let plant = StateSpace::<f64, 4, 1, 4>::about(&MODEL, &state, &[2.0].into());
+    let plant = StateSpace::<f64, 4, 1, 4>::of(&MODEL.with_inputs([2.0]), &state);
     assert!(!plant.is_at_equilibrium(1e-3));
     let pushed = MODEL.with_inputs([2.0]);
     let mut errors = [0.0; 2];

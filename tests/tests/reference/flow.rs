@@ -1,6 +1,7 @@
 //! The 200 random Lagrangians in motion: the state a quarter of a second after the first one.
 
 use lagrangian::prelude::*;
+use lagrangian::quantities::Inputs;
 use lagrangian_tests::{
     Figures, Parametrized, array, number, numbers, public_cases, relative_error, rows,
 };
@@ -54,7 +55,7 @@ where
 
 fn driven<M, const N: usize, const U: usize>(case: &Value) -> [Vec<f64>; 2]
 where
-    M: Parametrized + Inputs<N, U>,
+    M: Parametrized + Lagrangian<N, Model: Inputs<N, U>>,
 {
     let first = &case["states"][0]["u"];
     let model = M::with(&|name| number(first.get(name).unwrap_or_else(|| &case["params"][name])));

@@ -1,7 +1,8 @@
 //! 200 random Lagrangians: what the derived code evaluates at four states of each, against
 //! references of 30 digits.
 
-use lagrangian::{Energies, Inputs, Lagrangian, State};
+use lagrangian::quantities::{Energies, Inputs};
+use lagrangian::{Lagrangian, State};
 use lagrangian_tests::{
     Figures, Parametrized, array, list, number, numbers, public_cases, relative_error, rows,
 };
@@ -37,7 +38,7 @@ fn derived_code_agrees_with_the_references() {
 /// Compares what a model without inputs evaluates.
 fn free<M, const N: usize>(case: &Value, state: &Value) -> Vec<Comparison>
 where
-    M: Parametrized + Energies<N>,
+    M: Parametrized + Lagrangian<N, Model: Energies<N>>,
 {
     let model = M::with(&|name| number(&case["params"][name]));
     compare(&model, state)
@@ -47,7 +48,7 @@ where
 /// outside.
 fn driven<M, const N: usize, const U: usize>(case: &Value, state: &Value) -> Vec<Comparison>
 where
-    M: Parametrized + Energies<N> + Inputs<N, U>,
+    M: Parametrized + Lagrangian<N, Model: Energies<N> + Inputs<N, U>>,
 {
     let valued = |name: &str| {
         state["u"]
@@ -73,7 +74,10 @@ fn point<const N: usize>(state: &Value) -> State<f64, N> {
     State::new(number(&state["t"]), array(&state["q"]), array(&state["qd"]))
 }
 
-fn compare<M: Energies<N>, const N: usize>(model: &M, state: &Value) -> Vec<Comparison> {
+fn compare<M: Lagrangian<N, Model: Energies<N>>, const N: usize>(
+    model: &M,
+    state: &Value,
+) -> Vec<Comparison> {
     let at = point(state);
     let mut comparisons = compare_motion(model, state);
     comparisons.extend([

@@ -5,7 +5,8 @@
 //! order shows.
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, MotionSeries, Series, TaylorCoefficients};
+use lagrangian::quantities::MotionSeries;
+use lagrangian::{DoubleDouble, Series, TaylorCoefficients};
 use lagrangian_tests::{Figures, Parametrized, array, list, number, public_cases};
 use serde_json::Value;
 
@@ -193,7 +194,7 @@ fn quasi_velocities_in_a_moving_frame_have_series() {
 
 fn free<M, const N: usize>(case: &Value, state: &Value) -> f64
 where
-    M: Parametrized + MotionSeries<N, DoubleDouble>,
+    M: Parametrized + Lagrangian<N, DoubleDouble, Model: MotionSeries<N, DoubleDouble>>,
 {
     let model = M::with(&|name| number(&case["params"][name]));
     residual(&model, point(state))
@@ -201,7 +202,7 @@ where
 
 fn driven<M, const N: usize, const U: usize>(case: &Value, state: &Value) -> f64
 where
-    M: Parametrized + MotionSeries<N, DoubleDouble>,
+    M: Parametrized + Lagrangian<N, DoubleDouble, Model: MotionSeries<N, DoubleDouble>>,
 {
     let valued = |name: &str| {
         state["u"]
@@ -224,7 +225,7 @@ fn point<const N: usize>(state: &Value) -> State<DoubleDouble, N> {
 /// The greatest difference between the derivative of the polynomial and that of the equations, relative to the latter.
 fn residual<M, const N: usize>(model: &M, state: State<DoubleDouble, N>) -> f64
 where
-    M: MotionSeries<N, DoubleDouble>,
+    M: Lagrangian<N, DoubleDouble, Model: MotionSeries<N, DoubleDouble>>,
 {
     let dynamics = model.dynamics();
     let mut polynomial = TaylorCoefficients::<_, HALF>::new(Phase::from(state));

@@ -2,8 +2,9 @@
 
 use std::cell::Cell;
 
+use lagrangian::Partial;
 use lagrangian::prelude::*;
-use lagrangian::{MotionSeries, Partial};
+use lagrangian::quantities::{Energies, Inputs, MotionSeries};
 use lagrangian_tests::{
     Figures, Law, Observed, Parametrized, array, list, number, numbers, references, relative_error,
     rows, text,
@@ -143,7 +144,7 @@ fn record(figures: &mut Figures, system: &Value, name: &str, motion: &Motion) {
 
 fn free<M, const N: usize>(system: &Value) -> Vec<Motion>
 where
-    M: Parametrized + Energies<N> + MotionSeries<N> + Observed<N>,
+    M: Parametrized + Lagrangian<N, Model: Energies<N> + MotionSeries<N>> + Observed<N>,
 {
     let model = M::with(&|name| number(&system["params"][name]));
     let compare = |state: &State<f64, N>, sample: &Value| {
@@ -164,7 +165,7 @@ where
 
 fn by_series<M, const N: usize>(model: &M, initial: State<f64, N>, times: &[f64]) -> Sampled<N>
 where
-    M: MotionSeries<N>,
+    M: Lagrangian<N, Model: MotionSeries<N>>,
 {
     sampled(Problem::new(model, initial), times, Taylor::new())
 }
@@ -172,7 +173,7 @@ where
 /// The inputs of the fields are no numbers, and everything that depends on inputs uses the law.
 fn driven<M, const N: usize, const U: usize>(system: &Value) -> Vec<Motion>
 where
-    M: Parametrized + Energies<N> + Observed<N> + Inputs<N, U> + Law<U>,
+    M: Parametrized + Lagrangian<N, Model: Energies<N> + Inputs<N, U>> + Observed<N> + Law<U>,
 {
     let model = M::with(&|name| system["params"].get(name).map_or(f64::NAN, number));
     let law = |state: &State<f64, N>| SVector::from(model.inputs_at(state.t));
@@ -184,7 +185,7 @@ where
         ));
         comparisons
     };
-    let sampled = dormand_prince(&ControlledBy::new(&model, law), system);
+    let sampled = dormand_prince(&ControlledBy::new(model.model(), law), system);
     vec![Motion::new("DOP853", sampled, system, compare)]
 }
 
@@ -253,7 +254,7 @@ impl Motion {
     /// from parameters and initial values that are moved in their digits, with signs that differ.
     fn allow<M, const N: usize>(&mut self, system: &Value)
     where
-        M: Parametrized + Energies<N> + MotionSeries<N> + Observed<N>,
+        M: Parametrized + Lagrangian<N, Model: Energies<N> + MotionSeries<N>> + Observed<N>,
     {
         let directions = (0..DIRECTIONS).filter_map(|direction| moved::<M, N>(system, direction));
         for (model, solution) in directions {
@@ -285,7 +286,7 @@ impl Motion {
 /// none where it ends with an error.
 fn moved<M, const N: usize>(system: &Value, direction: u32) -> Option<(M, Samples<N>)>
 where
-    M: Parametrized + MotionSeries<N>,
+    M: Parametrized + Lagrangian<N, Model: MotionSeries<N>>,
 {
     let count = Cell::new(0_u32);
     let factor = || {
@@ -303,7 +304,7 @@ where
 /// The state, and the energies and momenta there.
 fn compare<M, const N: usize>(model: &M, state: &State<f64, N>, sample: &Value) -> Vec<Comparison>
 where
-    M: Energies<N> + Observed<N>,
+    M: Lagrangian<N, Model: Energies<N>> + Observed<N>,
 {
     let mut comparisons = vec![
         ("q", rows(&state.q), numbers(&sample["q"])),

@@ -4,7 +4,8 @@
 //! Forward differentiation of the emitted accelerations and the emitted Jacobians share the
 //! declaration and the mass matrix, and nothing that comes after.
 
-use lagrangian::{Dual, Energies, Inputs, Lagrangian, State};
+use lagrangian::quantities::{Energies, Inputs};
+use lagrangian::{Dual, Lagrangian, State};
 use lagrangian_tests::{
     Figures, Parametrized, array, list, number, public_cases, relative_error, rows,
 };
@@ -47,14 +48,18 @@ fn lost_by_solving(case: &Value, state: &Value) -> f64 {
 
 fn free<M, const N: usize>(case: &Value, state: &Value) -> Vec<Comparison>
 where
-    M: Parametrized + Energies<N> + Energies<N, Dual>,
+    M: Parametrized
+        + Lagrangian<N, Model: Energies<N>>
+        + Lagrangian<N, Dual, Model: Energies<N, Dual>>,
 {
     compare(&M::with(&|name| number(&case["params"][name])), state)
 }
 
 fn driven<M, const N: usize, const U: usize>(case: &Value, state: &Value) -> Vec<Comparison>
 where
-    M: Parametrized + Energies<N> + Energies<N, Dual> + Inputs<N, U> + Inputs<N, U, Dual>,
+    M: Parametrized
+        + Lagrangian<N, Model: Energies<N> + Inputs<N, U>>
+        + Lagrangian<N, Dual, Model: Energies<N, Dual> + Inputs<N, U, Dual>>,
 {
     let model = M::with(&|name| {
         number(
@@ -65,11 +70,11 @@ where
     });
     let mut comparisons = compare(&model, state);
     let at = point(state);
-    let inputs: SVector<f64, U> = model.inputs();
+    let inputs: SVector<f64, U> = Lagrangian::<N>::inputs(&model);
     let resting = moving(&at, 0.0, &SVector::zeros(), &SVector::zeros());
     let columns: SMatrix<f64, N, U> = jacobian(|j| {
         let perturbed = SVector::from_fn(|i, _| Dual::new(inputs[i], [unit(i, j)]));
-        model.accelerations_with(&resting, &perturbed)
+        model.with_inputs(perturbed).accelerations(&resting)
     });
     comparisons.push(("dqdd_du", rows(&columns), rows(&model.input_jacobian(&at))));
     comparisons
@@ -77,7 +82,7 @@ where
 
 fn compare<M, const N: usize>(model: &M, state: &Value) -> Vec<Comparison>
 where
-    M: Energies<N> + Energies<N, Dual>,
+    M: Lagrangian<N, Model: Energies<N>> + Lagrangian<N, Dual, Model: Energies<N, Dual>>,
 {
     let mut comparisons = compare_linearization(model, &point(state));
     comparisons.extend(compare_momenta(model, &point(state)));

@@ -58,15 +58,15 @@ fn each_lane_gives_what_it_gives_alone() {
 fn inputs_and_outputs_may_differ_from_lane_to_lane() {
     let many = DampedCart::with(lanes(parameters));
     let at = states(state::<2>);
-    let inputs = lanes(|lane| [between(-1.0, 1.0, lane)]).into();
-    let (held, driven) = (many.outputs(&at), many.outputs_with(&at, &inputs));
+    let inputs = lanes(|lane| [between(-1.0, 1.0, lane)]);
+    let (held, driven) = (many.outputs(&at), many.with_inputs(inputs).outputs(&at));
     let jacobian = many.input_jacobian(&at);
     for lane in 0..LANES {
         let one = DampedCart::with(parameters(lane));
         let inputs = SVector::from([between(-1.0, 1.0, lane)]);
         let (alone, alone_driven) = (
             one.outputs(&state(lane)),
-            one.outputs_with(&state(lane), &inputs),
+            one.with_inputs(inputs).outputs(&state(lane)),
         );
         assert_eq!(held.height.lane(lane).to_bits(), alone.height.to_bits());
         assert_eq!(held.felt.lane(lane).to_bits(), alone.felt.to_bits());

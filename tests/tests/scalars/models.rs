@@ -203,7 +203,7 @@ where
     M: Lagrangian<N, S>,
 {
     let given = SVector::from_fn(|i, _| S::from_f64(between(-1.0, 1.0, i)));
-    let prepared = model.accelerations_prepared(state, &model.prepare());
+    let prepared = model.dynamics().accelerations(state);
     let linearization = model.linearize(state);
     let vector = |entries: SVector<S, N>| entries.as_slice().to_vec();
     let matrix = |entries: SMatrix<S, N, N>| entries.as_slice().to_vec();

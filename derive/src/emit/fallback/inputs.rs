@@ -4,8 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Fallback;
-use crate::emit::signatures::InputsFrom;
-use crate::plan::MethodRow;
+use crate::plan::Interface;
 
 impl Fallback<'_> {
     pub(super) fn inputs(&self) -> TokenStream {
@@ -14,16 +13,9 @@ impl Fallback<'_> {
         if u == 0 {
             return TokenStream::new();
         }
-        let (n, scalar) = (&self.dimension, &self.scalar);
-        let inputs = self.signatures().inputs();
-        let methods = self.methods_where(InputsFrom::Argument, MethodRow::is_of_inputs);
-        let items = quote! {
-            const INPUTS: [&'static str; #u] = [""; #u];
-            fn inputs(&self) -> #inputs { ::core::unreachable!() }
-            #methods
-        };
-        let interface = quote!(#root::Inputs<#n, #u, #scalar>);
-        let inputs = self.implement(&interface, Some(scalar), &items);
+        let n = &self.dimension;
+        let names = quote!(const INPUTS: [&'static str; #u] = [""; #u];);
+        let inputs = self.interface(Interface::Inputs, &names);
         let of_parameters = self.scalar.of_parameters();
         let scalar = (!self.scalar.is_generic()).then_some(&self.scalar);
         let plant = self.implement(

@@ -5,7 +5,6 @@ use quote::quote;
 
 use super::Fallback;
 use crate::emit::requested::names;
-use crate::emit::signatures::InputsFrom;
 use crate::plan::Interface;
 use crate::syntax::parameter_list::ParameterList;
 
@@ -66,27 +65,14 @@ impl Fallback<'_> {
         names(quantities, &symbols.unwrap_or_default())
     }
 
-    /// The impl of a trait, and that of its companion for models with inputs. How many base parameters there are is
-    /// not known: any number fits.
+    /// The impl of a trait. How many base parameters there are is not known: any number fits.
     fn asked_for(&self, interface: Interface, items: &TokenStream) -> TokenStream {
-        let signatures = self.signatures();
         let count = base_parameters();
         let parameter = (interface == Interface::Regressor).then(|| quote!(const #count: usize));
-        let mut impls = TokenStream::new();
-        let with_inputs = !self.lowered.quantities.inputs.is_empty();
-        for inputs in [InputsFrom::Fields, InputsFrom::Argument] {
-            let methods = self.methods_where(inputs, |row| {
-                row.interface == interface && (row.takes_inputs || inputs == InputsFrom::Fields)
-            });
-            let path = signatures.interface(interface, inputs);
-            let items = match inputs {
-                InputsFrom::Fields => quote!(#items #methods),
-                InputsFrom::Argument if with_inputs => methods,
-                InputsFrom::Argument => continue,
-            };
-            impls.extend(self.implement_for(&path, Some(&self.scalar), &items, parameter.as_ref()));
-        }
-        impls
+        let methods = self.methods_of(interface);
+        let path = self.signatures().interface(interface);
+        let items = quote!(#items #methods);
+        self.implement_for(&path, Some(&self.scalar), &items, parameter.as_ref())
     }
 }
 

@@ -107,7 +107,7 @@ impl Fallback<'_> {
                     ::core::unreachable!()
                 }
             };
-            let interface = quote!(#root::RouthianSeries<#n, #k, #scalar>);
+            let interface = quote!(#root::quantities::RouthianSeries<#n, #k, #scalar>);
             self.implement(&interface, Some(scalar), &items)
         });
         let (name, visibility) = (&self.declaration.name, &self.declaration.visibility);

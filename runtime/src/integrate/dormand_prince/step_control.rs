@@ -185,13 +185,13 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     (step.min(MAX_PROBES * probe) * unit).min(longest.abs())
 }
 
-/// The error of a step size that is too small to advance the time at (t, x), where `stages` are those of the last
-/// attempt.
+/// The error of a step size that is too small to advance the time at (t, x), or below the `smallest` that is allowed, where
+/// `stages` are those of the last attempt.
 #[cold]
 pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     (time, x): (f64, &D::State),
-    step: f64,
+    (step, smallest): (f64, Option<f64>),
     stages: &[D::State; ALL_STAGES],
     tolerance: ErrorTolerance<S>,
 ) -> IntegrationError {
@@ -212,10 +212,18 @@ pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
                 if ratio > worst.1 { (i, ratio) } else { worst }
             },
         );
+    let component = dynamics.component_name(worst.0);
+    if let Some(step) = smallest {
+        return IntegrationError::SmallestStep {
+            time,
+            step,
+            component,
+        };
+    }
     IntegrationError::StepTooSmall {
         time,
         step,
-        component: Some(dynamics.component_name(worst.0)),
+        component: Some(component),
         relative_only: tolerance.absolute == 0.0,
     }
 }

@@ -258,7 +258,9 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
                 }
                 let time_scale = S::from_f64(control.time_scale(step));
                 let tolerance = self.method.tolerance.over(time_scale);
-                return Err(too_small(dynamics, here, step, &self.stages, tolerance));
+                let smallest = self.method.min_step.filter(|min| h.abs() <= *min);
+                let steps = (step, smallest);
+                return Err(too_small(dynamics, here, steps, &self.stages, tolerance));
             }
         }
     }

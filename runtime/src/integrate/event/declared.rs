@@ -181,6 +181,8 @@ impl<const K: usize> DeclaredEvents<K> {
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
+        // Without them there is no polynomial, and no reason to interpolate.
+        step.ends()?;
         // A window that is shorter than the resolution of time might not advance it.
         let least = MIN_WINDOW * (step.end() - step.begin()).abs();
         let least = least.max(step.resolution(begin));

@@ -19,12 +19,35 @@ use crate::integrate::outcome::Outcome;
 use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;
 
+/// What [`Problem::save`](crate::Problem::save) takes, of whatever problem.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not say what to keep of a motion",
+    note = "write `Every(0.01)`, a list of times, `StepEnds` or `Dense`"
+)]
+pub trait Saved {}
+
+impl Saved for End {}
+
+#[cfg(feature = "alloc")]
+mod saved {
+    use super::{Dense, Every, Saved, StepEnds, Vec};
+
+    impl Saved for Every {}
+    impl Saved for StepEnds {}
+    impl Saved for Dense {}
+    impl Saved for Vec<f64> {}
+    impl Saved for &Vec<f64> {}
+    impl Saved for &[f64] {}
+    impl<const N: usize> Saved for [f64; N] {}
+    impl<const N: usize> Saved for &[f64; N] {}
+}
+
 /// What [`Problem::save`](crate::Problem::save) takes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say what to keep of a motion",
-    note = "`Every(0.01)`, a list of times, `StepEnds` or `Dense`"
+    note = "write `Every(0.01)`, a list of times, `StepEnds` or `Dense`"
 )]
-pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Sized {
+pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Saved + Sized {
     /// What is kept.
     type Kept;
     /// The times of samples.

@@ -12,7 +12,6 @@ struct Model {
 }
 
 fn main() {
-    use lagrangian::Inputs as _;
     
     let model = Model { m: 1.0, u: 0.0 };
     let state = lagrangian::State::new(0.0, [0.0], [1.0]);

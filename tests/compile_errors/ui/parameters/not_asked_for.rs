@@ -12,7 +12,7 @@ fn main() {
     let state = State::new(0.0, [0.0], [1.0]);
     let none = SVector::from([0.0]);
     Identification::<1>::new(["m"]).add(&particle, &state, &none, &none);
-    let _ = Sensitivities::<1, 1>::sensitivities(&particle, &state);
-    let _ = Hamiltonian::<1>::momentum_rates(&particle, &state);
-    let _ = EnergyBalance::<1>::energy_rate(&particle, &state);
+    let _ = particle.sensitivities::<1>(&state);
+    let _ = particle.momentum_rates(&state);
+    let _ = particle.energy_rate(&state);
 }

@@ -9,7 +9,7 @@ struct Plain {
     m: f64,
 }
 
-fn has_outputs<M: Outputs<1>>(_: &M) {}
+fn has_outputs<M: lagrangian::quantities::Outputs<1>>(_: &M) {}
 
 fn main() {
     let plain = Plain { m: 1.0 };

@@ -1,4 +1,4 @@
-use lagrangian::{Energies as _, Lagrangian, Outputs as _, State};
+use lagrangian::{Lagrangian, State};
 
 #[derive(Lagrangian)]
 #[lagrangian(

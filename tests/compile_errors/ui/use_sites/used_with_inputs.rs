@@ -24,7 +24,7 @@ fn main() {
     let controlled = model.controlled_by(|state: &State<f64, 2>| SVector::from([-state.q[1]]));
     println!("{}", controlled.inputs(&state)[CartPole::PUSH]);
     let _ = model.with_controller(|state, z| (z[0], [state.q[1].sin()]));
-    println!("{:?} {}", CartPole::INPUTS, model.input_matrix::<4>(&state));
+    println!("{:?} {}", CartPole::INPUTS, model.input_jacobian(&state));
     let end = Problem::new(&controlled, state).solve(1.0, Dop853::new());
     println!("{:?}", end.map(|end| end.last));
 }

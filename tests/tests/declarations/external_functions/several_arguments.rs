@@ -84,9 +84,9 @@ fn functions_have_as_many_arguments_as_they_like() {
         let found = computed(&glider, &state, &accelerations);
         let expected = computed(&elementary, &state, &accelerations);
         assert_close("glider", &found, &expected, TOLERANCE);
-        let inputs = [-0.3].into();
-        let found = glider.input_jacobian_with(&state, &inputs);
-        let expected = elementary.input_jacobian_with(&state, &inputs);
+        let inputs = [-0.3];
+        let found = glider.with_inputs(inputs).input_jacobian(&state);
+        let expected = elementary.with_inputs(inputs).input_jacobian(&state);
         assert_close("inputs", found.as_slice(), expected.as_slice(), TOLERANCE);
     }
     assert_eq!(

@@ -1,7 +1,8 @@
 //! Taylor series of models with external functions, beside those of the same models with built-in ones.
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, MotionSeries, Scalar, Series, TaylorCoefficients};
+use lagrangian::quantities::MotionSeries;
+use lagrangian::{DoubleDouble, Scalar, Series, TaylorCoefficients};
 use lagrangian_tests::assert_close;
 
 /// Half the order of the polynomials.
@@ -94,7 +95,7 @@ macro_rules! with_parameters {
 /// The coefficients of a motion, one after the other.
 fn coefficients<M>(model: &M) -> Vec<DoubleDouble>
 where
-    M: MotionSeries<2, DoubleDouble>,
+    M: Lagrangian<2, DoubleDouble, Model: MotionSeries<2, DoubleDouble>>,
 {
     let exact = |values: [f64; 2]| values.map(DoubleDouble::from_f64);
     let x = Phase {

@@ -108,7 +108,7 @@ mod structs {
 
 #[test]
 fn structs_may_be_called_like_what_is_emitted() {
-    use lagrangian::{Inputs as _, Lagrangian as _, Outputs as _};
+    use lagrangian::Lagrangian as _;
 
     let state = lagrangian::State::new(0.0, [1.0], [2.0]);
     assert!(structs::State { m: 3.0 }.outputs(&state).p > 5.9);

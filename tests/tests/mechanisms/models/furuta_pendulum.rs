@@ -48,11 +48,11 @@ fn it_follows_the_closed_form() {
             torque: 0.0,
         };
         let (state, torque) = (random.state(), random.between(-5.0, 5.0));
-        let found = model.accelerations_with(&state, &[torque].into());
+        let found = model.with_inputs([torque]).accelerations(&state);
         let expected = closed_form(&model, &state, torque);
         let error = relative_error(found.as_slice(), expected.as_slice(), 1.0);
         figures.record("accelerations", &format!("{state:?}"), error, 1e-12);
-        let power = model.outputs_with(&state, &[torque].into()).power;
+        let power = model.with_inputs([torque]).outputs(&state).power;
         figures.record(
             "power",
             &format!("{state:?}"),

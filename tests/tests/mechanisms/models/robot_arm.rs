@@ -79,8 +79,10 @@ fn torques_are_computed_for_accelerations() {
     let mut random = Random::default();
     for _ in 0..100 {
         let (state, wanted) = (random.state(), random.array(-5.0, 5.0).into());
-        let torque = model.inverse_dynamics_with(&state, &SVector::zeros(), &wanted);
-        let found = model.accelerations_with(&state, &torque);
+        let torque = model
+            .with_inputs(SVector::zeros())
+            .inverse_dynamics(&state, &wanted);
+        let found = model.with_inputs(torque).accelerations(&state);
         assert_close("accelerations", found.as_slice(), wanted.as_slice(), 1e-12);
     }
 }
@@ -92,15 +94,15 @@ fn outputs_are_those_of_elementary_mechanics() {
     let model = arm(|name| if name == "g" { 9.81 } else { 0.4 });
     let mut random = Random::default();
     for _ in 0..100 {
-        let (state, torque) = (random.state(), random.array(-5.0, 5.0).into());
-        let outputs = model.outputs_with(&state, &torque);
+        let (state, torque) = (random.state(), random.array::<3>(-5.0, 5.0));
+        let outputs = model.with_inputs(torque).outputs(&state);
         let [yaw, shoulder, elbow] = state.q.into();
         let reach = 0.4 * shoulder.cos() + 0.8 * (shoulder + elbow).cos();
         let height = 0.4 * shoulder.sin() + 0.8 * (shoulder + elbow).sin();
         let tip = [reach * yaw.cos(), reach * yaw.sin(), height];
         assert_close("tip", outputs.tip.as_slice(), &tip, 1e-14);
 
-        let accelerations = model.accelerations_with(&state, &torque);
+        let accelerations = model.with_inputs(torque).accelerations(&state);
         let later = |step: f64| {
             let q = state.q + state.v * step + accelerations * (0.5 * step.powi(2));
             State::new(0.0, q, state.v + accelerations * step)
@@ -177,9 +179,11 @@ fn base_parameters_are_as_many_as_the_ranks_of_the_regressor_and_of_the_energies
         let state: State<f64, 3> = random.state();
         let accelerations: SVector<f64, 3> = random.array(-5.0, 5.0).into();
         let torque = SVector::zeros();
-        let rows = model.regressor_with(&state, &torque, &accelerations);
+        let rows = model.with_inputs(torque).regressor(&state, &accelerations);
         stacked.rows_mut(3 * motion, 3).copy_from(&rows);
-        let forces = model.inverse_dynamics_with(&state, &torque, &accelerations);
+        let forces = model
+            .with_inputs(torque)
+            .inverse_dynamics(&state, &accelerations);
         let found = rows * model.base_parameters();
         assert_close("forces", found.as_slice(), forces.as_slice(), 1e-13);
 

@@ -64,7 +64,7 @@ fn wheels_turn_it_as_newton_and_euler_say() {
         let momentum = inertia * w + wheel * (w + spin);
         let inverse = inertia.try_inverse().expect("a body has an inertia");
         let rate = inverse * (-torque - w.cross(&momentum));
-        let outputs = model.outputs_with(&state, &torque);
+        let outputs = model.with_inputs(torque).outputs(&state);
         let error = relative_error(outputs.rate.as_slice(), rate.as_slice(), 1.0);
         let pole = state.q[1].cos().powi(2);
         let at = format!("{state:?}");

@@ -1,0 +1,86 @@
+//! The quantities that the derive writes, each once.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::generalized_coordinates::GeneralizedCoordinates;
+use super::linearization::Linearization;
+use super::state::State;
+use crate::linalg::Factorization;
+use crate::scalar::Scalar;
+
+/// The quantities of a model as functions of the state and of all that they depend on besides: the inputs, and what
+/// [`prepare`](Self::prepare) computes of the parameters.
+///
+/// `#[derive(Lagrangian)]` implements it; a model can also be written by hand against it. The methods of
+/// [`Lagrangian`](crate::Lagrangian), which programs call, evaluate them at the inputs of the model.
+pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N> {
+    /// The values of the inputs: an `SVector<S, U>`, which has no components for a model without inputs.
+    type Inputs: Clone + core::fmt::Debug;
+
+    /// Quantities that depend on parameters alone; `()` for a model written by hand that has none.
+    type Prepared: Clone + core::fmt::Debug;
+
+    /// The values of the fields that are inputs.
+    fn inputs(&self) -> Self::Inputs;
+
+    /// Computes the quantities that depend on parameters alone: invariants of the integration.
+    fn prepare(&self) -> Self::Prepared;
+
+    /// [`Lagrangian::lagrangian`](crate::Lagrangian::lagrangian) under these inputs.
+    fn lagrangian(&self, state: &State<S, N>, inputs: &Self::Inputs) -> S;
+
+    /// [`Lagrangian::energy`](crate::Lagrangian::energy) under these inputs.
+    fn energy(&self, state: &State<S, N>, inputs: &Self::Inputs) -> S;
+
+    /// [`Lagrangian::momenta`](crate::Lagrangian::momenta), on which no input acts.
+    fn momenta(&self, state: &State<S, N>) -> SVector<S, N>;
+
+    /// [`Lagrangian::mass_matrix`](crate::Lagrangian::mass_matrix), on which no input acts.
+    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
+
+    /// [`Lagrangian::forcing`](crate::Lagrangian::forcing) under these inputs.
+    fn forcing(&self, state: &State<S, N>, inputs: &Self::Inputs) -> SVector<S, N>;
+
+    /// [`Lagrangian::generalized_forces`](crate::Lagrangian::generalized_forces) under these inputs.
+    fn generalized_forces(&self, state: &State<S, N>, inputs: &Self::Inputs) -> SVector<S, N>;
+
+    /// [`Lagrangian::accelerations`](crate::Lagrangian::accelerations) under these inputs, given the result of
+    /// [`prepare`](Self::prepare) for the same parameters.
+    fn accelerations(
+        &self,
+        state: &State<S, N>,
+        inputs: &Self::Inputs,
+        prepared: &Self::Prepared,
+    ) -> SVector<S, N>;
+
+    /// [`Lagrangian::inverse_dynamics`](crate::Lagrangian::inverse_dynamics) under these inputs, given the result of
+    /// [`prepare`](Self::prepare) for the same parameters.
+    fn inverse_dynamics(
+        &self,
+        state: &State<S, N>,
+        inputs: &Self::Inputs,
+        accelerations: &SVector<S, N>,
+        prepared: &Self::Prepared,
+    ) -> SVector<S, N>;
+
+    /// [`Lagrangian::linearize`](crate::Lagrangian::linearize) at these inputs, which are held.
+    fn linearize(&self, state: &State<S, N>, inputs: &Self::Inputs) -> Linearization<S, N>;
+
+    /// [`Lagrangian::relative_pivots`](crate::Lagrangian::relative_pivots).
+    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
+        Factorization::new(self.mass_matrix(state)).relative_pivots()
+    }
+}
+
+/// The energies T and V of a model that is declared by them.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no kinetic and potential energy apart",
+    note = "declare `kinetic = …` and `potential = …` in place of `lagrangian = …`"
+)]
+pub trait Energies<const N: usize, S: Scalar = f64>: Quantities<N, S> {
+    /// [`Lagrangian::kinetic_energy`](crate::Lagrangian::kinetic_energy) under these inputs.
+    fn kinetic_energy(&self, state: &State<S, N>, inputs: &Self::Inputs) -> S;
+
+    /// [`Lagrangian::potential_energy`](crate::Lagrangian::potential_energy) under these inputs.
+    fn potential_energy(&self, state: &State<S, N>, inputs: &Self::Inputs) -> S;
+}

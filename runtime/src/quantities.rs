@@ -1,0 +1,21 @@
+//! The traits that the derive implements, one for each clause: bounds of functions that are generic over models.
+//!
+//! Programs call the methods of [`Lagrangian`](trait@crate::Lagrangian), which evaluate these traits at the inputs of the model. A
+//! function that takes any model with outputs has the bound
+//!
+//! ```
+//! use lagrangian::prelude::*;
+//! use lagrangian::quantities::Outputs;
+//!
+//! fn outputs<M, const N: usize>(model: &M, state: &State<f64, N>) -> <M::Model as Outputs<N>>::Outputs
+//! where
+//!     M: Lagrangian<N, Model: Outputs<N>>,
+//! {
+//!     model.outputs(state)
+//! }
+//! ```
+
+pub use crate::model::{
+    Energies, EnergyBalance, Events, Hamiltonian, Inputs, MotionSeries, Outputs, Quantities,
+    Regressor, RouthianSeries, Sensitivities,
+};
