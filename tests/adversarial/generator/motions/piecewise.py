@@ -31,12 +31,13 @@ class Grazes(NoValue):
 
 @dataclass
 class Crossed:
-    """A zero of a watched function: when, which one, in which direction, and its rate of change there."""
+    """A zero of a watched function: when, which one, in which direction, its rate of change, and the state there."""
 
     t: object
     which: int
     rises: bool
     rate: object
+    y: list
 
 
 class Motion:
@@ -95,10 +96,10 @@ class Motion:
 
     def inside(self, t):
         """What the program says at a time within the step that begins here."""
-        if t == self.t:
-            return self.program(self.t, self.y)
-        y, _ = step(self.program, self.t, self.y, t - self.t)
-        return self.program(t, y)
+        return self.program(t, self.state(t))
+
+    def state(self, t):
+        return self.y if t == self.t else step(self.program, self.t, self.y, t - self.t)[0]
 
     def root(self, low, high, of):
         """The zero of `of(out)` between two times at which its signs differ (Illinois: M. Dowell and P. Jarratt, A modified regula
@@ -193,11 +194,12 @@ class Motion:
 
     def crossed(self, k, c, d):
         at = self.root(c[:2], d[:2], lambda out: out[2][k]) if d[1] != 0 else d[0]
-        out = self.inside(at)
+        y = self.state(at)
+        out = self.program(at, y)
         value, rate = out[2][k], out[3][k]
         if abs(value) > abs(rate) * real(10) ** -20 * (1 + abs(at)):
             raise NoValue("no root")
-        return Crossed(at, k, c[1] < 0, rate)
+        return Crossed(at, k, c[1] < 0, rate, y)
 
     def measured(self, nodes):
         """The points within a step, some of which are made exact, and by these the errors of all others: of the watched functions, and
