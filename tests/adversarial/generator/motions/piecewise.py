@@ -9,7 +9,7 @@ the zeros of their rates of change, so that two which are next to each other are
 from dataclasses import dataclass
 
 from derivatives import NoValue
-from motions.extrapolation import step
+from motions.extrapolation import COLUMNS, step
 from motions.numbers import real
 from motions.tracing import program
 
@@ -17,6 +17,7 @@ TOLERANCE = 1e-19  # Of one step.
 NEAR = 1e-15  # Arguments that are as small as this at a crossing change their signs there, too.
 GRAZING = 1e-4  # A minimum of an argument, relative to its size nearby, so small that rounding may decide.
 SLOW = 1e-4  # A rate behind a jump, relative to that before it.
+FEW = 5  # Columns of the extrapolation by which errors of points within a step are measured.
 MARGIN = 10  # Errors of points within a step, relative to those of the points at which they are measured, at most.
 MOST_STEPS = 400
 
@@ -98,8 +99,8 @@ class Motion:
         """What the program says at a time within the step that begins here."""
         return self.program(t, self.state(t))
 
-    def state(self, t):
-        return self.y if t == self.t else step(self.program, self.t, self.y, t - self.t)[0]
+    def state(self, t, columns=COLUMNS):
+        return self.y if t == self.t else step(self.program, self.t, self.y, t - self.t, columns=columns)[0]
 
     def root(self, low, high, of):
         """The zero of `of(out)` between two times at which its signs differ (Illinois: M. Dowell and P. Jarratt, A modified regula
@@ -180,7 +181,7 @@ class Motion:
     def find_events(self, nodes, limit, direction):
         if not self.watched:
             return
-        nodes, errors = self.measured(nodes)
+        errors = self.errors(nodes)
         for k in range(len(self.watched)):
             points = self.watched_points(nodes, errors, k, limit, direction)
             if points[-1][0] != limit:
@@ -201,17 +202,16 @@ class Motion:
             raise NoValue("no root")
         return Crossed(at, k, c[1] < 0, rate, y)
 
-    def measured(self, nodes):
-        """The points within a step, some of which are made exact, and by these the errors of all others: of the watched functions, and
-        of their rates. Points by an even and by an odd number of midpoints have errors of their own."""
-        nodes, middle = list(nodes), len(nodes) // 2
+    def errors(self, nodes):
+        """The errors of points within a step, of the watched functions and of their rates: measured where a few columns of the
+        extrapolation tell them from those of points of one. Points by an even and by an odd number of midpoints have errors of their own."""
+        middle, last = len(nodes) // 2, len(nodes) - 2
         errors = [[0] * len(self.watched) for _ in (2, 3)]
-        for j in (middle, middle + 1, len(nodes) - 2):
-            t, rough = nodes[j]
-            nodes[j] = t, self.inside(t)
+        for t, rough in (nodes[middle], nodes[middle + 1], nodes[last]):
+            out = self.program(t, self.state(t, columns=FEW))
             for of, part in zip(errors, (2, 3)):
-                of[:] = [max(e, abs(a - b)) for e, a, b in zip(of, rough[part], nodes[j][1][part])]
-        return nodes, errors
+                of[:] = [max(e, abs(a - b)) for e, a, b in zip(of, rough[part], out[part])]
+        return errors
 
     def watched_points(self, nodes, errors, k, limit, direction):
         """The function and its rate within the step; exactly where either is small, and might have another sign."""
