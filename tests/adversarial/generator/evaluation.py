@@ -9,7 +9,7 @@ from mpmath import mp, mpf
 
 import arrays
 import bodies
-from derivatives import PRECISE, Dual, angle, apply, level, power, reciprocal, select
+from derivatives import DECISIONS, PRECISE, Dual, angle, apply, level, power, reciprocal, select
 from arrays import entrywise
 from tree import angular_velocity, rotation
 
@@ -138,6 +138,9 @@ class Evaluator:
             return angle(*args)
         if e.data in ("min", "max"):
             return select(e.data, *args)
+        if e.data == "sqrt" and DECISIONS[0] is not None and e.args[0].op == "powi" and e.args[0].data == 2:
+            # √(x²) has a corner where x changes its sign, which its own argument does not show.
+            return apply("abs", self(e.args[0].args[0], order, env))
         if e.data == "recip":
             return exact(args[0])
         return apply(e.data, args[0])

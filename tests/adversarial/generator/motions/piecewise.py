@@ -9,7 +9,7 @@ the zeros of their rates of change, so that two which are next to each other are
 from dataclasses import dataclass
 
 from derivatives import NoValue
-from motions.extrapolation import step
+from motions.extrapolation import COLUMNS, step
 from motions.numbers import real
 from motions.tracing import program
 
@@ -17,7 +17,8 @@ TOLERANCE = 1e-19  # Of one step.
 NEAR = 1e-15  # Arguments that are as small as this at a crossing change their signs there, too.
 GRAZING = 1e-4  # A minimum of an argument, relative to its size nearby, so small that rounding may decide.
 SLOW = 1e-4  # A rate behind a jump, relative to that before it.
-ROUGH = 0.02  # The relative errors of points within a step are far below.
+FEW = 5  # Columns of the extrapolation by which errors of points within a step are measured.
+MARGIN = 10  # Errors of points within a step, relative to those of the points at which they are measured, at most.
 MOST_STEPS = 400
 
 
@@ -31,12 +32,13 @@ class Grazes(NoValue):
 
 @dataclass
 class Crossed:
-    """A zero of a watched function: when, which one, in which direction, and its rate of change there."""
+    """A zero of a watched function: when, which one, in which direction, its rate of change, and the state there."""
 
     t: object
     which: int
     rises: bool
     rate: object
+    y: list
 
 
 class Motion:
@@ -95,10 +97,10 @@ class Motion:
 
     def inside(self, t):
         """What the program says at a time within the step that begins here."""
-        if t == self.t:
-            return self.program(self.t, self.y)
-        y, _ = step(self.program, self.t, self.y, t - self.t)
-        return self.program(t, y)
+        return self.program(t, self.state(t))
+
+    def state(self, t, columns=COLUMNS):
+        return self.y if t == self.t else step(self.program, self.t, self.y, t - self.t, columns=columns)[0]
 
     def root(self, low, high, of):
         """The zero of `of(out)` between two times at which its signs differ (Illinois: M. Dowell and P. Jarratt, A modified regula
@@ -120,22 +122,24 @@ class Motion:
 
     def first_crossing(self, nodes):
         """The first time behind the start at which the argument of a branch has another sign than in this piece."""
-        first = None
-        for k, sign in enumerate(self.program.signs):
-            for i in range(1, len(nodes)):
-                if nodes[i][1][1][k] * sign >= 0:
-                    continue
-                # The points within a step are midpoints that are not extrapolated: their signs are computed again.
-                around = range(max(i - 2, 0), min(i + 2, len(nodes)))
-                exact = [(nodes[j][0], self.inside(nodes[j][0])[1][k] * sign) for j in around]
-                pair = next((p for p in zip(exact, exact[1:]) if p[1][1] < 0 and (p[0][1] > 0 or p[0][0] != self.t)), None)
-                if pair is None and exact[0][0] == self.t and exact[1][1] < 0:
-                    raise Grazes("back at once")
-                if pair is not None:
-                    at = self.root(*pair, lambda out: out[1][k] * sign)
-                    first = at if first is None or abs(at - self.t) < abs(first - self.t) else first
-                    break
-        return first
+        found = [self.crossing(nodes, k) for k in range(len(self.program.signs))]
+        return min((at for at in found if at is not None), key=lambda at: abs(at - self.t), default=None)
+
+    def crossing(self, nodes, k):
+        """That of one argument."""
+        of = lambda out: out[1][k] * self.program.signs[k]
+        exact = lambda node: (node[0], of(self.inside(node[0])))
+        for i in range(1, len(nodes)):
+            # The points within a step are midpoints that are not extrapolated: their signs are computed again.
+            if of(nodes[i][1]) >= 0 or (behind := exact(nodes[i]))[1] >= 0:
+                continue
+            for node in reversed(nodes[:i]):
+                before = exact(node)
+                if before[1] > 0 or before[1] == 0 and before[0] != self.t:
+                    return self.root(before, behind, of)
+                behind = before
+            raise Grazes("back at once")
+        return None
 
     def cross(self, t, direction):
         """To the time of a crossing, and to the piece behind it."""
@@ -175,8 +179,11 @@ class Motion:
                 raise Slides("slides")
 
     def find_events(self, nodes, limit, direction):
+        if not self.watched:
+            return
+        errors = self.errors(nodes)
         for k in range(len(self.watched)):
-            points = self.watched_points(nodes, k, limit, direction)
+            points = self.watched_points(nodes, errors, k, limit, direction)
             if points[-1][0] != limit:
                 out = self.inside(limit)
                 points.append((limit, out[2][k], out[3][k]))
@@ -184,16 +191,35 @@ class Motion:
                 for c, d in self.monotone(k, a, b):
                     # What is zero at a point was crossed before it.
                     if c[1] < 0 <= d[1] or d[1] <= 0 < c[1]:
-                        at = self.root(c[:2], d[:2], lambda out: out[2][k]) if d[1] != 0 else d[0]
-                        self.events.append(Crossed(at, k, c[1] < 0, self.inside(at)[3][k]))
+                        self.events.append(self.crossed(k, c, d))
 
-    def watched_points(self, nodes, k, limit, direction):
+    def crossed(self, k, c, d):
+        at = self.root(c[:2], d[:2], lambda out: out[2][k]) if d[1] != 0 else d[0]
+        y = self.state(at)
+        out = self.program(at, y)
+        value, rate = out[2][k], out[3][k]
+        if abs(value) > abs(rate) * real(10) ** -20 * (1 + abs(at)):
+            raise NoValue("no root")
+        return Crossed(at, k, c[1] < 0, rate, y)
+
+    def errors(self, nodes):
+        """The errors of points within a step, of the watched functions and of their rates: measured where a few columns of the
+        extrapolation tell them from those of points of one. Points by an even and by an odd number of midpoints have errors of their own."""
+        middle, last = len(nodes) // 2, len(nodes) - 2
+        errors = [[0] * len(self.watched) for _ in (2, 3)]
+        for t, rough in (nodes[middle], nodes[middle + 1], nodes[last]):
+            out = self.program(t, self.state(t, columns=FEW))
+            for of, part in zip(errors, (2, 3)):
+                of[:] = [max(e, abs(a - b)) for e, a, b in zip(of, rough[part], out[part])]
+        return errors
+
+    def watched_points(self, nodes, errors, k, limit, direction):
         """The function and its rate within the step; exactly where either is small, and might have another sign."""
-        inside = [(t, out) for t, out in nodes if (limit - t) * direction >= 0]
-        greatest = [max(abs(out[i][k]) for _, out in nodes) for i in (2, 3)]
         points = []
-        for t, out in inside:
-            if any(abs(out[i][k]) < ROUGH * size for i, size in zip((2, 3), greatest)):
+        for t, out in nodes:
+            if (limit - t) * direction < 0:
+                break
+            if any(abs(out[i][k]) < MARGIN * of[k] for i, of in zip((2, 3), errors)):
                 out = self.inside(t)
             points.append((t, out[2][k], out[3][k]))
         return points

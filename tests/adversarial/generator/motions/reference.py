@@ -1,6 +1,6 @@
 """References of motions: where they end, and when watched functions are zero.
 
-The tolerance of an end is what the motion makes of inputs that are off, measured by a second motion whose inputs are off by `OFF`,
+The tolerance of an end is what the motion makes of inputs that are off, measured by others whose inputs are off by `OFF`,
 times the unit of the method: that of binary64 for the Taylor method at its default tolerance, the tolerance for the others. It grows
 with the time. Errors that are made before a jump or a corner move the time at which it is met: what they make of the end is measured by
 motions that are off halfway on the last step to some of the crossings. The tolerance of the time of an event is measured as the first.
@@ -18,6 +18,7 @@ from motions.piecewise import Motion
 from reference import TRIES, Inputs, drawn_state
 
 OFF = 2.0**-30
+SAMPLES = 3  # Motions from inputs that are off: by one alone, what becomes of errors may be small by chance.
 PRECISE, LOOSE = 1e-19, 1e-16  # Tolerances of a step.
 # The classical Runge-Kutta method has no tolerance: the fourth power of its step of 0.01, of motions with derivatives of some ten times their size.
 UNITS = {"taylor": 2.0**-53, "dop853": 1e-11, "runge_kutta": 1e-7}
@@ -54,23 +55,25 @@ class Reference:
     def __init__(self, model, at, end, rng):
         self.model, self.exact, self.end = model, at.mapped(real), end
         self.watched = [e.expression for e in model.events]
-        motion, near = self.run(self.exact, PRECISE), self.run(perturbed(self.exact, rng), LOOSE)
-        if not same_way(motion, near):
-            raise NoValue("not the same way")
+        motion, near = self.run(self.exact, PRECISE), []
+        for _ in range(SAMPLES):
+            near.append(self.run(perturbed(self.exact, rng), LOOSE))
+            if not same_way(motion, near[-1]):
+                raise NoValue("not the same way")
         self.y, self.slides, self.crossings, self.events = motion.y, motion.slides, motion.crossings, motion.events
         self.duration = 1 + abs(float(end - self.exact.t))
         size = max(abs(x) for x in [*self.exact.q, *self.exact.v, *motion.y])
-        growth = self.growth(size, motion, near)
+        growth = max(self.growth(size, motion, one) for one in near)
         # Errors that are made behind a crossing do not pass it, and those made before are made larger by it.
         marks = [self.exact.t, *motion.crossings, real(end)]
         lengths = [1 + abs(float(b - a)) for a, b in zip(marks, marks[1:])]
         self.error = growth * lengths[0]
         if motion.crossings:
             self.error += self.behind_crossings(motion, size, rng) * sum(lengths[1:])
-        self.shifts = [self.shift(a, b) for a, b in zip(motion.events, near.events)]
+        self.shifts = [max(self.shift(a, b) for b in others) for a, *others in zip(motion.events, *(one.events for one in near))]
         if self.slides is not None:
             # Where it begins to slide, the argument of the branch passes zero: so does the time.
-            moved = abs(motion.slides - near.slides) / OFF
+            moved = max(abs(motion.slides - one.slides) for one in near) / OFF
             self.error = self.error + float(max(moved, abs(motion.slides), 1)) * self.duration
 
     def run(self, at, tolerance):

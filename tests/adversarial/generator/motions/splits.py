@@ -4,6 +4,7 @@ import math
 from itertools import pairwise
 
 from derivatives import NoValue
+from motions.zeros import are_told
 
 # By separate runs, by one that is advanced, stored and resumed, stopped at each event, limited in its steps, with reactions that
 # change nothing or that say they did; or by samples within one run.
@@ -21,6 +22,8 @@ def drawn(at, reference, asked, rng):
     ends = [float(at.t), *(float(e.t) for e in reference.events), float(reference.end)]
     if len(ends) < 3 or any((b - a) * direction < APART for a, b in pairwise(ends)) and not asked.pair:
         raise NoValue("events that cannot be told apart")
+    if not are_told(reference.model, reference.exact.fields, reference.events, rng):
+        raise NoValue("zeros that rounding hides")
     return [one(at, reference, asked, rng, direction) for _ in range(asked.split)]
 
 
