@@ -5,7 +5,7 @@ use std::{fs, path::Path};
 use serde_json::Value;
 
 /// The random Lagrangians of which there are models, in the order of `public_cases!`: all 200 with the feature `all-cases`,
-/// and otherwise one of five.
+/// and otherwise one of nine.
 ///
 /// # Panics
 ///

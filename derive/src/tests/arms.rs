@@ -119,8 +119,18 @@ const BY_HAND: [[usize; 3]; 8] = [
 ];
 
 #[test]
+#[ignore = "long arms; run with `--include-ignored`"]
 fn an_arm_costs_no_more_than_the_algorithms_written_by_hand() {
-    for [links, accelerations, inverse_dynamics] in BY_HAND {
+    compare_with_algorithms_by_hand(&BY_HAND);
+}
+
+#[test]
+fn a_short_arm_costs_no_more_than_the_algorithms_written_by_hand() {
+    compare_with_algorithms_by_hand(&BY_HAND[..7]);
+}
+
+fn compare_with_algorithms_by_hand(counts: &[[usize; 3]]) {
+    for &[links, accelerations, inverse_dynamics] in counts {
         let Derived { methods, .. } = derive(arm(links));
         let found = operations(&methods.accelerations.program);
         assert!(found <= accelerations, "{links}: {found}");
@@ -133,23 +143,31 @@ fn an_arm_costs_no_more_than_the_algorithms_written_by_hand() {
 }
 
 #[test]
+#[ignore = "a long sweep; run with `--include-ignored`"]
 fn the_spelling_of_an_arm_does_not_matter() {
+    compare_spellings(6);
+}
+
+#[test]
+fn the_spelling_of_a_short_arm_does_not_matter() {
+    compare_spellings(3);
+}
+
+fn compare_spellings(links: usize) {
     let costs = |declaration| {
         let methods = derived(declaration).methods;
         let methods = [methods.accelerations, methods.inverse_dynamics];
         methods.map(|method| operations(&method.program))
     };
-    for links in [3, 6] {
-        let expected = costs(arm(links));
-        for (spelling, declaration) in spellings(links) {
-            let found = costs(declaration);
-            println!("{links} links, {spelling}: {found:?}, {expected:?}");
-            for (found, expected) in found.into_iter().zip(expected) {
-                assert!(
-                    10 * found <= 11 * expected,
-                    "{links} links, {spelling}: {found}, {expected}"
-                );
-            }
+    let expected = costs(arm(links));
+    for (spelling, declaration) in spellings(links) {
+        let found = costs(declaration);
+        println!("{links} links, {spelling}: {found:?}, {expected:?}");
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!(
+                10 * found <= 11 * expected,
+                "{links} links, {spelling}: {found}, {expected}"
+            );
         }
     }
     // Angles against each other, and against the horizontal.
@@ -189,10 +207,20 @@ fn an_arm_of_bodies_costs_no_more_than_one_of_numbers() {
     }
 }
 
-/// Exactly, at random points of modular arithmetic.
 #[test]
+#[ignore = "a long sweep; run with `--include-ignored`"]
 fn accelerations_solve_lagranges_equations() {
-    for (name, declaration) in others() {
+    solve_lagranges_equations(1);
+}
+
+#[test]
+fn some_accelerations_solve_lagranges_equations() {
+    solve_lagranges_equations(3);
+}
+
+/// Exactly, at random points of modular arithmetic: of one mechanism of so many.
+fn solve_lagranges_equations(stride: usize) {
+    for (name, declaration) in others().into_iter().step_by(stride) {
         let Derived {
             mut model,
             equations,

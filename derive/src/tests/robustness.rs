@@ -105,7 +105,7 @@ fn altered_declarations_end_in_items() {
 
 #[test]
 fn some_altered_declarations_end_in_items() {
-    alter(COUNT / 5);
+    alter(COUNT / 8);
 }
 
 /// Alters the declaration so many times.

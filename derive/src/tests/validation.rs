@@ -210,7 +210,7 @@ fn differ(first: &[f64], second: &[f64]) -> bool {
 /// energy function is the same for either sign of the velocity of a frame.
 #[test]
 fn some_altered_instructions_are_found() {
-    altered_instructions_are_found(3);
+    altered_instructions_are_found(5);
 }
 
 #[test]

@@ -23,8 +23,19 @@ const FLOOR: f64 = 1.0;
 /// √(2 · 3/10).
 const LEDGE: f64 = 0.774_596_669_241_483_4;
 
+// Functions of one type: each closure, and each function by its name, is a type of its own, and so would be each problem.
+type Function = fn(&X) -> f64;
+
+fn is_fast(x: &X) -> bool {
+    x.v[0] < -9.0
+}
+
 fn height(x: &X) -> f64 {
     x.q[0]
+}
+
+fn heights(x: &X) -> [f64; 1] {
+    [height(x)]
 }
 
 fn above_ledge(x: &X) -> f64 {
@@ -43,19 +54,19 @@ fn end(motion: &Solution<f64, Phase<f64, 1>>) -> (StopReason, Vec<usize>, f64) {
 /// The settings, by their numbers.
 macro_rules! set {
     (0, $problem:expr) => {
-        $problem.stop_when(|x| x.v[0] < -9.0)
+        $problem.stop_when(is_fast)
     };
     (1, $problem:expr) => {
-        $problem.when(above_ledge).stop()
+        $problem.when(above_ledge as Function).stop()
     };
     (2, $problem:expr) => {
-        $problem.when(height).falling().stop()
+        $problem.when(height as Function).falling().stop()
     };
     (3, $problem:expr) => {
-        $problem.when(above_ledge).falling().record()
+        $problem.when(above_ledge as Function).falling().record()
     };
     (4, $problem:expr) => {
-        $problem.when(|x| [height(x)]).falling().stop()
+        $problem.when(heights).falling().stop()
     };
     (5, $problem:expr) => {
         $problem.on(Stone::LEDGE).falling().record()

@@ -45,7 +45,11 @@ struct Valley;
 
 /// Thirty motions of different lengths, forwards and backwards, from different times.
 fn motions() -> Vec<(State<f64, 2>, f64)> {
-    let numbers = (0..30).map(|i| 0.37 * f64::from(i));
+    some_motions(30)
+}
+
+fn some_motions(count: u8) -> Vec<(State<f64, 2>, f64)> {
+    let numbers = (0..count).map(|i| 0.37 * f64::from(i));
     let motion = |s: f64| {
         let start = State::new(s, [2.0 * s.sin(), 1.5 * (3.0 * s).cos()], [s.cos(), 0.2]);
         (start, s + 4.0 * (1.7 * s).sin())
@@ -54,13 +58,26 @@ fn motions() -> Vec<(State<f64, 2>, f64)> {
 }
 
 #[test]
+#[ignore = "a long sweep; run with `--include-ignored`"]
 fn a_motion_has_the_bits_that_it_has_alone() {
+    together_and_alone(&motions());
+    the_order_does_not_matter(&motions());
+    lanes_and_single_motions(&motions());
+}
+
+/// More than there are lanes, in both directions of time.
+#[test]
+fn some_motions_have_the_bits_that_they_have_alone() {
+    together_and_alone(&some_motions(12));
+}
+
+fn together_and_alone(motions: &[(State<f64, 2>, f64)]) {
     let method = Taylor::new();
     let together = method
         .ensemble::<8>()
-        .collect(&DoublePendulum.dynamics(), motions());
-    assert_eq!(together.len(), 30);
-    for (found, (start, end)) in together.iter().zip(motions()) {
+        .collect(&DoublePendulum.dynamics(), motions.iter().copied());
+    assert_eq!(together.len(), motions.len());
+    for (found, &(start, end)) in together.iter().zip(motions) {
         let found = found.as_ref().unwrap();
         let alone = method
             .ensemble::<2>()
@@ -73,9 +90,14 @@ fn a_motion_has_the_bits_that_it_has_alone() {
 
 #[test]
 fn the_order_of_the_motions_does_not_matter() {
+    the_order_does_not_matter(&some_motions(12));
+}
+
+fn the_order_does_not_matter(motions: &[(State<f64, 2>, f64)]) {
     let ensemble = Taylor::order_16().ensemble::<4>();
-    let forwards = ensemble.collect(&DoublePendulum.dynamics(), motions());
-    let reversed = motions().into_iter().rev();
+    let motions = motions.iter().copied();
+    let forwards = ensemble.collect(&DoublePendulum.dynamics(), motions.clone());
+    let reversed = motions.rev();
     let mut backwards = ensemble.collect(&DoublePendulum.dynamics(), reversed);
     backwards.reverse();
     assert_eq!(forwards, backwards);
@@ -83,11 +105,15 @@ fn the_order_of_the_motions_does_not_matter() {
 
 #[test]
 fn lanes_take_the_steps_of_single_motions() {
+    lanes_and_single_motions(&some_motions(12));
+}
+
+fn lanes_and_single_motions(motions: &[(State<f64, 2>, f64)]) {
     let method = Taylor::new();
     let together = method
         .ensemble::<8>()
-        .collect(&DoublePendulum.dynamics(), motions());
-    for (found, (start, end)) in together.iter().zip(motions()) {
+        .collect(&DoublePendulum.dynamics(), motions.iter().copied());
+    for (found, &(start, end)) in together.iter().zip(motions) {
         let found = found.as_ref().unwrap();
         let alone = Problem::new(&DoublePendulum, start)
             .solve(end, method)

@@ -189,10 +189,10 @@ macro_rules! table {
 }
 
 table! {
-    midpoint: |h| RungeKutta::new(MIDPOINT, h), in f64, order 2 from step 0.02, RungeKutta::new(MIDPOINT, 1e-3), to 1e-5;
+    midpoint: |h| RungeKutta::new(MIDPOINT, h), in f64, order 2 from step 0.02, RungeKutta::new(MIDPOINT, 2.5e-3), to 1e-5;
     classical: RungeKutta::classical, in f64, order 4 from step 0.1, RungeKutta::classical(0.01), to 1e-8;
     dormand_prince: fixed_dop853, in f64, order 8 from step 0.5, Dop853::new(), to 1e-8;
-    taylor_2: fixed_taylor::<1>, in f64, order 2 from step 0.02, fixed_taylor::<1>(1e-3), to 1e-5;
+    taylor_2: fixed_taylor::<1>, in f64, order 2 from step 0.02, fixed_taylor::<1>(2.5e-3), to 1e-5;
     taylor_4: fixed_taylor::<2>, in f64, order 4 from step 0.1, fixed_taylor::<2>(0.01), to 1e-8;
     taylor_6: fixed_taylor::<3>, in f64, order 6 from step 0.25, fixed_taylor::<3>(0.05), to 1e-8;
     taylor_8: fixed_taylor::<4>, in f64, order 8 from step 0.5, fixed_taylor::<4>(0.1), to 1e-9;

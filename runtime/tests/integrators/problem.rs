@@ -6,27 +6,7 @@ use lagrangian::Lanes;
 use lagrangian::nalgebra::SVector;
 use lagrangian::prelude::*;
 
-/// A stone that falls from a height of 5 for 1 s, and passes a ledge on its way.
-#[derive(Lagrangian, Clone)]
-#[lagrangian(
-    taylor,
-    coordinates(x),
-    kinetic = 0.5 * dot(x).powi(2),
-    potential = g * x,
-    event(floor = x, ledge = x - 2),
-)]
-pub(crate) struct Stone {
-    pub(crate) g: f64,
-}
-
-pub(crate) const STONE: Stone = Stone { g: 10.0 };
-
-/// When it passes the ledge: √(2 · 3/10).
-pub(crate) const LEDGE: f64 = 0.774_596_669_241_483_4;
-
-pub(crate) fn start() -> State<f64, 1> {
-    State::new(0.0, [5.0], [0.0])
-}
+use crate::settings::{LEDGE, STONE, Stone, start};
 
 /// Samples from the start to the end, the last one exactly there where it differs by rounding alone.
 #[test]

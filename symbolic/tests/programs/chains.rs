@@ -12,7 +12,8 @@ use lagrangian_symbolic_testing::evaluate;
 /// Deep enough: a frame of a hundred bytes a link would overflow the stack four times over.
 const DEPTH: usize = 10_000;
 /// Exact numbers that grow with every link cost more than nodes do.
-const NUMBERS: usize = 800;
+const NUMBERS: usize = 200;
+const MANY_NUMBERS: usize = 800;
 const X: Symbol = Symbol::Coordinate(0);
 
 /// Builds a chain, each link from the one before and x, and puts it through every pass.
@@ -110,19 +111,34 @@ fn roots() {
     survives(|graph, chain, _| graph.square_root(chain));
 }
 
-#[test]
-fn multiples() {
-    survives_links(NUMBERS, |graph, chain, _| {
+fn survives_multiples(links: usize) {
+    survives_links(links, |graph, chain, _| {
         graph.scale(chain, &Rational::integer(9))
     });
 }
 
-#[test]
-fn affine_maps() {
-    survives_links(NUMBERS, |graph, chain, _| {
+fn survives_affine_maps(links: usize) {
+    survives_links(links, |graph, chain, _| {
         let scaled = graph.scale(chain, &Rational::new(-7, 3).unwrap());
         graph.add_constant(scaled, &Rational::ONE)
     });
+}
+
+#[test]
+fn multiples() {
+    survives_multiples(NUMBERS);
+}
+
+#[test]
+fn affine_maps() {
+    survives_affine_maps(NUMBERS);
+}
+
+#[test]
+#[ignore = "long chains; run with `--include-ignored`"]
+fn many_multiples_and_affine_maps() {
+    survives_multiples(MANY_NUMBERS);
+    survives_affine_maps(MANY_NUMBERS);
 }
 
 #[test]

@@ -56,7 +56,7 @@ fn derivatives(m: &[f64], l: &[f64], q: &[f64], v: &[f64]) -> [DMatrix<f64>; 2] 
 }
 
 macro_rules! compare {
-    ($n:literal, $figures:ident) => {{
+    ($n:literal, $figures:ident, $states:expr) => {{
         #[derive(Lagrangian)]
         #[lagrangian(
             coordinates(theta[$n]),
@@ -74,7 +74,7 @@ macro_rules! compare {
         }
 
         let mut random = Random::default();
-        for _ in 0..20 {
+        for _ in 0..$states {
             let (m, l) = (random.array(0.5, 2.0), random.array(0.5, 2.0));
             let state: State<f64, $n> = random.state();
             let found = Chain { m, l, g: G }.linearize(&state);
@@ -89,12 +89,23 @@ macro_rules! compare {
 }
 
 #[test]
+#[ignore = "a long sweep; run with `--include-ignored`"]
 fn derivatives_are_those_of_the_closed_form() {
+    compare_derivatives(20);
+}
+
+#[test]
+fn derivatives_at_some_states_are_those_of_the_closed_form() {
+    compare_derivatives(3);
+}
+
+/// Of each chain at so many states.
+fn compare_derivatives(states: usize) {
     let mut figures = Figures::new();
-    compare!(12, figures);
+    compare!(12, figures, states);
     // The first that is long.
-    compare!(20, figures);
+    compare!(20, figures, states);
     // Column by column, from the inverse dynamics on dual numbers.
-    compare!(60, figures);
+    compare!(60, figures, states);
     figures.finish();
 }

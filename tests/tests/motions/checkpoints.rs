@@ -27,6 +27,7 @@ struct Cart {
 }
 
 const END: f64 = 7.5;
+const SOONER: f64 = 2.5;
 
 fn by_text<M: Serialize + DeserializeOwned>(checkpoint: &Checkpoint<M>) -> Checkpoint<M> {
     let text = serde_json::to_string(checkpoint).unwrap();
@@ -39,7 +40,7 @@ fn by_bytes<M: Serialize + DeserializeOwned>(checkpoint: &Checkpoint<M>) -> Chec
 }
 
 /// Stored after every third step, in turn as a value, as text and as bytes; also within what the last step shows.
-fn interrupted_is_uninterrupted<S, D, I>(method: I, problem: impl Fn() -> Problem<S, D>)
+fn interrupted_is_uninterrupted<S, D, I>(method: I, last: f64, problem: impl Fn() -> Problem<S, D>)
 where
     S: Scalar,
     D: Dynamics<S, State: PartialEq + std::fmt::Debug>,
@@ -49,7 +50,7 @@ where
         let problem = problem().max_steps(3);
         problem.resume(checkpoint, method).unwrap()
     };
-    for end in [END, -END] {
+    for end in [last, -last] {
         let mut whole = problem().start(method).unwrap();
         whole.advance(end).unwrap();
 
@@ -108,42 +109,65 @@ fn derivatives_go_on_from_checkpoints() {
 }
 
 #[test]
+#[ignore = "long integrations; run with `--include-ignored`"]
+fn every_method_and_scalar_goes_on_from_later_checkpoints() {
+    every_method(END);
+    every_scalar(END);
+}
+
+#[test]
 fn every_method_goes_on_from_checkpoints() {
+    every_method(SOONER);
+}
+
+fn every_method(last: f64) {
     let start = State::new(0.0, [2.0, 1.0], [0.1, -0.3]);
     let problem = || Problem::new(&DoublePendulum, start);
-    interrupted_is_uninterrupted(RungeKutta::classical(0.01), problem);
-    interrupted_is_uninterrupted(Dop853::new(), problem);
-    interrupted_is_uninterrupted(Taylor::new(), problem);
-    interrupted_is_uninterrupted(Taylor::order_12(), problem);
-    interrupted_is_uninterrupted(Taylor::order_16(), problem);
-    interrupted_is_uninterrupted(Taylor::order_40(), problem);
+    interrupted_is_uninterrupted(RungeKutta::classical(0.01), last, problem);
+    interrupted_is_uninterrupted(Dop853::new(), last, problem);
+    interrupted_is_uninterrupted(Taylor::new(), last, problem);
+    interrupted_is_uninterrupted(Taylor::order_12(), last, problem);
+}
+
+/// Each order is compiled anew, which takes longer than the motions.
+#[cfg(feature = "all-cases")]
+#[test]
+fn other_orders_go_on_from_checkpoints() {
+    let start = State::new(0.0, [2.0, 1.0], [0.1, -0.3]);
+    let problem = || Problem::new(&DoublePendulum, start);
+    interrupted_is_uninterrupted(Taylor::order_16(), END, problem);
+    interrupted_is_uninterrupted(Taylor::order_40(), END, problem);
 }
 
 #[test]
 fn every_scalar_goes_on_from_checkpoints() {
+    every_scalar(SOONER);
+}
+
+fn every_scalar(last: f64) {
     fn start<S: Scalar>(number: impl Fn(f64) -> S) -> State<S, 2> {
         let [q, v] = [[2.0, 1.0], [0.1, -0.3]].map(|x| x.map(&number));
         State::new(S::zero(), q, v)
     }
     let doubled = start(|x| DoubleDouble::from_f64(x) / DoubleDouble::from_f64(3.0));
     let problem = || Problem::new(&DoublePendulum, doubled);
-    interrupted_is_uninterrupted(Taylor::order_40(), problem);
+    interrupted_is_uninterrupted(Taylor::order_40(), last, problem);
     let lanes = start(|x| Lanes([x, 0.5 * x, x + 0.1, -x]));
     let problem = || Problem::new(&DoublePendulum, lanes);
-    interrupted_is_uninterrupted(Dop853::new(), problem);
+    interrupted_is_uninterrupted(Dop853::new(), last, problem);
     #[allow(clippy::cast_possible_truncation)] // The digits of `f32` are the point.
     let single = start(|x| x as f32);
     let method = Dop853::new()
         .relative_tolerance(1e-6)
         .absolute_tolerance(1e-6);
-    interrupted_is_uninterrupted(method, || Problem::new(&DoublePendulum, single));
+    interrupted_is_uninterrupted(method, last, || Problem::new(&DoublePendulum, single));
 }
 
 #[test]
 fn the_states_of_a_controller_are_stored() {
     let cart = Cart { push: 0.0 };
     let start = State::new(0.0, [1.0], [0.2]);
-    interrupted_is_uninterrupted(Dop853::new(), || {
+    interrupted_is_uninterrupted(Dop853::new(), END, || {
         Problem::new(&cart, start).feedback_with_states([0.0], |x, z| {
             let pull = -x.q[0] - z[0] - x.v[0];
             (pull, x.q[0] - 0.1 * z[0])

@@ -13,9 +13,14 @@ pub(super) struct Found {
 
 /// All declarations that stand in files as they are derived; those that macros make from arguments are not there.
 pub(super) fn declarations() -> Vec<Found> {
+    declarations_below("")
+}
+
+/// Those in a folder of the workspace.
+pub(super) fn declarations_below(folder: &str) -> Vec<Found> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut files = Vec::new();
-    collect(&root, &mut files);
+    collect(&root.join(folder), &mut files);
     files.sort();
     let mut found = Vec::new();
     for file in files {
@@ -26,7 +31,9 @@ pub(super) fn declarations() -> Vec<Found> {
         let place = place.display().to_string();
         let is_source = file.extension().is_some_and(|extension| extension == "rs");
         let whole = is_source.then(|| text.clone());
-        for code in whole.into_iter().chain(code_blocks(&text)) {
+        // Most files have no declaration, and it takes long to parse them.
+        let codes = whole.into_iter().chain(code_blocks(&text));
+        for code in codes.filter(|code| code.contains("[lagrangian(")) {
             if let Ok(tokens) = code.parse::<TokenStream>() {
                 structs(tokens, &place, &mut found);
             }

@@ -35,7 +35,10 @@ fn a_wrong_length_fails() {
 
 #[test]
 fn all_cases_and_references_are_there() {
-    assert_eq!(public_cases().len(), 200 / public_case::STRIDE);
+    assert_eq!(
+        public_cases().len(),
+        200_usize.div_ceil(public_case::STRIDE)
+    );
     assert_eq!(list(&references()["references"]).len(), 63);
     assert_eq!(list(&references()["closed_forms"]).len(), 22);
 }
