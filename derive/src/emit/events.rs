@@ -49,19 +49,19 @@ impl Emitter<'_> {
         let result = self.result_of_series();
         let body = self.body_of_series(&series.series);
         let value = quote!(::core::option::Option::Some({ #body }));
-        Some(self.function_of_series(&quote!(event_series), None, value, Some(&result)))
+        Some(self.function_of_series(&quote!(event_series), None, &value, Some(&result)))
     }
 
     /// A method that takes the series of a motion and of the inputs, whose body reads those.
     pub(super) fn function_of_series(
         &self,
         name: &TokenStream,
-        more: Option<TokenStream>,
-        body: TokenStream,
+        more: Option<&TokenStream>,
+        body: &TokenStream,
         result: Option<&TokenStream>,
     ) -> TokenStream {
         let (state, others) = (self.signatures().state(), self.parameters_of_series());
-        let (inputs, orders) = self.series_of_inputs(&body);
+        let (inputs, orders) = self.series_of_inputs(body);
         let result = result.map(|ty| quote!(-> #ty));
         quote! {
             fn #name<const HALF: usize>(&self, state: #state, #inputs #others #more) #result {

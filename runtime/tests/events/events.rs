@@ -170,3 +170,38 @@ fn the_density_of_samples_can_be_set() {
     assert_eq!(found(0), 0);
     assert_eq!(found(300), 2);
 }
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(height),
+    kinetic = 0.5 * dot(height).powi(2),
+    potential = g * height,
+    event(floor = height)
+)]
+struct Thrown {
+    g: f64,
+}
+
+/// What is declared has no polynomial under these methods: it is sampled as a closure is, and interpolates nothing besides.
+#[test]
+fn a_declared_event_evaluates_no_more_than_a_closure() {
+    let start = State::new(0.0, [5.0], [10.0]);
+    let thrown = Thrown { g: 9.81 };
+    let problem = || Problem::new(&thrown, start);
+    let lands = |x: &State<f64, 1>| x.q[0];
+    let method = RungeKutta::classical(1e-3);
+    let declared = problem().on(Thrown::FLOOR).record().solve(1.0, method);
+    let closure = problem().when(lands).record().solve(1.0, method);
+    let evaluations = [declared, closure].map(|end| end.unwrap().statistics.evaluations);
+    assert_eq!(evaluations[0], evaluations[1]);
+    assert!(evaluations[1] < 4010, "{evaluations:?}");
+
+    let method = Dop853::new();
+    let declared = problem().on(Thrown::FLOOR).samples(1).record();
+    let closure = problem().when(lands).samples(1).record();
+    let evaluations = [
+        declared.solve(1.0, method).unwrap().statistics.evaluations,
+        closure.solve(1.0, method).unwrap().statistics.evaluations,
+    ];
+    assert_eq!(evaluations[0], evaluations[1]);
+}
