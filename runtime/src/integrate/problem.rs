@@ -6,6 +6,7 @@
 #![allow(clippy::type_complexity)] // The settings of a problem are in its type.
 
 mod keep;
+mod part;
 mod reaction;
 mod run;
 mod solution;
@@ -36,6 +37,7 @@ use super::partial::Partial;
 use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
 use keep::{Begun, Collecting, Saved};
+use part::{KeptSoFar, Part};
 pub use reaction::Reactions;
 
 /// An initial value problem: dynamics with an initial state, and what is asked of their integration.
@@ -265,12 +267,19 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     {
         let (limits, start, mut watch) = (self.limits, self.start, self.watch);
         let mut driver = limits.driver(method, watch.conditions, watch.observer);
-        let begun = self.keep.begin(&start, end);
+        let begun = self.keep.begin(&start, Part::whole(start.t, end));
+        let mut kept = KeptSoFar::default();
         let system = (&mut self.dynamics, &mut watch.reactions);
-        collected::<_, _, _, K>(begun, start, limits, |start, samples, collector| {
-            let course = limits.course(samples, end);
-            driver.run(system, start, course, collector)
-        })
+        collected::<_, _, _, K>(
+            begun,
+            &mut kept,
+            start,
+            limits,
+            |start, samples, collector| {
+                let course = limits.course(samples, end);
+                driver.run(system, start, course, collector)
+            },
+        )
     }
 }
 
@@ -292,6 +301,7 @@ impl<S: Scalar, D: Dynamics<S>, C, R, O> Problem<S, D, End, C, R, O> {
 /// What an integration finds, as it collects what is kept.
 fn collected<S, D, T, K>(
     begun: Begun<K::Times, K::Collection>,
+    kept: &mut KeptSoFar,
     start: At<f64, D::State>,
     limits: Limits,
     integrate: impl FnOnce(
@@ -310,11 +320,12 @@ where
         mut collection,
         checked,
     } = begun;
-    let mut collector = Collecting::new(&mut collection);
+    let mut collector = Collecting::new(&mut collection, *kept);
     let (mut outcome, result) = match checked {
         Ok(()) => integrate(&start, times.as_ref(), &mut collector),
         Err(error) => (Outcome::at(start), Err(error)),
     };
+    *kept = collector.so_far;
     let events = collector.events;
     let result = result.and(limits.check(&mut outcome));
     let solution = Solution::new(K::finish(collection, &outcome), events, outcome);

@@ -22,6 +22,7 @@ mod problem;
 mod problem_settings;
 mod recurrences;
 mod running;
+mod samples_of_parts;
 mod saltation;
 mod sampled;
 mod series_by_hand;

@@ -3,6 +3,7 @@
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 
+use super::part::{KeptSoFar, Part};
 use super::solution::Events;
 use crate::integrate::at::At;
 use crate::integrate::collector::{Collector, Uncollected};
@@ -56,9 +57,9 @@ pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Saved + Sized {
     #[doc(hidden)]
     type Collection: Collector<S, D, T>;
 
-    /// The times of samples up to the end, and what collects.
+    /// The times of samples in a part of an integration, and what collects.
     #[doc(hidden)]
-    fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<Self::Times, Self::Collection>;
+    fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<Self::Times, Self::Collection>;
 
     #[doc(hidden)]
     fn finish(collection: Self::Collection, outcome: &Outcome<D::State>) -> Self::Kept;
@@ -93,19 +94,20 @@ impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for End {
     type Times = [f64; 0];
     type Collection = Uncollected;
 
-    fn begin(self, _: &At<f64, D::State>, _: f64) -> Begun<[f64; 0], Uncollected> {
+    fn begin(self, _: &At<f64, D::State>, _: Part) -> Begun<[f64; 0], Uncollected> {
         Begun::valid([], Uncollected)
     }
 
     fn finish(_: Uncollected, _: &Outcome<D::State>) {}
 }
 
-/// Samples at the start and every so often: at t₀, t₀ + Δt, … up to the end.
+/// Samples at the start and every so often: at t₀, t₀ + Δt, … up to the end. The parts of a [`Run`](crate::problem::Run) share this
+/// grid, and each sample is kept by one of them.
 #[cfg(feature = "alloc")]
 #[derive(Clone, Copy, Debug)]
 pub struct Every(pub f64);
 
-/// Samples at the start and at the end of each step.
+/// Samples at the start and at the end of each step; each is kept by one part of a [`Run`](crate::problem::Run).
 #[cfg(feature = "alloc")]
 #[derive(Clone, Copy, Debug)]
 pub struct StepEnds;
@@ -137,8 +139,18 @@ where
     type Times = Self;
     type Collection = Samples<S, D::State>;
 
-    fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<Self, Samples<S, D::State>> {
+    fn begin(mut self, start: &At<f64, D::State>, part: Part) -> Begun<Self, Samples<S, D::State>> {
+        let end = part.end;
         let span = start.t.min(end)..=start.t.max(end);
+        if part.is_one_of_several {
+            // The others belong to other parts. What is no time is refused.
+            let is_left = |t: f64| {
+                part.kept
+                    .sample
+                    .is_none_or(|last| (t - last) * (end - last) > 0.0)
+            };
+            self.retain(|t| !t.is_finite() || span.contains(t) && is_left(*t));
+        }
         let outside = self.iter().find(|time| !span.contains(*time));
         let checked = match outside {
             Some(&time) if time.is_finite() && end.is_finite() => {
@@ -172,8 +184,8 @@ macro_rules! lists_of_times {
             type Times = Vec<f64>;
             type Collection = Samples<S, D::State>;
 
-            fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<Vec<f64>, Self::Collection> {
-                Keep::<S, D, T>::begin(self.to_vec(), start, end)
+            fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<Vec<f64>, Self::Collection> {
+                Keep::<S, D, T>::begin(self.to_vec(), start, part)
             }
 
             fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {
@@ -197,18 +209,23 @@ impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for Every {
     type Times = Vec<f64>;
     type Collection = Samples<S, D::State>;
 
-    fn begin(self, start: &At<f64, D::State>, end: f64) -> Begun<Vec<f64>, Self::Collection> {
-        let Self(interval) = self;
+    fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<Vec<f64>, Self::Collection> {
+        let (Self(interval), end) = (self, part.end);
         // The interval has to be above the resolution of the times, which are refused with the end if they are not finite.
         let resolution = 16.0 * f64::EPSILON * start.t.abs().max(end.abs());
         let is_resolved = interval > resolution || resolution.is_infinite();
         let is_valid = interval > 0.0 && interval.is_finite() && is_resolved;
         let times = if is_valid {
-            self.times(start.t, end)
+            self.times(start.t, part)
         } else {
             Vec::new()
         };
-        let begun = Keep::<S, D, T>::begin(times, start, end);
+        // Those that were kept are left out, up to rounding.
+        let part = Part {
+            kept: KeptSoFar::default(),
+            ..part
+        };
+        let begun = Keep::<S, D, T>::begin(times, start, part);
         if is_valid {
             begun
         } else {
@@ -226,17 +243,28 @@ impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for Every {
 
 #[cfg(feature = "alloc")]
 impl Every {
-    /// The multiples of the interval from the start on. One that differs from the end by rounding is the end.
-    fn times(self, start: f64, end: f64) -> Vec<f64> {
+    /// The multiples of the interval in a part that begins at `start`, counted from where the problem begins. One that differs from
+    /// the start, the end or the last sample by rounding is that.
+    fn times(self, start: f64, part: Part) -> Vec<f64> {
+        let Part { origin, end, .. } = part;
         let interval = self.0.copysign(end - start);
-        let count = (end - start) / interval;
-        let rounding = 4.0 * f64::EPSILON * (count + (start / interval).abs());
+        let [first, last] = [start, end].map(|t| (t - origin) / interval);
+        let rounding =
+            4.0 * f64::EPSILON * (first.abs().max(last.abs()) + (origin / interval).abs());
+        let kept = part.kept.sample.map(|t| (t - origin) / interval + rounding);
         let mut times = Vec::new();
-        let mut k = 0.0;
+        let mut k = libm::ceil(first - rounding);
         // Not a number where the end is not.
-        while count.is_finite() && k <= count + rounding {
-            let is_end = (k - count).abs() <= rounding;
-            times.push(if is_end { end } else { start + k * interval });
+        while last.is_finite() && k <= last + rounding {
+            if kept.is_none_or(|kept| k > kept) {
+                times.push(if (k - last).abs() <= rounding {
+                    end
+                } else if (k - first).abs() <= rounding {
+                    start
+                } else {
+                    origin + k * interval
+                });
+            }
             k += 1.0;
         }
         times
@@ -279,9 +307,11 @@ where
     type Times = [f64; 0];
     type Collection = CollectedSteps<S, D::State>;
 
-    fn begin(self, start: &At<f64, D::State>, _: f64) -> Begun<[f64; 0], Self::Collection> {
-        let first = start.clone().on_scalar();
-        Begun::valid([], CollectedSteps(alloc::vec![first]))
+    fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<[f64; 0], Self::Collection> {
+        // The end of the part before is not kept again.
+        let is_kept = part.kept.step.is_some_and(|t| t - start.t == 0.0);
+        let first = (!is_kept).then(|| start.clone().on_scalar());
+        Begun::valid([], CollectedSteps(first.into_iter().collect()))
     }
 
     fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {
@@ -319,7 +349,7 @@ where
     type Times = [f64; 0];
     type Collection = Whole<D::State, T::Interpolant>;
 
-    fn begin(self, start: &At<f64, D::State>, _: f64) -> Begun<[f64; 0], Self::Collection> {
+    fn begin(self, start: &At<f64, D::State>, _: Part) -> Begun<[f64; 0], Self::Collection> {
         let whole = Whole {
             initial: start.clone(),
             segments: Segments::new(),
@@ -340,12 +370,14 @@ where
 pub(super) struct Collecting<'a, C, S, X> {
     pub(super) kept: &'a mut C,
     pub(super) events: Events<S, X>,
+    pub(super) so_far: KeptSoFar,
 }
 
 impl<'a, C, S, X> Collecting<'a, C, S, X> {
-    pub(super) fn new(kept: &'a mut C) -> Self {
+    pub(super) fn new(kept: &'a mut C, so_far: KeptSoFar) -> Self {
         Self {
             kept,
+            so_far,
             events: Events::default(),
         }
     }
@@ -358,6 +390,7 @@ where
     C: Collector<S, D, T>,
 {
     fn sample(&mut self, sample: &At<f64, D::State>) {
+        self.so_far.sample = Some(sample.t);
         self.kept.sample(sample);
     }
 
@@ -368,6 +401,7 @@ where
     }
 
     fn step(&mut self, dynamics: &D, stepper: &mut T, end: f64) {
+        self.so_far.step = Some(end);
         self.kept.step(dynamics, stepper, end);
     }
 }

@@ -3,6 +3,7 @@
 use core::marker::PhantomData;
 
 use super::keep::Keep;
+use super::part::{KeptSoFar, Part};
 use super::reaction::Reactions;
 use super::solution::Solution;
 use super::{End, Limits, Problem, Watch, collected};
@@ -55,6 +56,9 @@ where
     dynamics: D,
     reactions: R,
     keep: K,
+    /// The time at which the problem begins.
+    origin: f64,
+    kept: KeptSoFar,
     limits: Limits,
     stepper: I::Stepper,
     /// What is known of the events, as far as the integration goes on from where it was known.
@@ -125,7 +129,14 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         } = self.watch;
         let driver = self.limits.driver(method, conditions, observer);
         let (stepper, events) = stepper(&driver, &self.dynamics, &self.start)?;
+        // What lies at a checkpoint was kept by the run that made it.
+        let before = Some(stepper.time()).filter(|t| t - self.start.t != 0.0);
         Ok(Run {
+            origin: self.start.t,
+            kept: KeptSoFar {
+                sample: before,
+                step: before,
+            },
             driver,
             dynamics: self.dynamics,
             reactions,
@@ -261,7 +272,8 @@ where
     K: Keep<S, D, I::Stepper> + Clone,
 {
     /// Integrates until the time `end`, or until an event, a condition or an observer stops. The solution has the samples and
-    /// events of this part, and the cost since the start of the run.
+    /// events of this part, and the cost since the start of the run. Samples are those of the whole integration: each is kept by
+    /// the part that comes to it first, and a list of times may go beyond this part.
     ///
     /// # Errors
     ///
@@ -300,10 +312,23 @@ where
     ) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>> {
         let (t, x) = (self.stepper.time(), self.stepper.state().clone());
         let start = At { t, x };
-        let begun = self.keep.clone().begin(&start, end);
-        collected::<_, _, _, K>(begun, start, limits, |start, samples, collector| {
-            self.go_on(start, limits.course(samples, end), collector)
-        })
+        let part = Part {
+            origin: self.origin,
+            end,
+            kept: self.kept,
+            is_one_of_several: true,
+        };
+        let begun = self.keep.clone().begin(&start, part);
+        let mut kept = self.kept;
+        let solution = collected::<_, _, _, K>(
+            begun,
+            &mut kept,
+            start,
+            limits,
+            |start, samples, collector| self.go_on(start, limits.course(samples, end), collector),
+        );
+        self.kept = kept;
+        solution
     }
 
     /// Advances, then restarts the stepper where the integration has stopped.
