@@ -1,7 +1,8 @@
 //! The emitted methods, one row each.
 //!
-//! Emission, the impls beside errors, the operation counts, and the names that no output may have are read off this table. To add a method, add its row here, its program in `methods.rs`,
-//! and, in the runtime, its declaration in the trait, and the method of `Lagrangian` that evaluates it.
+//! Emission, the impls beside errors, the operation counts, and the names that no output may have are read off this
+//! table. To add a method, add its row here, its program in `methods.rs`, and, in the runtime, its declaration in the trait and
+//! the method of `Lagrangian` that evaluates it.
 
 /// The trait of the runtime that declares a method.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
