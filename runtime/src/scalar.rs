@@ -342,6 +342,53 @@ pub trait Scalar:
     /// The greater of two numbers; in lanes, the other one where one of them is NaN.
     #[must_use]
     fn max(self, other: Self) -> Self;
+    /// `self` to a whole power, by repeated squares.
+    #[inline]
+    #[must_use]
+    fn powi(self, exponent: i32) -> Self {
+        let (mut power, mut square) = (Self::one(), self);
+        let mut rest = exponent.unsigned_abs();
+        while rest > 0 {
+            if rest % 2 == 1 {
+                power *= square;
+            }
+            rest /= 2;
+            if rest > 0 {
+                square *= square;
+            }
+        }
+        if exponent < 0 {
+            Self::one() / power
+        } else {
+            power
+        }
+    }
+    /// The nearest number between two limits: the saturation of an actuator.
+    #[inline]
+    #[must_use]
+    fn clamp(self, least: Self, most: Self) -> Self {
+        self.max(least).min(most)
+    }
+    /// √(x² + y²).
+    #[inline]
+    #[must_use]
+    fn hypot(self, other: Self) -> Self {
+        let scale = self.common_scale(other);
+        let (x, y) = (self * scale, other * scale);
+        (x * x + y * y).sqrt() / scale
+    }
+    /// An angle in degrees, in radians.
+    #[inline]
+    #[must_use]
+    fn to_radians(self) -> Self {
+        self * (Self::pi() / Self::from_f64(180.0))
+    }
+    /// An angle in radians, in degrees.
+    #[inline]
+    #[must_use]
+    fn to_degrees(self) -> Self {
+        self * (Self::from_f64(180.0) / Self::pi())
+    }
 }
 
 #[cfg(test)]

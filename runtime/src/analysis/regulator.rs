@@ -21,12 +21,13 @@ use crate::limits::analysis::{BORDER, RICCATI_CHANGE, UNREACHED};
 use crate::linalg::Factorization;
 use crate::scalar::{DoubleDouble, Scalar};
 
-/// The linear-quadratic regulator u = −K x, which minimizes ∫ xᵀ Q x + uᵀ R u dt, or the sum of the same over samples.
+/// The linear-quadratic regulator u = u₀ − K (x − x₀), where x₀ and u₀ are the state, coordinates and then velocities, and the inputs
+/// of the linearization. With deviations x and u from them it minimizes ∫ xᵀ Q x + uᵀ R u dt, or the sum of the same over samples.
 ///
 /// ```
 /// use lagrangian::analysis::StateSpace;
 /// use lagrangian::prelude::*;
-/// use nalgebra::{Matrix1, Matrix2};
+/// use lagrangian::nalgebra::{Matrix1, Matrix2};
 /// # use lagrangian::nalgebra;
 ///
 /// #[derive(Lagrangian)]

@@ -11,8 +11,9 @@ pub enum StopReason {
     Completed,
     /// A stop condition was met, a terminal event occurred, or a reaction ended it.
     Condition,
-    /// An event has occurred again and again in too short a time (Zeno behaviour): a ball whose bounces have become so
-    /// short is at rest. More than eight times in a row the event came, and the method began anew, within 1024 times what
+    /// The integration ended **before the final time**, since an event has occurred again and again in too short a time (Zeno
+    /// behaviour): a ball whose bounces have become so short is at rest. [`Problem::solve`](crate::Problem::solve) returns `Ok` there,
+    /// too. More than eight times in a row the event came, and the method began anew, within 1024 times what
     /// is resolved, 100 ε (|t| + h) after steps of the length h; or within an eighth of the step where its function does
     /// not leave its rounding errors; or twice where it does not leave zero.
     Zeno,

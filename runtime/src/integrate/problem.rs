@@ -248,7 +248,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     }
 
     /// Integrates by a method until the time `end`, which may lie before the start, or until an event, a condition or an
-    /// observer stops.
+    /// observer stops, or events follow each other ever faster, as the bounces of a ball that comes to rest:
+    /// [`Solution::reason`](crate::Solution) tells which.
     ///
     /// # Errors
     ///

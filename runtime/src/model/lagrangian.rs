@@ -105,7 +105,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         model.accelerations(state, &self.inputs(), &model.prepare())
     }
 
-    /// Inverse dynamics: the forces M q̈ − f that have to act in addition to Q for these accelerations. In a loop,
+    /// Inverse dynamics: the generalized forces M q̈ − f that must be added to those of the declaration, at the inputs, for these
+    /// accelerations. Where the inputs are 0 and no other forces act, they are those of the actuators. In a loop,
     /// [`dynamics`](Self::dynamics) has them without computing again what depends on parameters alone.
     #[inline]
     fn inverse_dynamics(

@@ -17,7 +17,8 @@ use crate::integrate::{At, Problem};
 use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
-/// The law of the inputs is set before what is watched for, since it decides on the state.
+/// The law of the inputs comes directly behind `Problem::new`, before events, conditions and observers: it may add components to the
+/// state.
 impl<'a, M, S, K, const N: usize> Problem<S, EquationsOfMotion<'a, M, S, N>, K>
 where
     M: Quantities<N, S>,
@@ -40,9 +41,9 @@ where
     /// struct Slider { m: f64, k: f64, #[lagrangian(input)] push: f64 }
     ///
     /// let slider = Slider { m: 1.0, k: 4.0, push: 0.0 };
-    /// // It is held at x = 1.
+    /// // It is held at x = 1 by an actuator that saturates.
     /// let end = Problem::new(&slider, State::new(0.0, [0.0], [0.0]))
-    ///     .feedback(|x| 4.0 - 10.0 * (x.q[0] - 1.0) - 5.0 * x.v[0])
+    ///     .feedback(|x| (4.0 - 10.0 * (x.q[0] - 1.0) - 5.0 * x.v[0]).clamp(-8.0, 8.0))
     ///     .solve(20.0, Dop853::new())?;
     /// assert!((end.q[0] - 1.0).abs() < 1e-8);
     /// # Ok::<(), IntegrationError>(())

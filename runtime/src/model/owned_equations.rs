@@ -63,8 +63,8 @@ where
         &self.model
     }
 
-    /// Changes the model, and prepares it again. A method of integration that holds on to these equations has to begin
-    /// anew, as a [`Problem`](crate::Problem) does behind a reaction by [`then_with`](crate::problem::When::then_with).
+    /// Changes the model, and prepares it again. [`then_with`](crate::problem::When::then_with) and
+    /// [`Run::change`](crate::problem::Run::change) restart the method afterwards; whoever drives a [`Stepper`](crate::Stepper) restarts it.
     pub fn change<R>(&mut self, change: impl FnOnce(&mut M) -> R) -> R {
         let result = change(&mut self.model);
         (self.inputs, self.prepared) = (self.model.inputs(), self.model.prepare());

@@ -16,8 +16,8 @@ use crate::scalar::Scalar;
 /// included, at the time and the state of the stage. It acts in continuous time, without a hold, and must be a
 /// function of its arguments only; the memory of a controller is a state of its own, which
 /// [`with_controller`](Self::with_controller) integrates. Where a law is discontinuous or not differentiable, the steps
-/// of an adaptive method become short. For a sampled controller with a zero-order hold, integrate from sample to sample
-/// under [`with_inputs`](crate::Lagrangian::with_inputs).
+/// of an adaptive method become short. A sampled controller with a zero-order hold is
+/// [`Problem::sampled_feedback`](crate::Problem::sampled_feedback).
 ///
 /// The law is evaluated on [`Scalar`](Self::Scalar); on another one,
 /// [`ControlledBy::new`] and [`WithController::new`] take it, with the types of its arguments written.

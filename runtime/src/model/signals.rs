@@ -160,7 +160,7 @@ impl<S: Scalar, G: Signal<S> + ?Sized> Signal<S> for &G {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a signal for each of the {U} inputs",
     note = "inputs are driven by an array of signals, `[push]`, or a tuple of different ones, `(push, Constant(1.0))`; \
-            a closure is a control law, `controlled_by`, which `Dop853` integrates"
+            a closure is a control law, `feedback(|x| …)`, which `Dop853` integrates"
 )]
 pub trait Signals<S: Scalar, const U: usize> {
     /// u(t).

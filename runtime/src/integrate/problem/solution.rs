@@ -105,7 +105,7 @@ where
     X: VectorSpace<S>,
     P: Interpolant<S, X>,
 {
-    /// The state at a time between the start and the last; behind a jump where there is one.
+    /// The state at a time between the start and the last; at a jump, the state after it.
     ///
     /// # Errors
     ///

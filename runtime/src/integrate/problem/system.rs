@@ -3,7 +3,8 @@
 use crate::integrate::dynamics::Dynamics;
 use crate::scalar::Scalar;
 
-/// What [`Problem::new`](crate::Problem::new) takes: dynamics, owned or borrowed, or a model by reference.
+/// What [`Problem::new`](crate::Problem::new) takes: a model, `&model`, or `model` itself, whose parameters reactions can then change;
+/// or any [`Dynamics`], owned or borrowed.
 ///
 /// `Kind` tells the implementations apart, and is always inferred.
 #[diagnostic::on_unimplemented(

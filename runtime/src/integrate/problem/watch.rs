@@ -11,8 +11,8 @@ use crate::integrate::event::{
 use crate::integrate::observer::Flow;
 use crate::scalar::Scalar;
 
-/// An event of a problem, before it is said what happens there: [`record`](Self::record), [`stop`](Self::stop) or
-/// [`then`](Self::then). It occurs at zeros of either direction, unless [`rising`](Self::rising) or
+/// An event that still needs its action: [`record`](Self::record), [`stop`](Self::stop), [`then`](Self::then) or
+/// [`then_with`](Self::then_with). It occurs at zeros of either direction, unless [`rising`](Self::rising) or
 /// [`falling`](Self::falling) is said.
 #[must_use = "say what happens at the event: `record()`, `stop()` or `then(…)`"]
 #[derive(Clone, Copy, Debug)]
@@ -120,14 +120,14 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
 }
 
 impl<P, E: Directed> When<P, E> {
-    /// Where it rises through zero alone.
+    /// Only where it rises through zero.
     pub fn rising(mut self) -> Self {
         self.events
             .direct(|event| event.crossing_by(Crossing::Rising));
         self
     }
 
-    /// Where it falls through zero alone.
+    /// Only where it falls through zero.
     pub fn falling(mut self) -> Self {
         self.events
             .direct(|event| event.crossing_by(Crossing::Falling));
