@@ -26,10 +26,8 @@ impl Files {
             .map_err(|error| format!("the output folder {name} cannot be created: {error}"))?;
         let create = |name: &str| {
             let path = folder.join(name);
-            match File::create(&path) {
-                Ok(file) => Ok((path, file)),
-                Err(error) => Err(refused(&path, &error)),
-            }
+            let file = File::create(&path).map_err(|error| refused(&path, &error))?;
+            Ok::<_, String>((path, file))
         };
         Ok(Self {
             table: create("heavy_top.csv")?,
@@ -39,12 +37,12 @@ impl Files {
 
     /// Writes both files, and says so in a sentence.
     pub(crate) fn write(self, samples: &[Sample], figure: &str) -> Result<String, String> {
-        let ((table_path, table), (figure_path, mut file)) = (self.table, self.figure);
-        write_table(BufWriter::new(table), samples)
-            .map_err(|error| refused(&table_path, &error))?;
-        file.write_all(figure.as_bytes())
-            .map_err(|error| refused(&figure_path, &error))?;
-        let (table, figure) = (table_path.display(), figure_path.display());
+        let (path, file) = &self.table;
+        write_table(BufWriter::new(file), samples).map_err(|error| refused(path, &error))?;
+        let (path, mut file) = self.figure;
+        let written = file.write_all(figure.as_bytes());
+        written.map_err(|error| refused(&path, &error))?;
+        let (table, figure) = (self.table.0.display(), path.display());
         let count = samples.len();
         Ok(format!("Wrote {table} ({count} samples) and {figure}.\n"))
     }

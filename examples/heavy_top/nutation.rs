@@ -66,11 +66,16 @@ impl Nutation {
             - 2.0 * cosine * nutation.powi(2);
         let bend = 2.0 * beta * cosine - swing - a * a;
         let [fall, rise] = roots_around_zero([speed, slope, bend, beta], [-lower, upper]);
+        // How far a turning point is from the vertical, on the way to which it lies; by the root of the cubic that is measured
+        // from the vertical where it is nearer than the start.
         let from_vertical = |sign: f64, start: f64, way: f64, momentum: f64| {
             let energy = swing - sign * beta * start;
             let slope = 2.0 * (energy - sign * a * momentum);
             let bend = 2.0 * sign * beta - energy - a * a;
-            distance([-momentum.powi(2), slope, bend, -sign * beta], start, way)
+            if way < 0.5 * start {
+                return start - way;
+            }
+            polished_root([-momentum.powi(2), slope, bend, -sign * beta], start - way)
         };
         let above = from_vertical(1.0, upper, rise, momenta[0]);
         let below = from_vertical(-1.0, lower, -fall, momenta[1]);
@@ -79,13 +84,16 @@ impl Nutation {
         let square = -bend - beta * (2.0 * fall + rise);
         let rest = -bend - beta * (fall + 2.0 * rise);
         let modulus = Modulus::new(beta * span / square, rest / square);
+        // The argument from 0 to K(m) at which sn² : cn² = −fall : rise, any where the tilt is steady.
+        let part = |way: f64| if span > 0.0 { (way / span).sqrt() } else { 1.0 };
+        let phase = modulus.first(part(-fall), part(rise));
         let has_period = modulus.complement() > 0.0 && above > VERTICAL && below > VERTICAL;
         (top.is_symmetric() && has_period).then(|| Self {
             above,
             below,
             span,
             rate: 0.5 * square.sqrt(),
-            phase: initial_phase(-fall, rise, &modulus).copysign(-nutation),
+            phase: phase.copysign(-nutation),
             modulus,
             momenta,
         })
@@ -125,11 +133,8 @@ impl Nutation {
 /// The complete integral of the third kind Π(n|m), given `complement` = 1 − n > 0, which may be small or large: near 1, n itself
 /// would have lost its digits.
 fn complete_third(complement: f64, modulus: &Modulus) -> f64 {
-    let (first, m, rest) = (
-        modulus.complete_first(),
-        modulus.parameter(),
-        modulus.complement(),
-    );
+    let (m, rest) = (modulus.parameter(), modulus.complement());
+    let first = modulus.complete_first();
     if complement > 2.0 {
         // For negative n its terms cancel; with N = (m − n)/(1 − n) all are positive.
         let weight = m + complement - 1.0;
@@ -137,26 +142,6 @@ fn complete_third(complement: f64, modulus: &Modulus) -> f64 {
         return (complement - 1.0) * rest / (complement * weight) * third + m / weight * first;
     }
     first + (1.0 - complement) / 3.0 * carlson_rj(0.0, rest, 1.0, complement)
-}
-
-/// How far a turning point is from the vertical, on the way to which it lies, in cos θ. The root of
-/// `cubic`, which is measured from the vertical, is used where it is nearer than `start`.
-fn distance(cubic: [f64; 4], start: f64, way: f64) -> f64 {
-    if way < 0.5 * start {
-        start - way
-    } else {
-        polished_root(cubic, start - way)
-    }
-}
-
-/// The argument from 0 to K(m) at which sn² : cn² = `height` : `depth`.
-fn initial_phase(height: f64, depth: f64, modulus: &Modulus) -> f64 {
-    let span = height + depth;
-    if span > 0.0 {
-        modulus.first((height / span).sqrt(), (depth / span).sqrt())
-    } else {
-        0.0
-    }
 }
 
 #[cfg(test)]

@@ -84,7 +84,7 @@ pub(crate) struct Integration {
     /// Tolerance of the local error, relative and absolute [default: 1e-12; of taylor, 2^-52]
     #[arg(long, value_name = "ERROR")]
     tolerance: Option<f64>,
-    /// Size of the steps of runge-kutta [s]
+    /// Largest step of runge-kutta, which ends one at each sample [s]
     #[arg(long, value_name = "SECONDS", default_value_t = 0.001)]
     pub(crate) step: f64,
 }

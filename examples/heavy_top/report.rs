@@ -51,7 +51,7 @@ pub(crate) fn cost(motion: &Motion, asked: &Integration) -> String {
         Method::RungeKutta => "the classical Runge–Kutta method of order 4",
     };
     let accuracy = match asked.method {
-        Method::RungeKutta => format!("in steps of {} s", asked.step),
+        Method::RungeKutta => format!("in steps of at most {} s", asked.step),
         _ => format!("with tolerance {:.1e}", asked.tolerance()),
     };
     let (steps, rejected) = (motion.statistics.steps, motion.statistics.rejected);
@@ -93,14 +93,12 @@ pub(crate) fn comparison(top: &HeavyTop, motion: &Motion, closed: Option<&Nutati
         let reason = "With i1 ≠ i2 the motion has no closed form in general";
         return format!("{reason}: nothing is compared.\n");
     }
-    let nutation = closed.map_or_else(
-        || {
-            let reason = "The tilt has no period, for the axis reaches the vertical or rests";
-            format!("{reason}: nothing is compared.\n")
-        },
-        |closed| nutation(motion, closed),
-    );
-    format!("{nutation}\n{}", steady_precession(top, &first.state))
+    let steady = steady_precession(top, &first.state);
+    let Some(closed) = closed else {
+        let reason = "The tilt has no period, for the axis reaches the vertical or rests";
+        return format!("{reason}: nothing is compared.\n\n{steady}");
+    };
+    format!("{}\n{steady}", nutation(motion, closed))
 }
 
 /// How far the integrated nutation is from the closed form, in all and at the samples.
