@@ -100,15 +100,15 @@ fn samples(top: &HeavyTop, states: &[State<f64, 3>]) -> Vec<Sample> {
     let momentum = initial[1].abs().max(initial[2].abs());
     // 1 where nothing moves and nothing weighs.
     let scales = [energy, momentum, momentum].map(|scale| if scale > 0.0 { scale } else { 1.0 });
-    let sample = |state: &State<f64, 3>| {
-        let constants = constants(state);
-        Sample {
-            state: *state,
-            constants,
-            errors: std::array::from_fn(|i| (constants[i] - initial[i]) / scales[i]),
-        }
+    let sample = |state: &State<f64, 3>, constants: [f64; 3]| Sample {
+        state: *state,
+        constants,
+        errors: std::array::from_fn(|i| (constants[i] - initial[i]) / scales[i]),
     };
-    states.iter().map(sample).collect()
+    let states = states.iter();
+    states
+        .map(|state| sample(state, constants(state)))
+        .collect()
 }
 
 impl Motion {

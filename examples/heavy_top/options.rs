@@ -26,7 +26,7 @@ pub(crate) struct Options {
     pub(crate) output: PathBuf,
 }
 
-// The body.
+/// The body.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Body {
     /// First principal moment of inertia about the pivot [kg m²]
@@ -49,7 +49,7 @@ pub(crate) struct Body {
     gravity: f64,
 }
 
-// The initial state.
+/// The initial state.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Start {
     /// Initial tilt θ: 0 is upright, 180 hangs down, both excluded [degrees]
@@ -69,7 +69,7 @@ pub(crate) struct Start {
     nutation: f64,
 }
 
-// The integration.
+/// The integration.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Integration {
     /// Time span [s]
@@ -118,11 +118,48 @@ Examples, each after `cargo run --release --example heavy_top --`:
                               through the vertical, where the angles are singular";
 
 impl Options {
-    /// The first thing that is wrong with the options, in one sentence.
+    /// The first thing that is wrong with the options, in one sentence. A body has mass and inertia, gravity points down, Euler
+    /// angles need a third axis that is not vertical, and the integration must be possible, and end.
     pub(crate) fn check(&self) -> Result<(), String> {
-        self.body.check()?;
-        self.start.check()?;
-        self.integration.check()
+        let (body, start, integration) = (&self.body, &self.start, &self.integration);
+        positive("--i1", body.i1)?;
+        positive("--i2", body.top().i2)?;
+        positive("--i3", body.i3)?;
+        positive("--mass", body.mass)?;
+        for (name, value) in [("--arm", body.arm), ("--gravity", body.gravity)] {
+            require(value >= 0.0 && value.is_finite(), || {
+                format!(
+                    "{name} must be finite and not negative, and is {value}; a top that hangs has a \
+                     --tilt over 90 degrees"
+                )
+            })?;
+        }
+        body.check_inertias()?;
+        let tilt = start.tilt;
+        require(tilt > 0.0 && tilt < 180.0, || {
+            format!(
+                "--tilt must lie between 0 and 180 degrees, both excluded, and is {tilt}: the Euler \
+                 angles φ and ψ are not defined where the axis is vertical"
+            )
+        })?;
+        let names = ["--precession", "--nutation", "--spin"];
+        for (name, value) in names.iter().zip(&start.state().v) {
+            require(value.is_finite(), || {
+                format!("{name} must be finite, and is {value}")
+            })?;
+        }
+        positive("--time", integration.time)?;
+        positive("--step", integration.step)?;
+        let (samples, tolerance) = (integration.samples, integration.tolerance());
+        require((2..=MAX_SAMPLES).contains(&samples), || {
+            format!("--samples must be from 2 to {MAX_SAMPLES}, and is {samples}")
+        })?;
+        require((f64::EPSILON..=1e-2).contains(&tolerance), || {
+            format!(
+                "--tolerance must be from 2^-52, where rounding ends all progress, to 1e-2, where the \
+                 result means nothing, and is {tolerance}"
+            )
+        })
     }
 
     /// The parameters as the figure has them under its title.
@@ -153,23 +190,6 @@ impl Body {
         }
     }
 
-    /// A body has mass and inertia, and gravity points down.
-    fn check(&self) -> Result<(), String> {
-        positive("--i1", self.i1)?;
-        positive("--i2", self.top().i2)?;
-        positive("--i3", self.i3)?;
-        positive("--mass", self.mass)?;
-        for (name, value) in [("--arm", self.arm), ("--gravity", self.gravity)] {
-            require(value >= 0.0 && value.is_finite(), || {
-                format!(
-                    "{name} must be finite and not negative, and is {value}; a top that hangs has a \
-                     --tilt over 90 degrees"
-                )
-            })?;
-        }
-        self.check_inertias()
-    }
-
     /// About the centre of mass (I₂ + I₃ − I₁)/2 is the sum of x² over the mass, and likewise for y and
     /// z; none of them is negative. About the pivot I₁ and I₂ are greater by m l² (2.2).
     fn check_inertias(&self) -> Result<(), String> {
@@ -193,24 +213,6 @@ impl Start {
         let rates = [self.precession, self.nutation, self.spin];
         State::new(0.0, [0.0, self.tilt.to_radians(), 0.0], rates)
     }
-
-    /// Euler angles need a third axis that is not vertical.
-    fn check(&self) -> Result<(), String> {
-        let tilt = self.tilt;
-        require(tilt > 0.0 && tilt < 180.0, || {
-            format!(
-                "--tilt must lie between 0 and 180 degrees, both excluded, and is {tilt}: the Euler \
-                 angles φ and ψ are not defined where the axis is vertical"
-            )
-        })?;
-        let names = ["--precession", "--nutation", "--spin"];
-        for (name, value) in names.iter().zip(&self.state().v) {
-            require(value.is_finite(), || {
-                format!("{name} must be finite, and is {value}")
-            })?;
-        }
-        Ok(())
-    }
 }
 
 impl Integration {
@@ -228,22 +230,6 @@ impl Integration {
         #[allow(clippy::cast_precision_loss)]
         let time = |k: usize| self.time * (k as f64 / (self.samples - 1) as f64);
         (0..self.samples).map(time).collect()
-    }
-
-    /// The integration must be possible, and end.
-    fn check(&self) -> Result<(), String> {
-        let (samples, tolerance) = (self.samples, self.tolerance());
-        positive("--time", self.time)?;
-        positive("--step", self.step)?;
-        require((2..=MAX_SAMPLES).contains(&samples), || {
-            format!("--samples must be from 2 to {MAX_SAMPLES}, and is {samples}")
-        })?;
-        require((f64::EPSILON..=1e-2).contains(&tolerance), || {
-            format!(
-                "--tolerance must be from 2^-52, where rounding ends all progress, to 1e-2, where the \
-                 result means nothing, and is {tolerance}"
-            )
-        })
     }
 }
 
