@@ -182,19 +182,13 @@ fn wrapped(equation: &str) -> String {
 
 /// The terms of an equation with their signs, each on a line. Signs within brackets part nothing.
 fn terms(equation: &str) -> String {
-    let (mut terms, mut depth) = (String::new(), 0_i32);
+    let (mut terms, mut depth) = (String::new(), 0_usize);
     for word in equation.split(' ') {
         let is_sign = depth == 0 && matches!(word, "+" | "−");
-        terms.push_str(if is_sign { "\n" } else { " " });
+        terms.push(if is_sign { '\n' } else { ' ' });
         terms.push_str(word);
-        depth += word
-            .chars()
-            .map(|c| match c {
-                '(' | '[' => 1,
-                ')' | ']' => -1,
-                _ => 0,
-            })
-            .sum::<i32>();
+        depth += word.matches(['(', '[']).count();
+        depth = depth.saturating_sub(word.matches([')', ']']).count());
     }
     terms.split_off(1)
 }
