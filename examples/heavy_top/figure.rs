@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use lagrangian_examples::{Anchor, Panel, Point, Svg, extent};
 
 use crate::model::HeavyTop;
+use crate::motion::Sample;
 use crate::nutation::Nutation;
-use crate::record::Record;
 
 /// The most points of a curve; more would only make the file larger.
 const MAX_POINTS: usize = 20_000;
@@ -17,86 +17,65 @@ const ENERGY: [f64; 4] = [84.0, 620.0, 402.0, 572.0];
 const PATH: [f64; 4] = [712.0, 1072.0, 112.0, 472.0];
 
 /// The figure of a motion, with the limits of its tilt where they are known in closed form.
-pub(crate) fn figure(parameters: &str, records: &[Record], nutation: Option<&Nutation>) -> String {
-    let mut svg = Svg::new(1100.0, 632.0);
-    svg.text(
-        "title",
-        Anchor::Start,
-        [24.0, 36.0],
-        "Motion of a heavy top",
-    );
+pub(crate) fn figure(parameters: &str, samples: &[Sample], nutation: Option<&Nutation>) -> String {
+    let (title, mut svg) = ("Motion of a heavy top", Svg::new(1100.0, 632.0));
+    svg.text("title", Anchor::Start, [24.0, 36.0], title);
     svg.text("subtitle", Anchor::Start, [24.0, 62.0], parameters);
     let limits: Vec<f64> = nutation
-        .map(|form| vec![form.least_tilt(), form.greatest_tilt()])
-        .unwrap_or_default();
-    tilt_panel(&mut svg, records, &limits);
-    energy_panel(&mut svg, records);
-    path_panel(&mut svg, records, &limits);
+        .map(Nutation::cycle)
+        .map_or_else(Vec::new, |cycle| {
+            vec![cycle.least_tilt, cycle.greatest_tilt]
+        });
+    let every = samples.len().div_ceil(MAX_POINTS).max(1);
+    let samples: Vec<Sample> = samples.iter().step_by(every).copied().collect();
+    tilt_panel(&mut svg, &samples, &limits);
+    energy_panel(&mut svg, &samples);
+    path_panel(&mut svg, &samples, &limits);
     svg.finish()
 }
 
 /// θ(t) in degrees.
-fn tilt_panel(svg: &mut Svg, records: &[Record], limits: &[f64]) {
-    let tilts = || {
-        records
-            .iter()
-            .map(|record| record.state.q[HeavyTop::THETA].to_degrees())
-    };
-    let limits: Vec<f64> = limits.iter().map(|limit| limit.to_degrees()).collect();
-    let [low, high] = extent(tilts().chain(limits.iter().copied()));
+fn tilt_panel(svg: &mut Svg, samples: &[Sample], limits: &[f64]) {
+    let tilts = samples.iter().map(Sample::tilt).map(f64::to_degrees);
+    let limits = limits.iter().map(|limit| limit.to_degrees());
+    let [low, high] = extent(tilts.clone().chain(limits.clone()));
     // A steady precession is a straight line, and not a magnified rounding error.
     let margin = (0.06 * (high - low)).max(0.05);
-    let panel = panel_of_time(TILT, records, [low - margin, high + margin]);
+    let panel = panel_of_time(TILT, samples, [low - margin, high + margin]);
     panel.draw(svg, "Tilt of the axis", "time t / s", "tilt θ / degrees");
-    for &limit in &limits {
-        let [from, to] = panel.x.range;
+    let [from, to] = panel.x.range;
+    for limit in limits {
         svg.line("limit", panel.at(from, limit), panel.at(to, limit));
     }
-    let tilts = points(records, |record| {
-        record.state.q[HeavyTop::THETA].to_degrees()
-    });
-    panel.curve(svg, "curve", tilts);
+    panel.curve(svg, "curve", against_time(samples, tilts));
 }
 
 /// The relative energy error on a scale that is symmetric about 0.
-fn energy_panel(svg: &mut Svg, records: &[Record]) {
-    let most = records
-        .iter()
-        .map(|record| record.errors[0].abs())
-        .fold(1e-17, f64::max);
+fn energy_panel(svg: &mut Svg, samples: &[Sample]) {
+    let errors = samples.iter().map(|sample| sample.errors[0]);
+    let most = errors.clone().map(f64::abs).fold(1e-17, f64::max);
     let exponent = most.log10().floor();
     let unit = 10_f64.powf(exponent);
     let bound = 1.1 * most / unit;
-    let panel = panel_of_time(ENERGY, records, [-bound, bound]);
+    let panel = panel_of_time(ENERGY, samples, [-bound, bound]);
     let label = format!("error / 10{}", superscript(exponent));
     panel.draw(svg, "Relative error of the energy", "time t / s", &label);
     let [from, to] = panel.x.range;
     svg.line("zero", panel.at(from, 0.0), panel.at(to, 0.0));
-    panel.curve(
-        svg,
-        "curve",
-        points(records, |record| record.errors[0] / unit),
-    );
+    let errors = errors.map(|error| error / unit);
+    panel.curve(svg, "curve", against_time(samples, errors));
 }
 
 /// The path of a point of the axis at distance 1 from the pivot, seen from above.
-fn path_panel(svg: &mut Svg, records: &[Record], limits: &[f64]) {
-    let tilts = records.iter().map(|record| record.state.q[HeavyTop::THETA]);
+fn path_panel(svg: &mut Svg, samples: &[Sample], limits: &[f64]) {
+    let tilts = samples.iter().map(Sample::tilt);
     let [least, greatest] = extent(tilts.chain(limits.iter().copied()));
     let horizon = least < FRAC_PI_2 && greatest > FRAC_PI_2;
-    let widest = if horizon {
-        1.0
-    } else {
-        least.sin().max(greatest.sin())
-    };
-    let range = [-1.08 * widest, 1.08 * widest];
-    let panel = Panel::new(PATH, (range, range), [6.0, 6.0]);
-    panel.draw(
-        svg,
-        "Path of the axis, seen from above",
-        "x = sin θ sin φ",
-        "y = −sin θ cos φ",
-    );
+    let widest = least.sin().max(greatest.sin());
+    let reach = if horizon { 1.08 } else { 1.08 * widest };
+    let panel = Panel::new(PATH, ([-reach, reach], [-reach, reach]), [6.0, 6.0]);
+    let heading = "Path of the axis, seen from above";
+    panel.draw(svg, heading, "x = sin θ sin φ", "y = −sin θ cos φ");
     let centre = panel.at(0.0, 0.0);
     let radius = |sine: f64| panel.x.at(sine) - centre[0];
     for limit in limits {
@@ -105,13 +84,14 @@ fn path_panel(svg: &mut Svg, records: &[Record], limits: &[f64]) {
     if horizon {
         svg.circle("horizon", centre, radius(1.0));
     }
-    let mut path = thinned(records).map(|record| {
-        let [x, y] = seen_from_above(record);
-        panel.at(x, y)
+    let path = samples.iter().map(|sample| {
+        let (sine, cosine) = sample.state.q[HeavyTop::PHI].sin_cos();
+        let radius = sample.tilt().sin();
+        [radius * sine, -radius * cosine]
     });
-    svg.curve("curve", path.clone());
-    if let Some(start) = path.next() {
-        svg.circle("start", start, 4.0);
+    panel.curve(svg, "curve", path.clone());
+    for [x, y] in path.take(1) {
+        svg.circle("start", panel.at(x, y), 4.0);
     }
     legend(svg, limits, horizon);
 }
@@ -119,64 +99,44 @@ fn path_panel(svg: &mut Svg, records: &[Record], limits: &[f64]) {
 /// What the lines of the path mean.
 fn legend(svg: &mut Svg, limits: &[f64], horizon: bool) {
     let (left, mut y) = (PATH[0], PATH[3] + 72.0);
-    let mut row = |svg: &mut Svg, class: &str, text: &str| {
-        if class == "start" {
-            svg.circle(class, [left + 16.0, y - 5.0], 4.0);
-        } else {
-            svg.line(class, [left, y - 5.0], [left + 32.0, y - 5.0]);
-        }
-        svg.text("tick", Anchor::Start, [left + 42.0, y], text);
+    svg.circle("start", [left + 16.0, y - 5.0], 4.0);
+    svg.text("tick", Anchor::Start, [left + 42.0, y], "start");
+    let mut row = |class: &str, text: &str| {
         y += 20.0;
+        svg.line(class, [left, y - 5.0], [left + 32.0, y - 5.0]);
+        svg.text("tick", Anchor::Start, [left + 42.0, y], text);
     };
-    row(svg, "start", "start");
     if let [least, greatest] = limits {
         let (least, greatest) = (least.to_degrees(), greatest.to_degrees());
-        row(
-            svg,
-            "limit",
-            &format!("closed form: θ from {least:.2}° to {greatest:.2}°"),
-        );
+        let text = format!("closed form: θ from {least:.2}° to {greatest:.2}°");
+        row("limit", &text);
     }
     if horizon {
-        row(svg, "horizon", "horizon, θ = 90°");
+        row("horizon", "horizon, θ = 90°");
     }
 }
 
 /// A panel with the times of the motion along x.
-fn panel_of_time(pixels: [f64; 4], records: &[Record], range: [f64; 2]) -> Panel {
-    let times = extent(records.iter().map(|record| record.state.t));
+fn panel_of_time(pixels: [f64; 4], samples: &[Sample], range: [f64; 2]) -> Panel {
+    let times = extent(samples.iter().map(|sample| sample.state.t));
     Panel::new(pixels, (times, range), [8.0, 5.0])
 }
 
-/// A quantity against time.
-fn points(records: &[Record], value: impl Fn(&Record) -> f64) -> impl Iterator<Item = [f64; 2]> {
-    thinned(records).map(move |record| [record.state.t, value(record)])
-}
-
-/// Every so many records, that not too many remain.
-fn thinned(records: &[Record]) -> impl Iterator<Item = &Record> + Clone {
-    records
-        .iter()
-        .step_by(records.len().div_ceil(MAX_POINTS).max(1))
-}
-
-/// The horizontal coordinates of the point of the axis at distance 1 from the pivot.
-fn seen_from_above(record: &Record) -> Point {
-    let (sine, cosine) = record.state.q[HeavyTop::PHI].sin_cos();
-    let radius = record.state.q[HeavyTop::THETA].sin();
-    [radius * sine, -radius * cosine]
+/// The points of a quantity against time.
+fn against_time(
+    samples: &[Sample],
+    values: impl Iterator<Item = f64>,
+) -> impl Iterator<Item = Point> {
+    let times = samples.iter().map(|sample| sample.state.t);
+    times.zip(values).map(|(t, value)| [t, value])
 }
 
 /// A whole number in superscript digits.
 fn superscript(value: f64) -> String {
-    format!("{value:.0}")
-        .chars()
-        .map(|character| match character {
-            '-' => '⁻',
-            digit => "⁰¹²³⁴⁵⁶⁷⁸⁹"
-                .chars()
-                .nth(digit.to_digit(10).unwrap_or(0) as usize)
-                .unwrap_or(digit),
-        })
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let text = format!("{value:.0}");
+    let digits = text.chars().map(|character| character.to_digit(10));
+    digits
+        .map(|digit| digit.map_or('⁻', |digit| DIGITS[digit as usize]))
         .collect()
 }

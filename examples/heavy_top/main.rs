@@ -8,37 +8,24 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::comparison::comparison;
-use crate::figure::figure;
 use crate::files::Files;
 use crate::motion::integrate;
 use crate::nutation::Nutation;
 use crate::options::Options;
-use crate::record::records;
-use crate::symmetric_top::SymmetricTop;
 
 mod model;
 
-mod checks;
 mod options;
 
 mod motion;
 mod progress;
-mod record;
-mod turning_points;
 
 mod cubic;
-mod elliptic;
 mod nutation;
-mod symmetric_top;
-
-mod comparison;
-mod report;
-
-mod files;
-mod table;
 
 mod figure;
+mod files;
+mod report;
 
 fn main() -> ExitCode {
     match run(&Options::parse()) {
@@ -55,21 +42,15 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<(), String> {
     options.check()?;
     let files = Files::create(&options.output)?;
-    let top = options.top();
+    let top = options.body.top();
     say(report::equations());
     let motion = integrate(&top, options);
-    let records = records(&top, &motion.states);
-    let nutation = SymmetricTop::of(&top).and_then(|top| Nutation::through(&top, &options.start()));
-    say(report::cost(&motion, options));
-    say(report::constants(&top, &records));
-    say(comparison(
-        &top,
-        &records,
-        nutation.as_ref(),
-        options.tolerance,
-    ));
-    let figure = figure(&options.summary(), &records, nutation.as_ref());
-    say(files.write(&records, &figure)?);
+    let closed = Nutation::through(&top, &options.start.state());
+    say(report::cost(&motion, &options.integration));
+    say(report::constants(&top, &motion));
+    say(report::comparison(&top, &motion, closed.as_ref()));
+    let figure = figure::figure(&options.summary(), &motion.samples, closed.as_ref());
+    say(files.write(&motion.samples, &figure)?);
     match motion.failure {
         None => Ok(()),
         Some(error) => Err(error.to_string()),
@@ -91,4 +72,17 @@ fn close(value: f64, expected: f64, tolerance: f64) {
         difference <= tolerance * expected.abs().max(1.0),
         "{value} is not {expected}, by {difference:e}"
     );
+}
+
+/// The symmetric top with the moments of inertia I and `I_s` and the moment m g l of its weight.
+#[cfg(test)]
+fn symmetric(transverse: f64, axial: f64, moment: f64) -> model::HeavyTop {
+    model::HeavyTop {
+        i1: transverse,
+        i2: transverse,
+        i3: axial,
+        m: moment,
+        g: 1.0,
+        l: 1.0,
+    }
 }

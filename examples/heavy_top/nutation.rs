@@ -7,15 +7,26 @@
 //! (β = 0) is no special case.
 
 use lagrangian::State;
+use lagrangian::elliptic::{Modulus, carlson_rj};
 
 use crate::cubic::{polished_root, roots_around_zero};
-use crate::elliptic::{amplitude, complete_first, complete_third, incomplete_first};
 use crate::model::HeavyTop;
-use crate::symmetric_top::SymmetricTop;
 
 /// The least 1 ∓ cos θ that means anything: at a tilt of some 10⁻¹² rad the rounding of the initial
 /// state decides on which side the axis passes the vertical.
 const VERTICAL: f64 = 1e-24;
+
+/// What a whole nutation does.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cycle {
+    /// The least and the greatest tilt in rad.
+    pub(crate) least_tilt: f64,
+    pub(crate) greatest_tilt: f64,
+    /// The angle in rad by which φ grows.
+    pub(crate) precession: f64,
+    /// The period in s.
+    pub(crate) period: f64,
+}
 
 /// A nutation in closed form: cos θ = u₁ + (u₂ − u₁) sn²(ω t + τ₀ | m).
 #[derive(Clone, Copy, Debug)]
@@ -30,23 +41,23 @@ pub(crate) struct Nutation {
     rate: f64,
     /// τ₀.
     phase: f64,
-    /// The parameter m.
-    parameter: f64,
+    /// m.
+    modulus: Modulus,
     /// b − a and b + a with a = `C_ψ`/I and b = `C_φ`/I, in rad/s.
     momenta: [f64; 2],
 }
 
 impl Nutation {
-    /// The nutation of `top` through `state`. None if the tilt has no period: where the axis reaches
-    /// the vertical, from which it need not return, or where nothing moves it.
-    pub(crate) fn through(top: &SymmetricTop, state: &State<f64, 3>) -> Option<Self> {
+    /// The nutation of `top` through `state`. None if the top is not symmetric, or the tilt has no period: where the axis
+    /// reaches the vertical, from which it need not return, or where nothing moves it.
+    pub(crate) fn through(top: &HeavyTop, state: &State<f64, 3>) -> Option<Self> {
         let (tilt, [precession, nutation, spin]) = (state.q[HeavyTop::THETA], state.v.into());
         let (sine, cosine) = tilt.sin_cos();
         // 1 − u₀ and 1 + u₀, without cancellation.
         let upper = 2.0 * (0.5 * tilt).sin().powi(2);
         let lower = 2.0 * (0.5 * tilt).cos().powi(2);
-        let a = top.axial * (spin + precession * cosine) / top.transverse;
-        let beta = 2.0 * top.moment / top.transverse;
+        let a = top.i3 * (spin + precession * cosine) / top.i1;
+        let beta = 2.0 * top.m * top.g * top.l / top.i1;
         let swing = nutation.powi(2) + (precession * sine).powi(2);
         let momenta = [-upper, lower].map(|end| precession * sine.powi(2) + a * end);
         // u̇² = f(u₀ + δ) = speed + slope δ + bend δ² + β δ³; what slope has in brackets is (4.11).
@@ -55,64 +66,59 @@ impl Nutation {
             - 2.0 * cosine * nutation.powi(2);
         let bend = 2.0 * beta * cosine - swing - a * a;
         let [fall, rise] = roots_around_zero([speed, slope, bend, beta], [-lower, upper]);
+        // How far a turning point is from the vertical, on the way to which it lies; by the root of the cubic that is measured
+        // from the vertical where it is nearer than the start.
         let from_vertical = |sign: f64, start: f64, way: f64, momentum: f64| {
             let energy = swing - sign * beta * start;
             let slope = 2.0 * (energy - sign * a * momentum);
             let bend = 2.0 * sign * beta - energy - a * a;
-            distance([-momentum.powi(2), slope, bend, -sign * beta], start, way)
+            if way < 0.5 * start {
+                return start - way;
+            }
+            polished_root([-momentum.powi(2), slope, bend, -sign * beta], start - way)
         };
         let above = from_vertical(1.0, upper, rise, momenta[0]);
         let below = from_vertical(-1.0, lower, -fall, momenta[1]);
         let span = rise - fall;
-        // β (u₃ − u₁), by the sum of the roots.
+        // β (u₃ − u₁) and β (u₃ − u₂), by the sum of the roots.
         let square = -bend - beta * (2.0 * fall + rise);
-        let parameter = beta * span / square;
-        let periodic = parameter < 1.0 && above > VERTICAL && below > VERTICAL;
-        periodic.then(|| Self {
+        let rest = -bend - beta * (fall + 2.0 * rise);
+        let modulus = Modulus::new(beta * span / square, rest / square);
+        // The argument from 0 to K(m) at which sn² : cn² = −fall : rise, any where the tilt is steady.
+        let part = |way: f64| if span > 0.0 { (way / span).sqrt() } else { 1.0 };
+        let phase = modulus.first(part(-fall), part(rise));
+        let has_period = modulus.complement() > 0.0 && above > VERTICAL && below > VERTICAL;
+        (top.is_symmetric() && has_period).then(|| Self {
             above,
             below,
             span,
             rate: 0.5 * square.sqrt(),
-            phase: initial_phase(-fall, span, parameter).copysign(-nutation),
-            parameter,
+            phase: phase.copysign(-nutation),
+            modulus,
             momenta,
         })
     }
 
-    /// The least tilt in rad.
-    pub(crate) fn least_tilt(&self) -> f64 {
-        self.tilt(1.0, 0.0)
-    }
-
-    /// The greatest tilt in rad.
-    pub(crate) fn greatest_tilt(&self) -> f64 {
-        self.tilt(0.0, 1.0)
-    }
-
-    /// The period of the tilt, 2 K(m) / ω, in s.
-    pub(crate) fn period(&self) -> f64 {
-        2.0 * complete_first(self.parameter) / self.rate
-    }
-
-    /// The angle in rad by which φ grows in each period.
-    pub(crate) fn precession(&self) -> f64 {
-        let Self {
-            above, below, span, ..
-        } = *self;
+    /// A whole nutation. The period is 2 K(m) / ω.
+    pub(crate) fn cycle(&self) -> Cycle {
+        let (lowest, highest) = (self.below + self.span, self.above + self.span);
         let [minus, plus] = self.momenta;
-        let third = |complement: f64| complete_third(complement, self.parameter);
         // The characteristics are n = (u₂ − u₁)/(1 − u₁) and n = −(u₂ − u₁)/(1 + u₁).
-        let upper = minus / (above + span) * third(above / (above + span));
-        let lower = plus / below * third((below + span) / below);
-        (upper + lower) / self.rate
+        let upper = minus / highest * complete_third(self.above / highest, &self.modulus);
+        let lower = plus / self.below * complete_third(lowest / self.below, &self.modulus);
+        Cycle {
+            least_tilt: self.tilt(1.0, 0.0),
+            greatest_tilt: self.tilt(0.0, 1.0),
+            precession: (upper + lower) / self.rate,
+            period: 2.0 * self.modulus.complete_first() / self.rate,
+        }
     }
 
     /// The tilt in rad at time `t` in s after the start.
     pub(crate) fn tilt_at(&self, t: f64) -> f64 {
         // Whole periods are taken off first: they would only cost digits.
-        let period = 2.0 * complete_first(self.parameter);
-        let argument = (self.rate * t) % period + self.phase;
-        let (sn, cn) = amplitude(argument, self.parameter).sin_cos();
+        let period = 2.0 * self.modulus.complete_first();
+        let (sn, cn, _) = self.modulus.jacobi((self.rate * t) % period + self.phase);
         self.tilt(sn, cn)
     }
 
@@ -124,20 +130,18 @@ impl Nutation {
     }
 }
 
-/// How far a turning point is from the vertical, on the way to which it lies, in cos θ. The root of
-/// `cubic`, which is measured from the vertical, is used where it is nearer than `start`.
-fn distance(cubic: [f64; 4], start: f64, way: f64) -> f64 {
-    if way < 0.5 * start {
-        start - way
-    } else {
-        polished_root(cubic, start - way)
+/// The complete integral of the third kind Π(n|m), given `complement` = 1 − n > 0, which may be small or large: near 1, n itself
+/// would have lost its digits.
+fn complete_third(complement: f64, modulus: &Modulus) -> f64 {
+    let (m, rest) = (modulus.parameter(), modulus.complement());
+    let first = modulus.complete_first();
+    if complement > 2.0 {
+        // For negative n its terms cancel; with N = (m − n)/(1 − n) all are positive.
+        let weight = m + complement - 1.0;
+        let third = complete_third(rest / complement, modulus);
+        return (complement - 1.0) * rest / (complement * weight) * third + m / weight * first;
     }
-}
-
-/// The argument from 0 to K(m) at which sn² is `height / span`.
-fn initial_phase(height: f64, span: f64, parameter: f64) -> f64 {
-    let square = if span > 0.0 { height / span } else { 0.0 };
-    incomplete_first(square.sqrt().min(1.0), parameter)
+    first + (1.0 - complement) / 3.0 * carlson_rj(0.0, rest, 1.0, complement)
 }
 
 #[cfg(test)]

@@ -18,7 +18,6 @@ pub(crate) struct ProgressBar {
     began: Instant,
     /// When the bar will be drawn again; never if it cannot be seen.
     due: Option<Instant>,
-    drawn: bool,
 }
 
 impl ProgressBar {
@@ -28,7 +27,6 @@ impl ProgressBar {
         Self {
             began,
             due: io::stderr().is_terminal().then_some(began + PATIENCE),
-            drawn: false,
         }
     }
 
@@ -38,7 +36,6 @@ impl ProgressBar {
         let now = Instant::now();
         if now >= due {
             self.due = Some(now + PAUSE);
-            self.drawn = true;
             // A bar that cannot be drawn is not missed.
             let _ = write!(io::stderr(), "\r{}", bar(fraction, now - self.began));
         }
@@ -47,7 +44,8 @@ impl ProgressBar {
 
 impl Drop for ProgressBar {
     fn drop(&mut self) {
-        if self.drawn {
+        // Drawn at least once.
+        if self.due.is_some_and(|due| due > self.began + PATIENCE) {
             // Back to the start of the line, and clear it.
             let _ = write!(io::stderr(), "\r\x1b[2K");
         }
