@@ -13,3 +13,4 @@ mod extreme_elliptic_integrals;
 mod factorization;
 mod indefinite;
 mod logistic;
+mod provided;
