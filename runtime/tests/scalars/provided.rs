@@ -28,10 +28,13 @@ fn whole_powers_are_those_of_the_standard_library() {
 #[test]
 fn saturation_and_angles() {
     let clamped = [-3.0, 0.2, 5.0].map(|x| Scalar::clamp(x, -1.0, 2.0));
-    assert_eq!(clamped, [-1.0, 0.2, 2.0]);
+    assert_eq!(
+        clamped.map(f64::to_bits),
+        [-1.0, 0.2, 2.0].map(f64::to_bits)
+    );
     let slope =
         |x| Scalar::clamp(Dual::<f64>::variable(x, 0), (-1.0).into(), 2.0.into()).derivative[0];
-    assert_eq!([slope(0.5), slope(3.0)], [1.0, 0.0]);
+    assert!((slope(0.5) - 1.0).abs() + slope(3.0).abs() < 1e-15);
     for scale in [1e-300, 1.0, 1e300] {
         let found = Scalar::hypot(3.0 * scale, 4.0 * scale);
         assert!((found / (5.0 * scale) - 1.0).abs() < 1e-15, "{scale}");
