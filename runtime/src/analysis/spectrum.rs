@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 /// Up to 2 `N` eigenvalues of a linear system of first order, by ascending magnitude, of a conjugate pair the one above the
 /// real axis first; a slice of them.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Spectrum<const N: usize> {
     values: [[Complex<f64>; N]; 2],
     count: usize,
@@ -31,6 +31,13 @@ impl<const N: usize> Spectrum<N> {
     }
 }
 
+/// That of the slice.
+impl<const N: usize> core::fmt::Debug for Spectrum<N> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
+    }
+}
+
 impl<const N: usize> core::ops::Deref for Spectrum<N> {
     type Target = [Complex<f64>];
 
@@ -51,4 +58,18 @@ pub(super) fn sort(values: &mut [Complex<f64>]) {
         let reals = magnitudes.then(x.re.total_cmp(&y.re));
         reals.then(y.im.total_cmp(&x.im))
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Complex;
+
+    use super::Spectrum;
+
+    #[test]
+    fn eigenvalues_alone_are_shown() {
+        let [zero, one] = [0.0, 1.0].map(|re| Complex { re, im: 0.0 });
+        let spectrum = Spectrum::new([[one, zero], [zero, zero]], 1);
+        assert_eq!(format!("{spectrum:?}"), format!("{:?}", [one]));
+    }
 }

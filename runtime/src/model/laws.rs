@@ -135,6 +135,7 @@ where
     ///     .solve(20.0, Taylor::new())?;
     /// assert!((end.q[0] - 1.0).abs() < 1e-3);
     /// assert!((end.inputs[0] - 4.0).abs() < 1e-2);
+    /// assert!((slider.potential_energy(&end.state()) - 2.0).abs() < 1e-2);
     /// # Ok::<(), IntegrationError>(())
     /// ```
     ///

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::phase::Phase;
 use super::state::State;
+use crate::integrate::At;
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -68,6 +69,15 @@ impl<S: Scalar, const N: usize, const U: usize, const J: usize> SampledPhase<S, 
     #[inline]
     pub(crate) fn at(&self, t: S) -> State<S, N> {
         self.phase().at(t)
+    }
+}
+
+impl<S: Scalar, const N: usize, const U: usize, const J: usize> At<S, SampledPhase<S, N, U, J>> {
+    /// The state of the mechanical system alone.
+    #[inline]
+    #[must_use]
+    pub fn state(&self) -> State<S, N> {
+        self.x.at(self.t)
     }
 }
 

@@ -43,7 +43,7 @@ class Crossed:
 
 class Motion:
     """A motion from (t, y), with the times at which branches were `crossings`, states halfway on the last step to each, and the
-    `events` of watched functions. Where it slides, it ends at the time `slides`. `programs` has those of other motions with the
+    `events` of watched functions. `fastest` is the speed, the time and the state at the end of a step with the greatest velocity. Where it slides, it ends at the time `slides`. `programs` has those of other motions with the
     same values of the fields."""
 
     def __init__(self, model, fields, watched, t, y, tolerance=TOLERANCE, longest=1.0, programs=None):
@@ -51,6 +51,7 @@ class Motion:
         self.t, self.y, self.tolerance = real(t), [real(x) for x in y], tolerance
         self.crossings, self.halfway, self.events, self.steps = [], [], [], 0
         self.slides = None
+        self.fastest = self.speed(), self.t, self.y
         self.programs = {} if programs is None else programs
         self.program = self.recorded(())
         self.longest = real(longest)
@@ -89,11 +90,15 @@ class Motion:
                 self.t, self.y = reached, y
             else:
                 self.cross(crossed, direction)
+            self.fastest = max(self.fastest, (self.speed(), self.t, self.y), key=lambda state: state[0])
             # The first steps after a crossing are as long as those before it.
             h *= min(real(2), (self.tolerance / max(error, self.tolerance * real(10) ** -9)) ** (real(1) / 18) * real(0.9))
             self.h = h
         self.events.sort(key=lambda e: e.t * direction)
         return self
+
+    def speed(self):
+        return max(abs(v) for v in self.y[len(self.y) // 2 :])
 
     def inside(self, t):
         """What the program says at a time within the step that begins here."""

@@ -70,7 +70,13 @@ class Reference:
         self.error = growth * lengths[0]
         if motion.crossings:
             self.error += self.behind_crossings(motion, size, rng) * sum(lengths[1:])
+        late = self.from_fastest(motion, rng)
+        if late is not None:
+            self.error = max(self.error, self.growth(size, motion, late) * self.duration)
         self.shifts = [max(self.shift(a, b) for b in others) for a, *others in zip(motion.events, *(one.events for one in near))]
+        if late is not None and late.events:
+            behind = [self.shift(a, b) for a, b in zip(motion.events[-len(late.events) :], late.events)]
+            self.shifts[-len(behind) :] = map(max, self.shifts[-len(behind) :], behind)
         if self.slides is not None:
             # Where it begins to slide, the argument of the branch passes zero: so does the time.
             moved = max(abs(motion.slides - one.slides) for one in near) / OFF
@@ -101,6 +107,20 @@ class Reference:
         if len(near.crossings) != len(motion.crossings) - i:
             raise NoValue("not the same way")
         return self.growth(size, motion, near)
+
+    def from_fastest(self, motion, rng):
+        """The motion that is off where it is fastest, as near a pole of its angles: what rounding makes there is more than errors at
+        the start become."""
+        speed, t, y = motion.fastest
+        ends = max(abs(v) for v in [*self.exact.v, *motion.y[len(motion.y) // 2 :]])
+        if motion.slides is not None or speed <= 2 * ends:
+            return None
+        moved = [x + OFF * max(abs(x), 1) * rng.choice((-1, 1)) for x in y]
+        late = Motion(self.model, self.exact.fields, self.watched, t, moved, LOOSE, self.model.motion.step).to(self.end)
+        expected = motion.events[len(motion.events) - len(late.events) :]
+        if [e.which for e in expected] != [e.which for e in late.events] or any((e.t - t) * (self.end - float(t)) < 0 for e in expected):
+            raise NoValue("not the same way")
+        return late
 
     def shift(self, a, b):
         return float(max(abs(a.t - b.t) / OFF, abs(a.t), 1, 1 / abs(a.rate))) * self.duration
