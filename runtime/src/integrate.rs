@@ -47,6 +47,7 @@ pub use integrator::Integrator;
 pub use observer::{Flow, ObservationKind, Observer, Progress};
 pub use outcome::StopReason;
 pub use partial::Partial;
+pub(crate) use problem::NothingWatched;
 #[cfg(feature = "alloc")]
 pub use problem::{Dense, Every, StepEnds};
 pub use problem::{End, EventIndices, Keep, Problem, Reactions, Run, Solution, System, When};

@@ -163,12 +163,34 @@ impl<S: Scalar, D: Dynamics<S>> Problem<S, D> {
     }
 }
 
-impl<S: Scalar, D: Dynamics<S>, K> Problem<S, D, K> {
+/// Problems in which nothing is watched for yet.
+#[diagnostic::on_unimplemented(
+    message = "the inputs are set before events, conditions and observers",
+    note = "write `feedback`, `feedback_with_states`, `sampled_feedback` or `driven_by` directly behind `Problem::new`: a law may \
+            add components to the state"
+)]
+pub trait NothingWatched {}
+
+impl NothingWatched for ((), (), ()) {}
+
+/// Problems of which nothing but the end is kept yet.
+#[diagnostic::on_unimplemented(
+    message = "what is kept of the motion was said before: `{Self}`",
+    note = "`save` once: `Dense` has the states at all times, with those of `Every(…)`, of a list and of `StepEnds` among them"
+)]
+pub trait NothingSaved {}
+
+impl NothingSaved for End {}
+
+impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     /// The problem of other dynamics, before anything is watched for.
     pub(crate) fn with_dynamics<E: Dynamics<S>>(
         self,
         change: impl FnOnce(D, At<f64, D::State>) -> (E, At<f64, E::State>),
-    ) -> Problem<S, E, K> {
+    ) -> Problem<S, E, K, C, R, O>
+    where
+        (C, R, O): NothingWatched,
+    {
         let (dynamics, start) = change(self.dynamics, self.start);
         Problem {
             dynamics,
@@ -284,10 +306,13 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     }
 }
 
-impl<S: Scalar, D: Dynamics<S>, C, R, O> Problem<S, D, End, C, R, O> {
+impl<S: Scalar, D: Dynamics<S>, N, C, R, O> Problem<S, D, N, C, R, O> {
     /// What is kept of the motion besides its end and its events: samples ([`Every`], a list of times, [`StepEnds`]), or
     /// all of it ([`Dense`]).
-    pub fn save<K: Saved>(self, keep: K) -> Problem<S, D, K, C, R, O> {
+    pub fn save<K: Saved>(self, keep: K) -> Problem<S, D, K, C, R, O>
+    where
+        N: NothingSaved,
+    {
         Problem {
             dynamics: self.dynamics,
             start: self.start,

@@ -13,13 +13,13 @@ use super::sampled_phase::SampledPhase;
 use super::signals::Signals;
 use super::state::State;
 use super::with_controller::WithController;
-use crate::integrate::{At, Problem};
+use crate::integrate::{At, NothingWatched, Problem};
 use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
 /// The law of the inputs comes directly behind `Problem::new`, before events, conditions and observers: it may add components to the
 /// state.
-impl<'a, M, S, K, const N: usize> Problem<S, EquationsOfMotion<'a, M, S, N>, K>
+impl<'a, M, S, K, C, R, O, const N: usize> Problem<S, EquationsOfMotion<'a, M, S, N>, K, C, R, O>
 where
     M: Quantities<N, S>,
     S: Scalar,
@@ -51,8 +51,9 @@ where
     pub fn feedback<F, A, const U: usize>(
         self,
         law: F,
-    ) -> Problem<S, ControlledBy<'a, M, F, S, N, U>, K>
+    ) -> Problem<S, ControlledBy<'a, M, F, S, N, U>, K, C, R, O>
     where
+        (C, R, O): NothingWatched,
         M: Inputs<N, U, S>,
         F: Fn(&State<S, N>) -> A,
         A: IntoVector<S, U>,
@@ -89,8 +90,9 @@ where
         self,
         initial: I,
         law: F,
-    ) -> Problem<S, WithController<'a, M, F, S, N, U, J>, K>
+    ) -> Problem<S, WithController<'a, M, F, S, N, U, J>, K, C, R, O>
     where
+        (C, R, O): NothingWatched,
         M: Inputs<N, U, S>,
         I: IntoVector<S, J>,
         F: Fn(&State<S, N>, &SVector<S, J>) -> (A, Z),
@@ -148,8 +150,9 @@ where
         period: f64,
         initial: I,
         law: F,
-    ) -> Problem<S, SampledFeedback<'a, M, F, S, N, U, J>, K>
+    ) -> Problem<S, SampledFeedback<'a, M, F, S, N, U, J>, K, C, R, O>
     where
+        (C, R, O): NothingWatched,
         M: Inputs<N, U, S>,
         I: IntoVector<S, J>,
         F: Fn(&State<S, N>, &mut SVector<S, J>) -> A,
@@ -189,8 +192,9 @@ where
     pub fn driven_by<I, const U: usize>(
         self,
         signals: I,
-    ) -> Problem<S, DrivenBy<'a, M, I, S, N, U>, K>
+    ) -> Problem<S, DrivenBy<'a, M, I, S, N, U>, K, C, R, O>
     where
+        (C, R, O): NothingWatched,
         M: Inputs<N, U, S>,
         I: Signals<S, U>,
     {
