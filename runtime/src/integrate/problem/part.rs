@@ -2,6 +2,7 @@
 
 /// Where a part of an integration lies in the whole of it.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(not(feature = "alloc"), allow(dead_code))] // What is kept is allocated.
 pub struct Part {
     /// The time at which the problem begins, and with it the grid of samples.
     pub(super) origin: f64,
