@@ -3,7 +3,8 @@
 The tolerance of an end is what the motion makes of inputs that are off, measured by others whose inputs are off by `OFF`,
 times the unit of the method: that of binary64 for the Taylor method at its default tolerance, the tolerance for the others. It grows
 with the time. Errors that are made before a jump or a corner move the time at which it is met: what they make of the end is measured by
-motions that are off halfway on the last step to some of the crossings. The tolerance of the time of an event is measured as the first.
+motions that are off halfway on the last step to some of the crossings; and by one that is off where the motion is fastest, as near
+a pole of its angles. The tolerance of the time of an event is measured as the first.
 """
 
 import math
