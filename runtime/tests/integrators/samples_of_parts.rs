@@ -75,6 +75,7 @@ fn single_steps_keep_what_they_come_to() {
     let problem = || Problem::new(Oscillator, start()).save(Every(0.25));
     let mut run = problem().start(RungeKutta::classical(0.1)).unwrap();
     let mut found = Vec::new();
+    assert!(run.step(START).unwrap().is_none());
     while let Some(step) = run.step(2.7).unwrap() {
         found.extend(times(step.samples()));
     }

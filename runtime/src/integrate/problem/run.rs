@@ -301,8 +301,15 @@ where
             max_steps: Some(1),
             ..self.limits
         };
+        let kept = self.kept;
         let solution = self.advance_by(end, one)?;
-        Ok(Some(solution).filter(|_| self.statistics().steps > steps))
+        if self.statistics().steps > steps {
+            Ok(Some(solution))
+        } else {
+            // What lies at the start is kept by the next step.
+            self.kept = kept;
+            Ok(None)
+        }
     }
 
     fn advance_by(
