@@ -363,7 +363,8 @@ pub trait Scalar:
             power
         }
     }
-    /// The nearest number between two limits: the saturation of an actuator.
+    /// The nearest number between two limits, of which `least` is not above `most`: the saturation of an actuator. NaN stays NaN,
+    /// but in lanes, where it becomes `least`.
     #[inline]
     #[must_use]
     fn clamp(self, least: Self, most: Self) -> Self {

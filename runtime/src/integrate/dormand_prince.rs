@@ -133,7 +133,7 @@ impl Dop853 {
 
     /// Sets the smallest step size: no shorter step is tried, and where one of this size does not meet the tolerance, the
     /// integration ends with [`SmallestStep`](IntegrationError::SmallestStep). Only a step that ends where the
-    /// integration does may be shorter.
+    /// integration does, or a part of it, or where a sampled controller is updated, may be shorter.
     ///
     /// Without this setting, steps may become as short as ten times the spacing ε |t| of numbers at the time t.
     #[must_use]

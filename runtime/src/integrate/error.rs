@@ -225,7 +225,7 @@ impl fmt::Display for IntegrationError {
                 component,
             } => write!(
                 f,
-                "at t = {} a step of {step:e}, the smallest that `min_step` allows, does not meet the tolerance: the error of \
+                "at t = {} a step of {step:e}, which `min_step` does not let be shortened, does not meet the tolerance: the error of \
                  {component} is too large; allow shorter steps, or larger errors",
                 Readable(time)
             ),
@@ -325,7 +325,7 @@ impl IntegrationError {
             ),
             Self::InvalidSampleInterval { interval } => write!(
                 f,
-                "the interval between samples is {}, not a positive finite number",
+                "the interval between samples is {}: it must be positive, finite, and above the resolution of the times",
                 Readable(interval)
             ),
             Self::InvalidUpdate { time, next } => write!(

@@ -176,7 +176,7 @@ impl NothingWatched for ((), (), ()) {}
 /// Problems of which nothing but the end is kept yet.
 #[diagnostic::on_unimplemented(
     message = "what is kept of the motion was said before: `{Self}`",
-    note = "`save` once: `Dense` has the states at all times, with those of `Every(…)`, of a list and of `StepEnds` among them"
+    note = "call `save` once; `Dense` keeps the whole motion, so that `solution.at(t)` has every sample"
 )]
 pub trait NothingSaved {}
 

@@ -1,8 +1,8 @@
-//! What the compiler says of a constant, or of a method of a trait of its own, whose clause a declaration does not have.
+//! What the compiler says where a constant or a method needs a clause that the declaration lacks.
 //!
 //! Where the trait of an item is not implemented, the compiler does not read the trait's `on_unimplemented`: that speaks of
-//! unmet bounds alone, such as those of the methods of `Lagrangian`. Each other item therefore has a namesake in a trait that is implemented for every type under a bound
-//! that none meets. The compiler passes the namesake over, and reports the bound where it finds nothing else. Namesakes take
+//! unmet bounds alone, such as those of the methods of `Lagrangian`. Each other item therefore has a namesake in a trait that is
+//! implemented for every type under a bound that none meets. The compiler passes the namesake over, and reports the bound where it finds nothing else. Namesakes take
 //! `&mut self`, which the compiler tries last, and are never called. The prelude imports their traits without names.
 //!
 //! `reduce` has none: the types of other crates have methods of that name.

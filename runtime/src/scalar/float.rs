@@ -135,6 +135,17 @@ macro_rules! float_scalar {
                 $float::max(self, other)
             }
 
+            #[inline]
+            fn clamp(self, least: Self, most: Self) -> Self {
+                if self < least {
+                    least
+                } else if self > most {
+                    most
+                } else {
+                    self
+                }
+            }
+
             $($own)*
 
             elementary! { $($table)* }

@@ -105,3 +105,28 @@ fn no_sample_is_lost_or_kept_twice_where_a_run_stops() {
         assert!((t - expected).abs() < 1e-14, "{found:?}");
     }
 }
+
+/// What lies before the start is refused by every part, and a state that is changed is another one than that at the end of a step.
+#[test]
+fn times_before_the_start_are_refused() {
+    let problem = Problem::new(Oscillator, start()).save([0.1, 0.9]);
+    let mut run = problem.start(Taylor::new()).unwrap();
+    let error = run.advance(1.0).unwrap_err().error();
+    let expected = IntegrationError::OutsideSpan {
+        time: 0.1,
+        start: START,
+        end: 1.0,
+    };
+    assert_eq!(error, expected);
+}
+
+#[test]
+fn a_changed_state_is_kept_beside_the_end_of_the_step() {
+    let problem = Problem::new(Oscillator, start()).save(StepEnds);
+    let mut run = problem.start(RungeKutta::classical(0.1)).unwrap();
+    let before = times(run.advance(0.9).unwrap().samples());
+    run.change(|x, _| x.x[1] = 2.0).unwrap();
+    let after = run.advance(1.0).unwrap().samples().to_vec();
+    assert_eq!(before.last(), Some(&after[0].t));
+    assert!((after[0].x[1] - 2.0).abs() < 1e-15 && after.len() == 2);
+}

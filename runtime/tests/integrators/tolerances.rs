@@ -174,7 +174,7 @@ fn a_smallest_step_is_a_time() {
     assert!(time < 10.0 && (step - 1.0).abs() < 1e-15);
     let message = error.to_string();
     let expected =
-        "a step of 1e0, the smallest that `min_step` allows, does not meet the tolerance";
+        "a step of 1e0, which `min_step` does not let be shortened, does not meet the tolerance";
     assert!(message.contains(expected), "{message}");
     // The only step of a short integration may be shorter.
     let end = spring().solve(0.01, tight.min_step(1.0)).unwrap();

@@ -32,6 +32,7 @@ fn saturation_and_angles() {
         clamped.map(f64::to_bits),
         [-1.0, 0.2, 2.0].map(f64::to_bits)
     );
+    assert!(Scalar::clamp(f64::NAN, -1.0, 2.0).is_nan());
     let slope =
         |x| Scalar::clamp(Dual::<f64>::variable(x, 0), (-1.0).into(), 2.0.into()).derivative[0];
     assert!((slope(0.5) - 1.0).abs() + slope(3.0).abs() < 1e-15);

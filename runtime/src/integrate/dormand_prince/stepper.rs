@@ -258,7 +258,8 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
                 }
                 let time_scale = S::from_f64(control.time_scale(step));
                 let tolerance = self.method.tolerance.over(time_scale);
-                let smallest = self.method.min_step.filter(|min| h.abs() <= *min);
+                let is_limited = |min: &f64| !stalls && h.abs() <= *min;
+                let smallest = self.method.min_step.filter(is_limited).map(|_| h.abs());
                 let steps = (step, smallest);
                 return Err(too_small(dynamics, here, steps, &self.stages, tolerance));
             }

@@ -141,22 +141,27 @@ where
 
     fn begin(mut self, start: &At<f64, D::State>, part: Part) -> Begun<Self, Samples<S, D::State>> {
         let end = part.end;
-        let span = start.t.min(end)..=start.t.max(end);
+        let mut span = start.t.min(end)..=start.t.max(end);
         if part.is_one_of_several {
-            // The others belong to other parts. What is no time is refused.
+            // The others belong to other parts. What is no time is refused, and so is what lies before the start.
+            let is_before = |t: &f64| (t - part.origin) * (end - part.origin) < 0.0;
+            let before = self.iter().any(|t| is_before(t) && t.is_finite());
             let is_left = |t: f64| {
                 part.kept
                     .sample
                     .is_none_or(|last| (t - last) * (end - last) > 0.0)
             };
-            self.retain(|t| !t.is_finite() || span.contains(t) && is_left(*t));
+            self.retain(|t| !t.is_finite() || is_before(t) || span.contains(t) && is_left(*t));
+            if before {
+                span = part.origin.min(end)..=part.origin.max(end);
+            }
         }
         let outside = self.iter().find(|time| !span.contains(*time));
         let checked = match outside {
             Some(&time) if time.is_finite() && end.is_finite() => {
                 Err(IntegrationError::OutsideSpan {
                     time,
-                    start: start.t,
+                    start: part.origin,
                     end,
                 })
             }
@@ -212,7 +217,8 @@ impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for Every {
     fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<Vec<f64>, Self::Collection> {
         let (Self(interval), end) = (self, part.end);
         // The interval has to be above the resolution of the times, which are refused with the end if they are not finite.
-        let resolution = 16.0 * f64::EPSILON * start.t.abs().max(end.abs());
+        let largest = start.t.abs().max(end.abs()).max(part.origin.abs());
+        let resolution = 16.0 * f64::EPSILON * largest;
         let is_resolved = interval > resolution || resolution.is_infinite();
         let is_valid = interval > 0.0 && interval.is_finite() && is_resolved;
         let times = if is_valid {

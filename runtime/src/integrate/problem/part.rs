@@ -10,7 +10,7 @@ pub struct Part {
     pub(super) end: f64,
     /// What the parts before have kept.
     pub(super) kept: KeptSoFar,
-    /// Whether others follow, for which samples wait.
+    /// Whether the integration is in parts: samples beyond this one wait for the others.
     pub(super) is_one_of_several: bool,
 }
 

@@ -257,6 +257,8 @@ where
             self.stepper.restart(&self.dynamics);
             return Err(error);
         }
+        // The state behind the change is another one than that at the end of the step.
+        self.kept.step = None;
         self.stepper.restart_at(&self.dynamics, t, here.x)
     }
 }
