@@ -10,12 +10,12 @@ use crate::evaluation::Evaluation;
 
 /// A model and the function that is called, both hidden from the optimizer.
 pub(crate) struct Derived<'a, M: Lagrangian<N>, const N: usize> {
-    equations: EquationsOfMotion<'a, M::Model, f64, N>,
+    equations: EquationsOfMotion<&'a M::Model, f64, N>,
     accelerations: Accelerations<'a, M::Model, N>,
 }
 
 type Accelerations<'a, M, const N: usize> =
-    fn(&EquationsOfMotion<'a, M, f64, N>, &State<f64, N>, &mut SVector<f64, N>);
+    fn(&EquationsOfMotion<&'a M, f64, N>, &State<f64, N>, &mut SVector<f64, N>);
 
 impl<'a, M: Lagrangian<N>, const N: usize> Derived<'a, M, N> {
     pub(crate) fn new(model: &'a M) -> Self {
@@ -30,7 +30,7 @@ impl<'a, M: Lagrangian<N>, const N: usize> Derived<'a, M, N> {
 /// parameters alone has been computed once, as an integration does; the peers have it as constants.
 #[inline(never)]
 fn accelerations<M: Quantities<N>, const N: usize>(
-    equations: &EquationsOfMotion<'_, M, f64, N>,
+    equations: &EquationsOfMotion<&'_ M, f64, N>,
     state: &State<f64, N>,
     accelerations: &mut SVector<f64, N>,
 ) {
@@ -62,12 +62,12 @@ impl<M: Lagrangian<N>, const N: usize> Evaluation<N> for Derived<'_, M, N> {
 
 /// Inverse dynamics of a model, hidden likewise.
 pub(crate) struct InverseDynamics<'a, M: Lagrangian<N>, const N: usize> {
-    equations: EquationsOfMotion<'a, M::Model, f64, N>,
+    equations: EquationsOfMotion<&'a M::Model, f64, N>,
     forces: Forces<'a, M::Model, N>,
 }
 
 type Forces<'a, M, const N: usize> =
-    fn(&EquationsOfMotion<'a, M, f64, N>, &State<f64, N>, &SVector<f64, N>, &mut SVector<f64, N>);
+    fn(&EquationsOfMotion<&'a M, f64, N>, &State<f64, N>, &SVector<f64, N>, &mut SVector<f64, N>);
 
 impl<'a, M: Lagrangian<N>, const N: usize> InverseDynamics<'a, M, N> {
     pub(crate) fn new(model: &'a M) -> Self {
@@ -80,7 +80,7 @@ impl<'a, M: Lagrangian<N>, const N: usize> InverseDynamics<'a, M, N> {
 
 #[inline(never)]
 fn forces<M: Quantities<N>, const N: usize>(
-    equations: &EquationsOfMotion<'_, M, f64, N>,
+    equations: &EquationsOfMotion<&'_ M, f64, N>,
     state: &State<f64, N>,
     accelerations: &SVector<f64, N>,
     forces: &mut SVector<f64, N>,

@@ -22,9 +22,10 @@
 //!
 //! - [`Lagrangian`](derive@Lagrangian) describes the declaration.
 //! - [`trait@Lagrangian`] has the methods of a model: mass matrix, forcing, accelerations, momenta, energy,
-//!   inverse dynamics, derivatives, outputs. A [`Plant`] is closed by static or dynamic feedback. Functions that are generic over
+//!   inverse dynamics, derivatives, outputs. Functions that are generic over
 //!   models name the traits of [`quantities`] in their bounds.
-//! - [`Problem`] integrates a model from a state: what is watched and kept is said in any order, the method last. [`Taylor`]
+//! - [`Problem`] integrates a model from a state: first the law of its inputs, then what is watched and kept, in any order, the
+//!   method last. [`Taylor`]
 //!   takes what has a [`Series`]: models with the clause `taylor` do; [`Dop853`] and [`RungeKutta`] take any
 //!   [`Dynamics`] ẋ = f(t, x).
 //! - [`Scalar`] is the trait of the numbers on which models and integrators are generic: `f64`, `f32`, [`Lanes`],
@@ -55,6 +56,8 @@ pub mod rigid_body;
 pub mod analysis;
 pub mod identification;
 pub mod problem;
+pub mod laws;
+pub mod signals;
 pub mod quantities;
 pub mod prelude;
 
@@ -76,15 +79,13 @@ pub use integrate::{Partial, Problem, Solution};
 #[doc = include_str!("declaration.md")]
 pub use lagrangian_derive::Lagrangian;
 pub use linalg::{ErrorTolerance, Factorization, IntoVector, LaneStates, VectorSpace};
-pub use model::{
-    AugmentedPhase, ConstantsOfMotion, ConstantsWatch, ControlledBy, EquationsOfMotion,
-    ExternalFunctions, FunctionSignature, GeneralizedCoordinates, Lagrangian, LargestChange,
-    Linearization, OperationCount, Operations, OwnedEquations, Phase, Plant, ReconstructedPhase,
-    Reconstruction, RouthReduction, Routhian, State, WithController, WithInputs,
-};
 pub use model::{ByParameters, StateTransition};
 pub use model::{CanonicalEquations, CanonicalPhase, EnergyResidual, NoVelocities};
-pub use model::{Constant, DrivenBy, Polynomial, Signal, Signals, Sinusoid, Sum};
+pub use model::{
+    ConstantsOfMotion, ConstantsWatch, EquationsOfMotion, ExternalFunctions, FunctionSignature,
+    GeneralizedCoordinates, Lagrangian, LargestChange, Linearization, OperationCount, Operations,
+    Phase, Reconstruction, RouthReduction, Routhian, State, WithInputs,
+};
 pub use nalgebra;
 pub use num_traits;
 pub use scalar::{DoubleDouble, Dual, Lanes, Scalar};

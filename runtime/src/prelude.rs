@@ -4,11 +4,10 @@
 
 pub use crate::rigid_body::{PrincipalBody, RigidBody, SymmetricBody};
 pub use crate::{
-    Advance, At, AugmentedPhase, ConstantsOfMotion, ControlledBy, Dop853, Dynamics,
-    ExternalFunctions, GeneralizedCoordinates, IntegrationError, Integrator, Interpolant,
-    Lagrangian, Linearization, ObservationKind, Occurrence, Phase, Plant, Progress, RouthReduction,
-    Routhian, RungeKutta, Scalar, SetTypicalSizes, State, Statistics, Stepper, StopReason, Taylor,
-    VectorSpace, WithController, WithInputs,
+    Advance, At, ConstantsOfMotion, Dop853, Dynamics, ExternalFunctions, GeneralizedCoordinates,
+    IntegrationError, Integrator, Interpolant, Lagrangian, Linearization, ObservationKind,
+    Occurrence, Phase, Progress, RouthReduction, Routhian, RungeKutta, Scalar, SetTypicalSizes,
+    State, Statistics, Stepper, StopReason, Taylor, VectorSpace, WithInputs,
 };
 // Without names: through them the compiler says which clause is missing.
 #[doc(hidden)]

@@ -8,4 +8,3 @@ pub use crate::integrate::{Dense, DenseSolution, Every, StepEnds};
 pub use crate::integrate::{
     End, EventIndices, Flow, Keep, Observer, Reactions, Run, System, Watched, When,
 };
-pub use crate::model::{SampledFeedback, SampledPhase};

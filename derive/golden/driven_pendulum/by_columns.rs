@@ -371,10 +371,6 @@ for DrivenPendulum {
         )
     }
 }
-#[automatically_derived]
-impl ::lagrangian::Plant<1usize, 1usize> for DrivenPendulum {
-    type Scalar = ::core::primitive::f64;
-}
 ///The outputs of [`DrivenPendulum`].
 #[derive(
     ::core::clone::Clone,

@@ -336,10 +336,6 @@ for DrivenPendulum {
         ::lagrangian::__private::matrix([[__S::from_f64(1.0) / (m * (l * l))]])
     }
 }
-#[automatically_derived]
-impl ::lagrangian::Plant<1usize, 1usize> for DrivenPendulum {
-    type Scalar = ::core::primitive::f64;
-}
 ///The outputs of [`DrivenPendulum`].
 #[derive(
     ::core::clone::Clone,

@@ -1,4 +1,4 @@
-//! What is emitted for inputs: their constants, and the impls of `Inputs` and `Plant`.
+//! What is emitted for inputs: their constants, and the impl of `Inputs`.
 
 use core::ops::Range;
 
@@ -8,7 +8,6 @@ use quote::quote;
 use super::emitter::Emitter;
 use crate::lower::quantities::Component;
 use crate::plan::Interface;
-use crate::syntax::declaration::Declaration;
 use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 
 impl Emitter<'_> {
@@ -18,28 +17,7 @@ impl Emitter<'_> {
         }
         let u = self.model.inputs as usize;
         let names = quote!(const INPUTS: [&'static str; #u] = Self::INPUTS;);
-        let inputs = self.interface(Interface::Inputs, names);
-        let plant = self.plant();
-        quote!(#inputs #plant)
-    }
-
-    /// The impl of `Plant`, whose laws are on the scalar of the parameters.
-    fn plant(&self) -> TokenStream {
-        let Declaration {
-            root,
-            name,
-            generics,
-            ..
-        } = self.declaration;
-        let (n, u) = (self.coordinates(), self.model.inputs as usize);
-        let (generics, arguments, conditions) = generics.split_for_impl();
-        let scalar = self.scalar.of_parameters();
-        quote! {
-            #[automatically_derived]
-            impl #generics #root::Plant<#n, #u> for #name #arguments #conditions {
-                type Scalar = #scalar;
-            }
-        }
+        self.interface(Interface::Inputs, names)
     }
 
     /// The names of the inputs and the indices of each field of them, as constants of the type; and their values.

@@ -138,15 +138,13 @@ table! {
 }
 
 /// The methods that the traits of the runtime have besides.
-const PROVIDED: [&str; 10] = [
+const PROVIDED: [&str; 8] = [
     "dynamics",
     "into_dynamics",
     "taylor_series",
     "event_series",
     "inputs",
     "with_inputs",
-    "controlled_by",
-    "with_controller",
     "constants_of_motion",
     "watch_constants",
 ];

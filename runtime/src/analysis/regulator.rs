@@ -5,7 +5,7 @@
 //! digits, or the sign of a matrix does where doubling does not find a gain that stabilizes the system, as where an unstable mode has no
 //! cost. The last step of Newton's method decides whether the digits are certain.
 
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
 use super::controllability::Controllability;
 use super::eigenvalues::balancing;
@@ -15,10 +15,11 @@ use super::regulator_error::RegulatorError;
 use super::riccati;
 use super::riccati_newton::{Riccati, Solution};
 use super::spectrum::{Spectrum, modulus};
-use super::state_space::{DiscreteStateSpace, StateSpace, poles};
+use super::state_space::{DiscreteStateSpace, StateSpace, poles, stacked};
 use super::symmetric_eigenvalues::symmetric_eigenvalues;
 use crate::limits::analysis::{BORDER, RICCATI_CHANGE, UNREACHED};
 use crate::linalg::Factorization;
+use crate::model::State;
 use crate::scalar::{DoubleDouble, Scalar};
 
 /// The linear-quadratic regulator u = u₀ − K (x − x₀), where x₀ and u₀ are the state, coordinates and then velocities, and the inputs
@@ -52,10 +53,33 @@ pub struct Regulator<const D: usize, const U: usize> {
     /// What P leaves of the Riccati equation, in relation to its terms: the largest entry, each in units of the terms of its row and
     /// its column.
     pub residual: f64,
+    /// The coordinates and velocities x₀.
+    pub state: SVector<f64, D>,
+    /// The inputs u₀.
+    pub inputs: SVector<f64, U>,
+}
+
+impl<const D: usize, const U: usize> Regulator<D, U> {
+    /// The inputs u = u₀ − K (x − x₀) at a state of the model that was linearized.
+    ///
+    /// Another `D` than 2 `N` does not compile.
+    #[must_use]
+    pub fn input<const N: usize>(&self, state: &State<f64, N>) -> SVector<f64, U> {
+        const {
+            assert!(
+                D == 2 * N,
+                "the regulator is for states of twice as many components as there are coordinates"
+            );
+        }
+        let x: SVector<f64, D> = stacked(&state.q, &state.v);
+        self.inputs - self.gain * (x - self.state)
+    }
 }
 
 /// The matrices of a regulator problem.
 struct Problem<'a, const D: usize, const U: usize> {
+    state: SVector<f64, D>,
+    inputs: SVector<f64, U>,
     a: &'a SMatrix<f64, D, D>,
     b: &'a SMatrix<f64, D, U>,
     q: &'a SMatrix<f64, D, D>,
@@ -78,6 +102,8 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
         input_weight: &SMatrix<f64, U, U>,
     ) -> Result<Regulator<D, U>, RegulatorError> {
         let problem = Problem {
+            state: self.state,
+            inputs: self.inputs,
             a: &self.a,
             b: &self.b,
             q: state_weight,
@@ -103,6 +129,8 @@ impl<const D: usize, const U: usize, const Y: usize> DiscreteStateSpace<f64, D, 
         input_weight: &SMatrix<f64, U, U>,
     ) -> Result<Regulator<D, U>, RegulatorError> {
         let problem = Problem {
+            state: self.state,
+            inputs: self.inputs,
             a: &self.a,
             b: &self.b,
             q: state_weight,
@@ -187,6 +215,8 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
             cost,
             poles: poles(&closed)?,
             residual: self.residual(&cost, &gain),
+            state: self.state,
+            inputs: self.inputs,
         })
     }
 

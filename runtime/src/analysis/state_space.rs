@@ -54,6 +54,10 @@ pub struct StateSpace<S: Scalar, const D: usize, const U: usize, const Y: usize>
     pub derivative: SVector<S, D>,
     /// The outputs y₀ at the point of linearization.
     pub output: SVector<S, Y>,
+    /// The coordinates and velocities x₀ at the point of linearization.
+    pub state: SVector<S, D>,
+    /// The inputs u₀ there.
+    pub inputs: SVector<S, U>,
 }
 
 /// A linear model in discrete time, xₖ₊₁ = A xₖ + B uₖ + f, yₖ = C xₖ + D uₖ + y₀; given by [`StateSpace::discretized`].
@@ -71,12 +75,53 @@ pub struct DiscreteStateSpace<S: Scalar, const D: usize, const U: usize, const Y
     pub increment: SVector<S, D>,
     /// The outputs y₀ at the point of linearization.
     pub output: SVector<S, Y>,
+    /// The coordinates and velocities x₀ at the point of linearization.
+    pub state: SVector<S, D>,
+    /// The inputs u₀ there.
+    pub inputs: SVector<S, U>,
     /// The sampling period.
     pub period: S,
 }
 
 fn identity<S: Scalar, const D: usize>() -> SMatrix<S, D, D> {
     SMatrix::from_fn(|i, j| if i == j { S::one() } else { S::zero() })
+}
+
+impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
+    /// The model ẋ = A x + B u, whose outputs are the states.
+    #[must_use]
+    pub fn new(a: SMatrix<S, D, D>, b: SMatrix<S, D, U>) -> Self {
+        let zero = SVector::from_element(S::zero());
+        Self {
+            a,
+            b,
+            c: identity(),
+            d: SMatrix::zeros(),
+            derivative: zero,
+            output: zero,
+            state: zero,
+            inputs: SVector::from_element(S::zero()),
+        }
+    }
+}
+
+impl<S: Scalar, const D: usize, const U: usize> DiscreteStateSpace<S, D, U, D> {
+    /// The model xₖ₊₁ = A xₖ + B uₖ, whose outputs are the states.
+    #[must_use]
+    pub fn new(a: SMatrix<S, D, D>, b: SMatrix<S, D, U>, period: S) -> Self {
+        let zero = SVector::from_element(S::zero());
+        Self {
+            a,
+            b,
+            c: identity(),
+            d: SMatrix::zeros(),
+            increment: zero,
+            output: zero,
+            state: zero,
+            inputs: SVector::from_element(S::zero()),
+            period,
+        }
+    }
 }
 
 impl<S: Scalar, const D: usize> StateSpace<S, D, 0, D> {
@@ -94,6 +139,8 @@ impl<S: Scalar, const D: usize> StateSpace<S, D, 0, D> {
             d: SMatrix::zeros(),
             derivative: stacked(&state.v, &model.accelerations(state)),
             output: stacked(&state.q, &state.v),
+            state: stacked(&state.q, &state.v),
+            inputs: SVector::from_element(S::zero()),
         }
     }
 }
@@ -115,6 +162,8 @@ impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
             d: SMatrix::zeros(),
             derivative: stacked(&state.v, &model.accelerations(state)),
             output: stacked(&state.q, &state.v),
+            state: stacked(&state.q, &state.v),
+            inputs: model.inputs(),
         }
     }
 }
@@ -135,6 +184,8 @@ impl<S: Scalar, const D: usize, const U: usize, const Y: usize> StateSpace<S, D,
             d,
             derivative: self.derivative,
             output,
+            state: self.state,
+            inputs: self.inputs,
         }
     }
 
@@ -178,6 +229,8 @@ impl<S: SingleNumber, const D: usize, const U: usize, const Y: usize> StateSpace
             d: self.d,
             increment: integral * self.derivative,
             output: self.output,
+            state: self.state,
+            inputs: self.inputs,
             period,
         }
     }
@@ -215,7 +268,7 @@ fn below_zeros<S: Scalar, const D: usize, const N: usize, const U: usize>(
     SMatrix::from_fn(|i, j| i.checked_sub(N).map_or(S::zero(), |i| lower[(i, j)]))
 }
 
-fn stacked<S: Scalar, const N: usize, const D: usize>(
+pub(super) fn stacked<S: Scalar, const N: usize, const D: usize>(
     upper: &SVector<S, N>,
     lower: &SVector<S, N>,
 ) -> SVector<S, D> {

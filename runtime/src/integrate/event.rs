@@ -37,6 +37,10 @@ pub(crate) use location::Bracket;
 pub(crate) use memory::{Memory, Remembers};
 pub use met_conditions::MetConditions;
 
+use core::ops::Deref;
+
+use super::at::At;
+
 /// The direction in which an event function crosses zero in the course of an integration, also of a backward one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
@@ -120,13 +124,21 @@ pub struct Reaction {
     pub(crate) stops: bool,
 }
 
-/// An event that occurred: which, when, and the state there, before any reaction.
+/// An event that occurred: which, and when and where, before any reaction. It is the state there, too: `occurrence.t`,
+/// `occurrence.q[0]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Occurrence<X, S = f64> {
     /// The index of the event.
     pub event: usize,
-    /// The time, of the scalar of the integration: it has derivative parts and the digits of a double-double.
-    pub t: S,
-    /// The state at that time. Its derivative parts are those of the state at the event, whose time moves, too.
-    pub x: X,
+    /// The state at the event. Its time has derivative parts and the digits of a double-double; the derivative parts of the
+    /// state are those at the event, whose time moves, too.
+    pub state: At<S, X>,
+}
+
+impl<X, S> Deref for Occurrence<X, S> {
+    type Target = At<S, X>;
+
+    fn deref(&self) -> &At<S, X> {
+        &self.state
+    }
 }

@@ -166,7 +166,7 @@ impl<S: Scalar, D: Dynamics<S>> Problem<S, D> {
 /// Problems in which nothing is watched for yet.
 #[diagnostic::on_unimplemented(
     message = "the inputs are set before events, conditions and observers",
-    note = "write `feedback`, `feedback_with_states`, `sampled_feedback` or `driven_by` directly behind `Problem::new`: a law may \
+    note = "write `feedback`, `feedback_with_states`, `sampled_feedback`, `driven_by` or `under` directly behind `Problem::new`: a law may \
             add components to the state"
 )]
 pub trait NothingWatched {}
@@ -253,6 +253,11 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
             reactions: reaction(watch.reactions, watch.count),
             observer: watch.observer,
         })
+    }
+
+    /// The dynamics: the equations of motion of a model under its law.
+    pub fn dynamics(&self) -> &D {
+        &self.dynamics
     }
 
     fn watching<C2, R2, O2>(

@@ -52,3 +52,36 @@ impl<const L: usize, const D: usize> LaneStates<L> for SVector<Lanes<L>, D> {
         }
     }
 }
+
+impl<const L: usize> LaneStates<L> for () {
+    type Lane = ();
+
+    #[inline]
+    fn broadcast((): &Self::Lane) -> Self {}
+
+    #[inline]
+    fn lane(&self, _: usize) -> Self::Lane {}
+
+    #[inline]
+    fn set_lane(&mut self, _: usize, (): &Self::Lane) {}
+}
+
+impl<const L: usize, A: LaneStates<L>, B: LaneStates<L>> LaneStates<L> for (A, B) {
+    type Lane = (A::Lane, B::Lane);
+
+    #[inline]
+    fn broadcast((first, second): &Self::Lane) -> Self {
+        (A::broadcast(first), B::broadcast(second))
+    }
+
+    #[inline]
+    fn lane(&self, lane: usize) -> Self::Lane {
+        (self.0.lane(lane), self.1.lane(lane))
+    }
+
+    #[inline]
+    fn set_lane(&mut self, lane: usize, (first, second): &Self::Lane) {
+        self.0.set_lane(lane, first);
+        self.1.set_lane(lane, second);
+    }
+}

@@ -118,3 +118,44 @@ impl<S: Scalar, const D: usize> VectorSpace<S> for SVector<S, D> {
         self.iter().copied()
     }
 }
+
+/// Nothing: the space of dimension 0.
+impl<S: Scalar> VectorSpace<S> for () {
+    #[inline]
+    fn add_scaled(&mut self, _: S, (): &Self) {}
+
+    #[inline]
+    fn map(&self, _: impl FnMut(S) -> S) -> Self {}
+
+    #[inline]
+    fn components(&self) -> impl Iterator<Item = S> + '_ {
+        core::iter::empty()
+    }
+}
+
+/// The product of two spaces.
+impl<S: Scalar, A: VectorSpace<S>, B: VectorSpace<S>> VectorSpace<S> for (A, B) {
+    #[inline]
+    fn add_scaled(&mut self, factor: S, other: &Self) {
+        self.0.add_scaled(factor, &other.0);
+        self.1.add_scaled(factor, &other.1);
+    }
+
+    #[inline]
+    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
+        (self.0.map(&mut function), self.1.map(&mut function))
+    }
+
+    #[inline]
+    fn components(&self) -> impl Iterator<Item = S> + '_ {
+        self.0.components().chain(self.1.components())
+    }
+
+    #[inline]
+    fn allowed_error(&self, tolerance: &ErrorTolerance<S>) -> Self {
+        (
+            self.0.allowed_error(tolerance),
+            self.1.allowed_error(tolerance),
+        )
+    }
+}

@@ -2,18 +2,60 @@
 
 use nalgebra::SVector;
 
-use super::common_dynamics::{errors_of_the_model, reduced};
+use super::generalized_coordinates::GeneralizedCoordinates;
+use super::lagrangian::Lagrangian;
+use super::law::{Held, Law};
 use super::phase::Phase;
 use super::quantities::Quantities;
+use super::singular_configuration;
 use super::state::State;
-use crate::integrate::Dynamics;
+use super::whole_periods::{is_large, less_whole_periods};
+use crate::integrate::{ComponentName, Dynamics, Singularity};
+use crate::linalg::{ErrorTolerance, VectorSpace as _};
 use crate::scalar::Scalar;
+
+/// The inputs of a model.
+pub(super) type InputsOf<M, S, const N: usize> =
+    <<M as Lagrangian<N, S>>::Model as Quantities<N, S>>::Inputs;
+
+/// What depends on the parameters of a model alone.
+type PreparedOf<M, S, const N: usize> =
+    <<M as Lagrangian<N, S>>::Model as Quantities<N, S>>::Prepared;
 
 /// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
 /// [`Lagrangian::dynamics`](crate::Lagrangian::dynamics).
 ///
-/// The quantities that depend on parameters alone are computed when it is made: a controller that evaluates the model in its
+/// The model is owned or a reference, and a law `L` sets its inputs. The quantities that depend on parameters alone are computed when
+/// it is made: a controller that evaluates the model in its
 /// loop asks it for [`accelerations`](Self::accelerations) and [`inverse_dynamics`](Self::inverse_dynamics).
+///
+/// # A model that changes
+///
+/// Of an owned model a reaction to an event can change the parameters: a crane drops its load, and the pendulum goes on with less mass and
+/// on a shorter rope.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta),
+///     kinetic = 0.5 * m * (l * dot(theta)).powi(2),
+///     potential = -m * g * l * cos(theta),
+/// )]
+/// struct Crane { m: f64, g: f64, l: f64 }
+///
+/// let crane = Crane { m: 900.0, g: 9.81, l: 12.0 };
+/// let mut run = Problem::new(crane, State::new(0.0, [-0.2], [0.0]))
+///     .when(|x| x.q[Crane::THETA] - 0.1)
+///     .rising()
+///     .then_with(|_, crane| crane.change(|crane| (crane.m, crane.l) = (100.0, 11.0)))
+///     .start(Dop853::new())?;
+/// let end = run.advance(10.0)?;
+/// assert_eq!(end.events()[0].event, 0);
+/// assert_eq!(run.dynamics().model().m, 100.0);
+/// # Ok::<(), IntegrationError>(())
+/// ```
 ///
 /// # Parallel integrations
 ///
@@ -50,34 +92,32 @@ use crate::scalar::Scalar;
 ///
 /// A model on a scalar of several SIMD lanes integrates several motions in one thread, with the steps of the
 /// most demanding one.
-#[derive(Debug)]
-pub struct EquationsOfMotion<'a, M, S, const N: usize>
+#[derive(Clone, Debug)]
+pub struct EquationsOfMotion<M, S, const N: usize, L = Held>
 where
-    M: Quantities<N, S> + ?Sized,
+    M: Lagrangian<N, S>,
     S: Scalar,
 {
-    pub(super) model: &'a M,
-    pub(super) inputs: M::Inputs,
-    pub(super) prepared: M::Prepared,
+    pub(super) model: M,
+    pub(super) inputs: InputsOf<M, S, N>,
+    pub(super) prepared: PreparedOf<M, S, N>,
+    pub(super) law: L,
 }
 
-impl<'a, M, S, const N: usize> EquationsOfMotion<'a, M, S, N>
+impl<M, S, const N: usize> EquationsOfMotion<M, S, N>
 where
-    M: Quantities<N, S> + ?Sized,
+    M: Lagrangian<N, S>,
     S: Scalar,
 {
-    pub(crate) fn new(model: &'a M, inputs: M::Inputs) -> Self {
-        Self {
-            model,
-            inputs,
-            prepared: model.prepare(),
-        }
+    pub(crate) fn new(model: M) -> Self {
+        Self::under(model, Held)
     }
 
     /// The accelerations q̈: [`Lagrangian::accelerations`](crate::Lagrangian::accelerations).
     #[inline]
     pub fn accelerations(&self, state: &State<S, N>) -> SVector<S, N> {
         self.model
+            .model()
             .accelerations(state, &self.inputs, &self.prepared)
     }
 
@@ -89,43 +129,181 @@ where
         accelerations: &SVector<S, N>,
     ) -> SVector<S, N> {
         self.model
+            .model()
             .inverse_dynamics(state, &self.inputs, accelerations, &self.prepared)
     }
 }
 
-impl<M, S, const N: usize> Clone for EquationsOfMotion<'_, M, S, N>
+impl<M, S, const N: usize, L> EquationsOfMotion<M, S, N, L>
 where
-    M: Quantities<N, S> + ?Sized,
+    M: Lagrangian<N, S>,
     S: Scalar,
 {
-    fn clone(&self) -> Self {
+    /// The equations of motion under a law.
+    pub(crate) fn under(model: M, law: L) -> Self {
         Self {
-            model: self.model,
-            inputs: self.inputs.clone(),
-            prepared: self.prepared.clone(),
+            inputs: Lagrangian::inputs(&model),
+            prepared: model.model().prepare(),
+            model,
+            law,
         }
+    }
+
+    /// Changes the model, and prepares it again. [`then_with`](crate::problem::When::then_with) and
+    /// [`Run::change`](crate::problem::Run::change) restart the method afterwards; whoever drives a [`Stepper`](crate::Stepper)
+    /// restarts it.
+    pub fn change<R>(&mut self, change: impl FnOnce(&mut M) -> R) -> R {
+        let result = change(&mut self.model);
+        self.inputs = Lagrangian::inputs(&self.model);
+        self.prepared = self.model.model().prepare();
+        result
+    }
+
+    /// The model.
+    pub fn model(&self) -> &M {
+        &self.model
+    }
+
+    /// The model, back.
+    pub fn into_model(self) -> M {
+        self.model
+    }
+
+    /// The law of the inputs.
+    pub fn law(&self) -> &L {
+        &self.law
     }
 }
 
-impl<M, S, const N: usize> Dynamics<S> for EquationsOfMotion<'_, M, S, N>
+impl<M, S, const N: usize, L> EquationsOfMotion<M, S, N, L>
 where
-    M: Quantities<N, S> + ?Sized,
+    M: Lagrangian<N, S>,
     S: Scalar,
+    L: Law<N, InputsOf<M, S, N>, S>,
 {
-    type State = Phase<S, N>;
+    /// The inputs at a state.
+    pub fn inputs(&self, state: &State<S, N, L::States>) -> InputsOf<M, S, N> {
+        self.law.evaluate(&self.inputs, state.t, &state.x).0
+    }
+}
+
+impl<M, S, const N: usize, L> Dynamics<S> for EquationsOfMotion<M, S, N, L>
+where
+    M: Lagrangian<N, S>,
+    S: Scalar,
+    L: Law<N, InputsOf<M, S, N>, S>,
+{
+    type State = Phase<S, N, L::States>;
 
     #[inline]
-    fn derivative(&self, t: S, x: &Phase<S, N>) -> Phase<S, N> {
+    fn derivative(&self, t: S, x: &Self::State) -> Self::State {
+        let (inputs, z) = self.law.evaluate(&self.inputs, t, x);
+        let model = self.model.model();
         Phase {
             q: x.v,
-            v: self.accelerations(&x.at(t)),
+            v: model.accelerations(&x.at(t), &inputs, &self.prepared),
+            z,
         }
     }
 
+    /// The size of an angle, which is periodic, is 1, and that of another ignorable coordinate, whose value does not matter,
+    /// |q̇ᵢ| over the rate.
     #[inline]
-    fn reduced(&self, x: &Phase<S, N>, compensation: &Phase<S, N>) -> Phase<S, N> {
-        reduced::<M, S, N>(x, compensation)
+    fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
+        let time = S::one() / tolerance.rate;
+        let size = |i: usize| {
+            if M::ANGLES[i] {
+                S::one()
+            } else if M::IGNORABLE[i] {
+                x.v[i].abs() * time
+            } else {
+                x.q[i].abs()
+            }
+        };
+        Phase {
+            q: SVector::from_fn(|i, _| tolerance.of_coordinate(size(i))),
+            v: x.v.map(|v| tolerance.of_velocity(v.abs())),
+            z: x.z.allowed_error(tolerance),
+        }
     }
 
-    errors_of_the_model!();
+    /// Angles less whole periods, where no law reads them.
+    #[inline]
+    fn reduced(&self, x: &Self::State, compensation: &Self::State) -> Self::State {
+        let mut reduced = x.clone();
+        if L::READS_MOTION {
+            return reduced;
+        }
+        for (i, angle) in reduced.q.iter_mut().enumerate() {
+            let period = M::PERIODS[i];
+            if period > 0 && !M::IGNORABLE[i] && is_large(*angle) {
+                *angle = less_whole_periods(*angle, compensation.q[i], period);
+            }
+        }
+        reduced
+    }
+
+    #[inline]
+    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        singular_configuration::singularity(self.model.model(), &x.at(t), min_pivot)
+    }
+
+    #[inline]
+    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        singular_configuration::singularity_in_motion(self.model.model(), &x.at(t), min_pivot)
+    }
+
+    #[inline]
+    fn singularity_between(
+        &self,
+        lane: Option<usize>,
+        before: &Self::State,
+        (t, after): (S, &Self::State),
+    ) -> Option<Singularity> {
+        singular_configuration::singularity_between::<M::Model, S, N>(lane, &before.q, &after.at(t))
+    }
+
+    #[inline]
+    fn singularity_in_lane(
+        &self,
+        lane: usize,
+        t: S,
+        x: &Self::State,
+        min_pivot: f64,
+    ) -> Option<Singularity> {
+        singular_configuration::singularity_in_lane(self.model.model(), lane, &x.at(t), min_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
+        singular_configuration::vanishing_inertia(self.model.model(), &x.at(t))
+    }
+
+    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
+        singular_configuration::vanishing_inertia_in_lane(self.model.model(), lane, &x.at(t))
+    }
+
+    fn next_update(&self, x: &Self::State) -> Option<f64> {
+        self.law.next_update(&x.z)
+    }
+
+    fn update(&self, t: S, x: &mut Self::State) {
+        self.law.update(t, x);
+    }
+
+    fn component_name(&self, index: usize) -> ComponentName {
+        component_name::<M, N>(index)
+    }
+}
+
+/// The name of a component of a phase.
+fn component_name<M: GeneralizedCoordinates<N> + ?Sized, const N: usize>(
+    index: usize,
+) -> ComponentName {
+    let coordinate = M::COORDINATES.get(index);
+    let velocity = index.checked_sub(N).and_then(|i| M::COORDINATES.get(i));
+    match (coordinate, velocity) {
+        (Some(name), _) => ComponentName::Coordinate(name),
+        (None, Some(name)) => ComponentName::Velocity(name),
+        (None, None) => ComponentName::Controller(index.saturating_sub(2 * N)),
+    }
 }

@@ -1,20 +1,12 @@
 //! Models that declare events.
 
-use nalgebra::SVector;
-
-use super::augmented_phase::AugmentedPhase;
-use super::controlled_by::ControlledBy;
-use super::driven_by::DrivenBy;
-use super::equations_of_motion::EquationsOfMotion;
-use super::inputs::Inputs;
-use super::owned_equations::OwnedEquations;
+use super::equations_of_motion::{EquationsOfMotion, InputsOf};
+use super::lagrangian::Lagrangian;
+use super::law::{Law, LawStates as _};
 use super::phase::Phase;
 use super::quantities::Quantities;
-use super::signals::Signals;
 use super::state::State;
-use super::with_controller::WithController;
 use crate::integrate::{EventDynamics, TaylorCoefficients};
-use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
 /// A model whose declaration has the clause `event(name = expression, …)`.
@@ -56,125 +48,45 @@ pub trait Events<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     }
 }
 
-/// What all dynamics of a model say of its events.
-macro_rules! declared_events {
-    () => {
-        type Values = M::EventValues;
-
-        fn names(&self) -> &'static [&'static str] {
-            M::EVENTS
-        }
-
-        fn branches(&self, event: usize) -> &'static [usize] {
-            M::BRANCHES.get(event).copied().unwrap_or_default()
-        }
-    };
-}
-pub(super) use declared_events;
-
-/// The methods that both kinds of equations of motion have.
-macro_rules! event_dynamics {
-    () => {
-        declared_events!();
-
-        #[inline]
-        fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
-            self.model.event_functions(&x.at(t), &self.inputs)
-        }
-
-        #[inline]
-        fn event_series<const HALF: usize>(
-            &self,
-            t: S,
-            x: &Phase<S, N>,
-            unit: S,
-            motion: &TaylorCoefficients<Phase<S, N>, HALF>,
-        ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
-            let inputs = core::slice::from_ref(&self.inputs);
-            self.model.event_series(&x.at(t), inputs, unit, motion)
-        }
-    };
-}
-
-impl<M, S, const N: usize> EventDynamics<S> for EquationsOfMotion<'_, M, S, N>
+/// Under the inputs that the law sets; where their series are not known, neither are those of the events.
+impl<M, S, const N: usize, L> EventDynamics<S> for EquationsOfMotion<M, S, N, L>
 where
-    M: Events<N, S> + ?Sized,
+    M: Lagrangian<N, S, Model: Events<N, S>>,
     S: Scalar,
+    L: Law<N, InputsOf<M, S, N>, S>,
 {
-    event_dynamics!();
-}
+    type Values = <M::Model as Events<N, S>>::EventValues;
 
-impl<M, S, const N: usize> EventDynamics<S> for OwnedEquations<M, S, N>
-where
-    M: Events<N, S>,
-    S: Scalar,
-{
-    event_dynamics!();
-}
-
-/// Under the inputs that the signals have.
-impl<M, I, S, const N: usize, const U: usize> EventDynamics<S> for DrivenBy<'_, M, I, S, N, U>
-where
-    M: Inputs<N, U, S> + Events<N, S> + ?Sized,
-    I: Signals<S, U>,
-    S: Scalar,
-{
-    declared_events!();
-
-    #[inline]
-    fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
-        let inputs = self.inputs(t);
-        self.model.event_functions(&x.at(t), &inputs)
+    fn names(&self) -> &'static [&'static str] {
+        <M::Model as Events<N, S>>::EVENTS
     }
 
+    fn branches(&self, event: usize) -> &'static [usize] {
+        let branches = <M::Model as Events<N, S>>::BRANCHES;
+        branches.get(event).copied().unwrap_or_default()
+    }
+
+    #[inline]
+    fn event_functions(&self, t: S, x: &Self::State) -> Self::Values {
+        let (inputs, _) = self.law.evaluate(&self.inputs, t, x);
+        self.model.model().event_functions(&x.at(t), &inputs)
+    }
+
+    #[inline]
     fn event_series<const HALF: usize>(
         &self,
         t: S,
-        x: &Phase<S, N>,
+        x: &Self::State,
         unit: S,
-        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
-    ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
-        let mut inputs = [[SVector::from_element(S::zero()); 2]; HALF];
-        let inputs = inputs.as_flattened_mut();
-        self.signals.series::<HALF>(t, unit, inputs);
-        self.model.event_series(&x.at(t), inputs, unit, motion)
-    }
-}
-
-/// Under the inputs that the law sets, whose series are not known.
-impl<M, C, R, S, const N: usize, const U: usize> EventDynamics<S>
-    for ControlledBy<'_, M, C, S, N, U>
-where
-    M: Inputs<N, U, S> + Events<N, S> + ?Sized,
-    C: Fn(&State<S, N>) -> R,
-    R: IntoVector<S, U>,
-    S: Scalar,
-{
-    declared_events!();
-
-    #[inline]
-    fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
-        let state = x.at(t);
-        self.model.event_functions(&state, &self.inputs(&state))
-    }
-}
-
-/// Under the inputs that the controller sets, whose series are not known.
-impl<M, C, R, Z, S, const N: usize, const U: usize, const K: usize> EventDynamics<S>
-    for WithController<'_, M, C, S, N, U, K>
-where
-    M: Inputs<N, U, S> + Events<N, S> + ?Sized,
-    C: Fn(&State<S, N>, &SVector<S, K>) -> (R, Z),
-    R: IntoVector<S, U>,
-    Z: IntoVector<S, K>,
-    S: Scalar,
-{
-    declared_events!();
-
-    #[inline]
-    fn event_functions(&self, t: S, x: &AugmentedPhase<S, N, K>) -> M::EventValues {
-        let state = x.at(t);
-        let inputs = self.inputs(&state, &x.controller);
-        self.model.event_functions(&state, &inputs)
+        motion: &TaylorCoefficients<Self::State, HALF>,
+    ) -> Option<TaylorCoefficients<Self::Values, HALF>> {
+        let (model, state) = (self.model.model(), x.at(t));
+        self.law
+            .series::<HALF, _>(&self.inputs, (t, x), unit, |inputs, _| {
+                L::States::of_motion(motion, |motion| {
+                    model.event_series(&state, inputs, unit, motion)
+                })
+            })
+            .flatten()
     }
 }

@@ -41,3 +41,13 @@ pub trait GeneralizedCoordinates<const N: usize> {
     /// `routhian(Name, half_angles)`, under which they have that value.
     const POLES: &'static [usize] = &[];
 }
+
+impl<M: GeneralizedCoordinates<N> + ?Sized, const N: usize> GeneralizedCoordinates<N> for &M {
+    const COORDINATES: [&'static str; N] = M::COORDINATES;
+    const ANGLES: [bool; N] = M::ANGLES;
+    const PERIODS: [u32; N] = M::PERIODS;
+    const IGNORABLE: [bool; N] = M::IGNORABLE;
+    const SINGULARITIES: [&'static [usize]; N] = M::SINGULARITIES;
+    const STAYS_REGULAR: bool = M::STAYS_REGULAR;
+    const POLES: &'static [usize] = M::POLES;
+}

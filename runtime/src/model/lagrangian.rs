@@ -4,7 +4,6 @@ use nalgebra::{SMatrix, SVector};
 
 use super::canonical_equations::CanonicalEquations;
 use super::canonical_phase::CanonicalPhase;
-use super::driven_by::DrivenBy;
 use super::energy_balance::EnergyBalance;
 use super::equations_of_motion::EquationsOfMotion;
 use super::events::Events;
@@ -14,11 +13,9 @@ use super::inputs::{Inputs, WithInputs};
 use super::legendre;
 use super::linearization::Linearization;
 use super::outputs::Outputs;
-use super::owned_equations::OwnedEquations;
 use super::quantities::{Energies, Quantities};
 use super::regressor::Regressor;
 use super::sensitivities::Sensitivities;
-use super::signals::Signals;
 use super::state::State;
 use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
@@ -288,16 +285,19 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     }
 
     /// The equations of motion, for an integrator or a loop: what depends on parameters alone is computed once.
-    fn dynamics(&self) -> EquationsOfMotion<'_, Self::Model, S, N> {
-        EquationsOfMotion::new(self.model(), self.inputs())
+    fn dynamics(&self) -> EquationsOfMotion<&Self, S, N>
+    where
+        Self: Sized,
+    {
+        EquationsOfMotion::new(self)
     }
 
     /// The equations of motion together with the model, so that a reaction to an event can change its parameters.
-    fn into_dynamics(self) -> OwnedEquations<Self, S, N>
+    fn into_dynamics(self) -> EquationsOfMotion<Self, S, N>
     where
-        Self: Quantities<N, S> + Sized,
+        Self: Sized,
     {
-        OwnedEquations::new(self)
+        EquationsOfMotion::new(self)
     }
 
     /// The model under other, constant inputs: an array, an `SVector`, or one number for one input. They may be of another
@@ -311,46 +311,23 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     {
         WithInputs::new(self.model(), inputs.into_vector())
     }
+}
 
-    /// The model under inputs that are functions of time, one [`Signal`](crate::Signal) for each: an array of signals
-    /// of one type, or a tuple of different ones. [`Taylor`](crate::Taylor) integrates it, since signals have Taylor series;
-    /// so do all other methods.
-    ///
-    /// ```
-    /// use lagrangian::prelude::*;
-    /// use lagrangian::{Constant, Sinusoid, Sum};
-    ///
-    /// #[derive(Lagrangian)]
-    /// #[lagrangian(
-    ///     taylor,
-    ///     coordinates(x),
-    ///     kinetic = 0.5 * m * dot(x).powi(2),
-    ///     potential = 0.5 * k * (x - shift).powi(2),
-    ///     force(x = push),
-    /// )]
-    /// struct Oscillator {
-    ///     m: f64,
-    ///     k: f64,
-    ///     #[lagrangian(input)]
-    ///     push: f64,
-    ///     #[lagrangian(input)]
-    ///     shift: f64,
-    /// }
-    ///
-    /// let oscillator = Oscillator { m: 1.0, k: 4.0, push: 0.0, shift: 0.0 };
-    /// let push = Sinusoid { amplitude: 3.0, angular_frequency: 1.0, phase: 0.0 };
-    /// let driven = oscillator.driven_by((push, Constant(0.5)));
-    /// let start = State::new(0.0, [0.5], [1.0]);
-    /// let end = Problem::new(&driven, start).solve(20.0, Taylor::new())?;
-    /// // ẍ = −4 (x − ½) + 3 sin t.
-    /// assert!((end.q[0] - 0.5 - 20.0_f64.sin()).abs() < 1e-13);
-    /// # Ok::<(), IntegrationError>(())
-    /// ```
-    fn driven_by<I, const U: usize>(&self, signals: I) -> DrivenBy<'_, Self::Model, I, S, N, U>
-    where
-        I: Signals<S, U>,
-        Self::Model: Inputs<N, U, S>,
-    {
-        DrivenBy::new(self.model(), signals)
+/// A reference to a model is a model.
+impl<M, S, const N: usize> Lagrangian<N, S> for &M
+where
+    M: Lagrangian<N, S>,
+    S: Scalar,
+{
+    type Model = M::Model;
+
+    #[inline]
+    fn model(&self) -> &M::Model {
+        (**self).model()
+    }
+
+    #[inline]
+    fn inputs(&self) -> <M::Model as Quantities<N, S>>::Inputs {
+        Lagrangian::inputs(*self)
     }
 }

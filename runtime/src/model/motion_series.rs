@@ -1,7 +1,8 @@
 //! The Taylor series of motions.
 
-use super::equations_of_motion::EquationsOfMotion;
-use super::owned_equations::OwnedEquations;
+use super::equations_of_motion::{EquationsOfMotion, InputsOf};
+use super::lagrangian::Lagrangian;
+use super::law::{LawSeries, LawStates as _};
 use super::phase::Phase;
 use super::quantities::Quantities;
 use super::state::State;
@@ -46,63 +47,48 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     }
 }
 
-/// What is known of a switching function of a model.
-pub(super) fn switching_function<M, S, const N: usize>(index: usize) -> SwitchingFunction
+impl<M, S, const N: usize, L> Series<S> for EquationsOfMotion<M, S, N, L>
 where
-    M: MotionSeries<N, S> + ?Sized,
+    M: Lagrangian<N, S, Model: MotionSeries<N, S>>,
     S: Scalar,
+    L: LawSeries<N, InputsOf<M, S, N>, S>,
 {
-    let function = M::SWITCHING_FUNCTIONS.get(index).copied();
-    function.unwrap_or_default()
-}
+    #[inline]
+    fn series<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        let (model, state) = (self.model.model(), x.at(t));
+        self.law
+            .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, states| {
+                L::States::expand(x, states, coefficients, |motion| {
+                    model.taylor_series(&state, inputs, &self.prepared, unit, motion);
+                });
+            });
+    }
 
-/// The series of equations of motion, of a model that they own or refer to.
-macro_rules! series_of_the_model {
-    () => {
-        #[inline]
-        fn series<const HALF: usize>(
-            &self,
-            t: S,
-            x: &Phase<S, N>,
-            unit: S,
-            coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
-        ) {
-            let inputs = core::slice::from_ref(&self.inputs);
-            self.model
-                .taylor_series(&x.at(t), inputs, &self.prepared, unit, coefficients);
-        }
+    fn branches<const HALF: usize>(
+        &self,
+        t: S,
+        x: &Self::State,
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        visit: &mut BranchVisitor<'_, S>,
+    ) {
+        let (model, state) = (self.model.model(), x.at(t));
+        self.law
+            .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, _| {
+                L::States::of_motion(motion, |motion| {
+                    model.branch_series(&state, inputs, unit, motion, visit);
+                });
+            });
+    }
 
-        fn branches<const HALF: usize>(
-            &self,
-            t: S,
-            x: &Phase<S, N>,
-            unit: S,
-            motion: &TaylorCoefficients<Phase<S, N>, HALF>,
-            visit: &mut BranchVisitor<'_, S>,
-        ) {
-            let inputs = core::slice::from_ref(&self.inputs);
-            self.model
-                .branch_series(&x.at(t), inputs, unit, motion, visit);
-        }
-
-        fn switching_function(&self, index: usize) -> SwitchingFunction {
-            switching_function::<M, S, N>(index)
-        }
-    };
-}
-
-impl<M, S, const N: usize> Series<S> for EquationsOfMotion<'_, M, S, N>
-where
-    M: MotionSeries<N, S> + ?Sized,
-    S: Scalar,
-{
-    series_of_the_model!();
-}
-
-impl<M, S, const N: usize> Series<S> for OwnedEquations<M, S, N>
-where
-    M: MotionSeries<N, S>,
-    S: Scalar,
-{
-    series_of_the_model!();
+    fn switching_function(&self, index: usize) -> SwitchingFunction {
+        let functions = <M::Model as MotionSeries<N, S>>::SWITCHING_FUNCTIONS;
+        functions.get(index).copied().unwrap_or_default()
+    }
 }

@@ -3,39 +3,75 @@
 use nalgebra::SVector;
 
 use super::state::State;
-use super::vector_pair::vector_pair;
 use crate::integrate::{At, TypicalSizes};
 use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
 use crate::scalar::{Lanes, Scalar};
 
-/// Coordinates q and velocities q̇ of a system with `N` degrees of freedom: the state that
-/// an integrator steps. With a time it is a [`State`].
+/// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and what is integrated beside them: the state that an
+/// integrator steps. With a time it is a [`State`].
 ///
-/// As the derivative of a phase, `q` holds the velocities and `v` the accelerations. Its components
-/// are the coordinates, then the velocities.
+/// A model by itself has nothing beside them, `z` is `()`. Under a controller with `K` states `z` is an `SVector<S, K>`, under a sampled
+/// one [`Sampled`](crate::laws::Sampled), and the [ignorable coordinates](crate::Reconstruction) of a reduced model stand there, too.
+///
+/// As the derivative of a phase, `q` holds the velocities and `v` the accelerations. Its components are the coordinates, the
+/// velocities, then those of `z`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",
     serde(bound(
-        serialize = "S: serde::Serialize",
-        deserialize = "S: serde::Deserialize<'de>"
+        serialize = "S: serde::Serialize, Z: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>, Z: serde::Deserialize<'de>"
     ))
 )]
-pub struct Phase<S: Scalar, const N: usize> {
+pub struct Phase<S: Scalar, const N: usize, Z = ()> {
     /// Coordinates q.
     pub q: SVector<S, N>,
     /// Velocities q̇.
     pub v: SVector<S, N>,
+    /// What is integrated beside them.
+    pub z: Z,
 }
 
 impl<S: Scalar, const N: usize> Phase<S, N> {
-    /// The state that has this phase at time `t`.
+    /// The phase of these coordinates and velocities, arrays or vectors.
+    pub fn new(q: impl IntoVector<S, N>, v: impl IntoVector<S, N>) -> Self {
+        Self {
+            q: q.into_vector(),
+            v: v.into_vector(),
+            z: (),
+        }
+    }
+
+    /// The coordinates and velocities with more beside them.
+    #[inline]
+    pub(crate) fn with<Z>(self, z: Z) -> Phase<S, N, Z> {
+        let Self { q, v, z: () } = self;
+        Phase { q, v, z }
+    }
+}
+
+impl<S: Scalar, const N: usize, Z> Phase<S, N, Z> {
+    /// Coordinates and velocities alone.
+    #[inline]
+    #[must_use]
+    pub fn motion(&self) -> Phase<S, N> {
+        Phase {
+            q: self.q,
+            v: self.v,
+            z: (),
+        }
+    }
+
+    /// The state of the mechanical system at time `t`.
     #[inline]
     #[must_use]
     pub(crate) fn at(&self, t: S) -> State<S, N> {
-        At { t, x: *self }
+        At {
+            t,
+            x: self.motion(),
+        }
     }
 }
 
@@ -46,7 +82,38 @@ impl<S: Scalar, const N: usize> From<State<S, N>> for Phase<S, N> {
     }
 }
 
-vector_pair!(Phase, v, {
+impl<S: Scalar, const N: usize, Z: VectorSpace<S>> VectorSpace<S> for Phase<S, N, Z> {
+    #[inline]
+    fn add_scaled(&mut self, factor: S, other: &Self) {
+        self.q.add_scaled(factor, &other.q);
+        self.v.add_scaled(factor, &other.v);
+        self.z.add_scaled(factor, &other.z);
+    }
+
+    #[inline]
+    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
+        Self {
+            q: self.q.map(&mut function),
+            v: self.v.map(&mut function),
+            z: self.z.map(&mut function),
+        }
+    }
+
+    #[inline]
+    fn zip_map(&self, other: &Self, mut function: impl FnMut(S, S) -> S) -> Self {
+        Self {
+            q: VectorSpace::zip_map(&self.q, &other.q, &mut function),
+            v: VectorSpace::zip_map(&self.v, &other.v, &mut function),
+            z: self.z.zip_map(&other.z, &mut function),
+        }
+    }
+
+    #[inline]
+    fn components(&self) -> impl Iterator<Item = S> + '_ {
+        let motion = self.q.iter().chain(self.v.iter()).copied();
+        motion.chain(self.z.components())
+    }
+
     /// First to all coordinates, then to all velocities: as vectors of both, coordinates would wait for accelerations.
     #[inline]
     fn add_multiples(&self, terms: &[(usize, f64)], sums: &mut [Self]) {
@@ -58,6 +125,7 @@ vector_pair!(Phase, v, {
         for (index, factor) in terms {
             if let Some(sum) = sums.get_mut(*index) {
                 sum.v.add_scaled(S::from_f64(*factor), &self.v);
+                sum.z.add_scaled(S::from_f64(*factor), &self.z);
             }
         }
     }
@@ -65,9 +133,11 @@ vector_pair!(Phase, v, {
     #[inline]
     fn fold<T>(&self, start: T, mut function: impl FnMut(T, S) -> T) -> T {
         let coordinates = self.q.iter().fold(start, |value, x| function(value, *x));
-        self.v
+        let motion = self
+            .v
             .iter()
-            .fold(coordinates, |value, x| function(value, *x))
+            .fold(coordinates, |value, x| function(value, *x));
+        self.z.fold(motion, function)
     }
 
     #[inline]
@@ -75,16 +145,17 @@ vector_pair!(Phase, v, {
         Self {
             q: self.q.map(|q| tolerance.of_coordinate(q.abs())),
             v: self.v.map(|v| tolerance.of_velocity(v.abs())),
+            z: self.z.allowed_error(tolerance),
         }
     }
 
     fn rate(&self, sizes: &Self) -> Option<S> {
         Some(rate(self, sizes))
     }
-});
+}
 
 /// The largest of |q̇ᵢ|/sᵢ and √(|q̈ᵢ|/sᵢ), where sᵢ is the size of a coordinate, as far as it is not zero.
-fn rate<S: Scalar, const N: usize>(derivative: &Phase<S, N>, sizes: &Phase<S, N>) -> S {
+fn rate<S: Scalar, const N: usize, Z>(derivative: &Phase<S, N, Z>, sizes: &Phase<S, N, Z>) -> S {
     let largest = |slopes: &SVector<S, N>| {
         let pairs = slopes.iter().zip(sizes.q.iter());
         pairs.fold(S::zero(), |most, (slope, size)| {
@@ -95,9 +166,49 @@ fn rate<S: Scalar, const N: usize>(derivative: &Phase<S, N>, sizes: &Phase<S, N>
     largest(&derivative.q).max(largest(&derivative.v).sqrt())
 }
 
+impl<const L: usize, const N: usize, Z: LaneStates<L>> LaneStates<L> for Phase<Lanes<L>, N, Z> {
+    type Lane = Phase<f64, N, Z::Lane>;
+
+    #[inline]
+    fn broadcast(state: &Self::Lane) -> Self {
+        Self {
+            q: LaneStates::broadcast(&state.q),
+            v: LaneStates::broadcast(&state.v),
+            z: LaneStates::broadcast(&state.z),
+        }
+    }
+
+    #[inline]
+    fn lane(&self, lane: usize) -> Self::Lane {
+        Phase {
+            q: self.q.lane(lane),
+            v: self.v.lane(lane),
+            z: self.z.lane(lane),
+        }
+    }
+
+    #[inline]
+    fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
+        self.q.set_lane(lane, &state.q);
+        self.v.set_lane(lane, &state.v);
+        self.z.set_lane(lane, &state.z);
+    }
+}
+
 impl<S: Scalar, const N: usize> TypicalSizes<Phase<S, N>> for [f64; N] {
     fn into_state(self) -> Phase<S, N> {
         let sizes = SVector::from(self.map(S::from_f64));
-        Phase { q: sizes, v: sizes }
+        Phase::new(sizes, sizes)
+    }
+}
+
+/// Of the coordinates, and of the components beside them.
+impl<S: Scalar, const N: usize, const K: usize> TypicalSizes<Phase<S, N, SVector<S, K>>>
+    for ([f64; N], [f64; K])
+{
+    fn into_state(self) -> Phase<S, N, SVector<S, K>> {
+        let (sizes, beside) = self;
+        let phase: Phase<S, N> = sizes.into_state();
+        phase.with(SVector::from(beside.map(S::from_f64)))
     }
 }

@@ -2,48 +2,32 @@
 
 use nalgebra::SVector;
 
-use super::common_dynamics::{allowed_error, component_name, reduced, singularities_of_the_model};
+use super::equations_of_motion::EquationsOfMotion;
 use super::events::Events;
-use super::motion_series::{MotionSeries, switching_function};
+use super::motion_series::MotionSeries;
 use super::phase::Phase;
-use super::quantities::Quantities;
-use super::reconstructed_phase::ReconstructedPhase;
 use super::routhian::{Routhian, RouthianSeries};
+use super::state::State;
 use crate::integrate::{
-    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, SwitchingFunction,
+    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, Singularity, SwitchingFunction,
     TaylorCoefficients,
 };
 use crate::linalg::ErrorTolerance;
+use crate::model::law::LawStates as _;
 use crate::scalar::Scalar;
 
 /// The equations of motion of a reduced model with `N` coordinates, and the velocities of the `K` ignorable ones, on which
 /// nothing depends; made by [`Routhian::reconstruction`].
 ///
-/// The quadratures take part in the control of errors, and in the dense output of every method. Under
-/// [`Taylor`](crate::Taylor) the series of the velocities are integrated term by term.
-#[derive(Debug)]
+/// Its states have the ignorable coordinates in [`z`](Phase::z). The quadratures take part in the control of errors, and in the
+/// dense output of every method. Under [`Taylor`](crate::Taylor) the series of the velocities are integrated term by term.
+#[derive(Clone, Debug)]
 pub struct Reconstruction<'a, M, S, const N: usize, const K: usize>
 where
     M: Routhian<N, K, S>,
     S: Scalar,
 {
-    model: &'a M,
-    inputs: M::Inputs,
-    prepared: M::Prepared,
-}
-
-impl<M, S, const N: usize, const K: usize> Clone for Reconstruction<'_, M, S, N, K>
-where
-    M: Routhian<N, K, S>,
-    S: Scalar,
-{
-    fn clone(&self) -> Self {
-        Self {
-            model: self.model,
-            inputs: self.inputs.clone(),
-            prepared: self.prepared.clone(),
-        }
-    }
+    reduced: EquationsOfMotion<&'a M, S, N>,
 }
 
 impl<'a, M, S, const N: usize, const K: usize> Reconstruction<'a, M, S, N, K>
@@ -53,25 +37,14 @@ where
 {
     pub(super) fn new(model: &'a M) -> Self {
         Self {
-            model,
-            inputs: Quantities::inputs(model),
-            prepared: model.prepare(),
+            reduced: EquationsOfMotion::new(model),
         }
     }
 
-    /// The state of the full model at a time.
-    pub fn full_state(&self, t: S, x: &ReconstructedPhase<S, N, K>) -> M::FullState {
-        self.model.full_state(&x.at(t), &x.ignorable)
+    /// The state of the full model.
+    pub fn full_state(&self, state: &State<S, N, SVector<S, K>>) -> M::FullState {
+        self.reduced.model.full_state(&state.state(), &state.z)
     }
-}
-
-/// A phase with its ignorable coordinates.
-fn joined<S: Scalar, const N: usize, const K: usize>(
-    phase: Phase<S, N>,
-    ignorable: SVector<S, K>,
-) -> ReconstructedPhase<S, N, K> {
-    let Phase { q, v } = phase;
-    ReconstructedPhase { q, v, ignorable }
 }
 
 impl<M, S, const N: usize, const K: usize> Dynamics<S> for Reconstruction<'_, M, S, N, K>
@@ -79,46 +52,82 @@ where
     M: Routhian<N, K, S>,
     S: Scalar,
 {
-    type State = ReconstructedPhase<S, N, K>;
+    type State = Phase<S, N, SVector<S, K>>;
 
     #[inline]
     fn derivative(&self, t: S, x: &Self::State) -> Self::State {
-        let state = x.at(t);
-        ReconstructedPhase {
-            q: x.v,
-            v: Quantities::accelerations(self.model, &state, &self.inputs, &self.prepared),
-            ignorable: self.model.ignorable_velocities(&state),
-        }
+        let velocities = self.reduced.model.ignorable_velocities(&x.at(t));
+        self.reduced.derivative(t, &x.motion()).with(velocities)
     }
 
     /// The size of an ignorable coordinate is at least 1, since that of an angle does not matter.
     #[inline]
     fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
-        let phase = allowed_error::<M, S, N>(&x.phase(), tolerance);
         let size = |z: S| tolerance.of_coordinate(z.abs().max(S::one()));
-        joined(phase, x.ignorable.map(size))
+        let allowed = self.reduced.allowed_error(&x.motion(), tolerance);
+        allowed.with(x.z.map(size))
     }
 
     #[inline]
     fn reduced(&self, x: &Self::State, compensation: &Self::State) -> Self::State {
-        let phase = reduced::<M, S, N>(&x.phase(), &compensation.phase());
-        joined(phase, x.ignorable)
+        let reduced = self.reduced.reduced(&x.motion(), &compensation.motion());
+        reduced.with(x.z)
     }
 
-    singularities_of_the_model!();
+    #[inline]
+    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        self.reduced.singularity(t, &x.motion(), min_pivot)
+    }
+
+    #[inline]
+    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
+        self.reduced
+            .singularity_in_motion(t, &x.motion(), min_pivot)
+    }
+
+    #[inline]
+    fn singularity_between(
+        &self,
+        lane: Option<usize>,
+        before: &Self::State,
+        (t, after): (S, &Self::State),
+    ) -> Option<Singularity> {
+        let (before, after) = (before.motion(), after.motion());
+        self.reduced.singularity_between(lane, &before, (t, &after))
+    }
+
+    #[inline]
+    fn singularity_in_lane(
+        &self,
+        lane: usize,
+        t: S,
+        x: &Self::State,
+        min_pivot: f64,
+    ) -> Option<Singularity> {
+        self.reduced
+            .singularity_in_lane(lane, t, &x.motion(), min_pivot)
+    }
+
+    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
+        self.reduced.vanishing_inertia(t, &x.motion())
+    }
+
+    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
+        self.reduced.vanishing_inertia_in_lane(lane, t, &x.motion())
+    }
 
     fn component_name(&self, index: usize) -> ComponentName {
         let ignorable = index.checked_sub(2 * N);
         match ignorable.and_then(|k| M::ELIMINATED.get(k).copied()) {
             Some(name) => ComponentName::Coordinate(name),
-            None => component_name::<M, N>(index),
+            None => self.reduced.component_name(index),
         }
     }
 }
 
 impl<M, S, const N: usize, const K: usize> Series<S> for Reconstruction<'_, M, S, N, K>
 where
-    M: RouthianSeries<N, K, S> + MotionSeries<N, S>,
+    M: RouthianSeries<N, K, S, Model: MotionSeries<N, S>>,
     S: Scalar,
 {
     fn series<const HALF: usize>(
@@ -129,12 +138,11 @@ where
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     ) {
         let state = x.at(t);
-        let mut motion = TaylorCoefficients::<Phase<S, N>, HALF>::new(x.phase());
-        let inputs = core::slice::from_ref(&self.inputs);
-        self.model
-            .taylor_series(&state, inputs, &self.prepared, unit, &mut motion);
-        let rates = self.model.ignorable_velocity_series(&state, unit, &motion);
-        *coefficients.initial_mut() = joined(*motion.initial(), x.ignorable);
+        let mut motion = TaylorCoefficients::<Phase<S, N>, HALF>::new(x.motion());
+        self.reduced.series(t, &x.motion(), unit, &mut motion);
+        let model = self.reduced.model;
+        let rates = model.ignorable_velocity_series(&state, unit, &motion);
+        *coefficients.initial_mut() = motion.initial().with(x.z);
         // ∫ Σ uₖ τᵏ unit dτ = Σ unit uₖ₋₁/k τᵏ.
         let rates = core::iter::once(rates.initial()).chain(rates.higher());
         let terms = coefficients.higher_mut().iter_mut();
@@ -142,7 +150,7 @@ where
         for ((term, of_motion), rate) in terms.zip(motion.higher()).zip(rates) {
             order += S::one();
             let scale = unit / order;
-            *term = joined(*of_motion, SVector::from(*rate).map(|rate| rate * scale));
+            *term = of_motion.with(SVector::from(*rate).map(|rate| rate * scale));
         }
     }
 
@@ -154,32 +162,35 @@ where
         motion: &TaylorCoefficients<Self::State, HALF>,
         visit: &mut BranchVisitor<'_, S>,
     ) {
-        let of_phase = motion.map(ReconstructedPhase::phase);
-        let inputs = core::slice::from_ref(&self.inputs);
-        self.model
-            .branch_series(&x.at(t), inputs, unit, &of_phase, visit);
+        SVector::of_motion(motion, |motion| {
+            self.reduced.branches(t, &x.motion(), unit, motion, visit);
+        });
     }
 
     fn switching_function(&self, index: usize) -> SwitchingFunction {
-        switching_function::<M, S, N>(index)
+        self.reduced.switching_function(index)
     }
 }
 
 /// The events of the reduced model: they depend on its state alone.
 impl<M, S, const N: usize, const K: usize> EventDynamics<S> for Reconstruction<'_, M, S, N, K>
 where
-    M: Routhian<N, K, S> + Events<N, S>,
+    M: Routhian<N, K, S, Model: Events<N, S>>,
     S: Scalar,
 {
-    type Values = M::EventValues;
+    type Values = <M::Model as Events<N, S>>::EventValues;
 
     fn names(&self) -> &'static [&'static str] {
-        M::EVENTS
+        self.reduced.names()
+    }
+
+    fn branches(&self, event: usize) -> &'static [usize] {
+        EventDynamics::branches(&self.reduced, event)
     }
 
     #[inline]
-    fn event_functions(&self, t: S, x: &Self::State) -> M::EventValues {
-        Events::event_functions(self.model, &x.at(t), &self.inputs)
+    fn event_functions(&self, t: S, x: &Self::State) -> Self::Values {
+        self.reduced.event_functions(t, &x.motion())
     }
 
     #[inline]
@@ -189,9 +200,9 @@ where
         x: &Self::State,
         unit: S,
         motion: &TaylorCoefficients<Self::State, HALF>,
-    ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
-        let inputs = core::slice::from_ref(&self.inputs);
-        let of_phase = motion.map(ReconstructedPhase::phase);
-        self.model.event_series(&x.at(t), inputs, unit, &of_phase)
+    ) -> Option<TaylorCoefficients<Self::Values, HALF>> {
+        SVector::of_motion(motion, |motion| {
+            self.reduced.event_series(t, &x.motion(), unit, motion)
+        })
     }
 }

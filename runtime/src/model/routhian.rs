@@ -5,7 +5,6 @@ use nalgebra::SVector;
 
 use super::lagrangian::Lagrangian;
 use super::phase::Phase;
-use super::quantities::Quantities;
 use super::reconstruction::Reconstruction;
 use super::state::State;
 use crate::integrate::TaylorCoefficients;
@@ -39,9 +38,7 @@ pub trait RouthReduction<const N: usize, const R: usize> {
     message = "`{Self}` is not a reduced model",
     note = "write the clause `routhian(Name)` in the declaration of the full model, which `reduce` leads to `Name`"
 )]
-pub trait Routhian<const N: usize, const K: usize, S: Scalar = f64>:
-    Lagrangian<N, S> + Quantities<N, S>
-{
+pub trait Routhian<const N: usize, const K: usize, S: Scalar = f64>: Lagrangian<N, S> {
     /// The state of the full model.
     type FullState;
 
@@ -53,7 +50,7 @@ pub trait Routhian<const N: usize, const K: usize, S: Scalar = f64>:
 
     /// The Routhian R = Σ Cₐ q̇ₐ − L (4.9).
     fn routhian(&self, state: &State<S, N>) -> S {
-        -Lagrangian::lagrangian(self, state)
+        -self.lagrangian(state)
     }
 
     /// The effective potential `V_eff`, which is R where q̇ = 0 (4.10): of the state, the coordinates and the time count.

@@ -4,14 +4,14 @@ use nalgebra::SVector;
 
 use crate::scalar::Scalar;
 
-/// A function of time s(t) with its Taylor series, such as an input of a model ([`Lagrangian::driven_by`](crate::Lagrangian::driven_by)).
+/// A function of time s(t) with its Taylor series, such as an input of a model ([`Problem::driven_by`](crate::Problem::driven_by)).
 ///
 /// [`Constant`], [`Polynomial`], [`Sinusoid`] and [`Sum`]s of them are signals. Any other is written with the building
 /// blocks of [`recurrences`](crate::recurrences): a chirp a sin(½ r t²) here.
 ///
 /// ```
 /// use lagrangian::prelude::*;
-/// use lagrangian::Signal;
+/// use lagrangian::signals::Signal;
 /// use lagrangian::recurrences::{SineCosine, Square};
 ///
 /// struct Chirp { amplitude: f64, rate: f64 }
@@ -40,7 +40,7 @@ use crate::scalar::Scalar;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a signal: its Taylor series is not known",
     note = "signals are `Constant`, `Polynomial`, `Sinusoid`, `Sum`s of them, and types that implement `Signal`; a \
-            closure as an input is a control law, `controlled_by`, which `Dop853` integrates"
+            closure as an input is a control law, `feedback`, which `Dop853` integrates"
 )]
 pub trait Signal<S: Scalar = f64> {
     /// Adds the Taylor coefficients of order 0, 1, … about a time, in this unit of time, to `coefficients`:

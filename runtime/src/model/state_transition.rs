@@ -90,17 +90,15 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
                 "a state transition is by all coordinates and velocities: `K` is 2 `N`, and more with parameters"
             );
         }
-        let x = Phase {
-            q: SVector::from_fn(|i, _| Dual::variable(state.q[i], i)),
-            v: SVector::from_fn(|i, _| Dual::variable(state.v[i], N + i)),
-        };
-        x.at(Dual::constant(state.t))
+        let q = SVector::from_fn(|i, _| Dual::variable(state.q[i], i));
+        let v = SVector::from_fn(|i, _| Dual::variable(state.v[i], N + i));
+        State::new(Dual::constant(state.t), q, v)
     }
 
     /// The derivatives at a sample.
     #[must_use]
     pub fn of(sample: &State<Dual<f64, K>, N>) -> Self {
-        let Phase { q, v } = sample.x;
+        let Phase { q, v, z: () } = sample.x;
         let gradients =
             |of: &SVector<Dual<f64, K>, N>| SMatrix::from_fn(|i, j| of[i].derivative[j]);
         Self {

@@ -67,7 +67,6 @@ macro_rules! namesakes {
 
 namesakes! {
     OfInputs: DeclaresInputs {
-        fn controlled_by, with_controller;
         const INPUTS;
     }
     OfEvents: DeclaresEvents { const EVENTS; }

@@ -122,8 +122,11 @@ fn a_law_returns_a_number_an_array_or_a_vector() {
     let [expected, ends @ ..] = ends.map(|end| end.unwrap().last);
     assert_eq!(ends, [expected; 3]);
     let state = State::new(0.5, [1.0], [0.0]);
-    let controlled = SPRING.controlled_by(number);
-    assert_eq!(controlled.inputs(&state), SVector::from([1.5_f64.sin()]));
+    let controlled = problem().feedback(number);
+    assert_eq!(
+        controlled.dynamics().inputs(&state),
+        SVector::from([1.5_f64.sin()])
+    );
 }
 
 #[test]

@@ -67,12 +67,10 @@ fn under_pid(t: f64) -> [f64; 3] {
 
 #[test]
 fn a_pid_controller_moves_the_spring_as_the_matrix_exponential() -> Result<(), IntegrationError> {
-    let controlled = SPRING.with_controller(pid);
+    let problem = Problem::new(&SPRING, rest()).feedback_with_states([0.0], pid);
+    let controlled = problem.dynamics().clone();
     let times = [0.1, 0.75, 1.3, 4.0, 20.0];
-    let motion = Problem::new(&SPRING, rest())
-        .feedback_with_states([0.0], pid)
-        .save(times)
-        .solve(20.0, precise())?;
+    let motion = problem.save(times).solve(20.0, precise())?;
     assert!(
         motion.statistics.steps > times.len() as u64,
         "some times are within a step"
@@ -82,9 +80,9 @@ fn a_pid_controller_moves_the_spring_as_the_matrix_exponential() -> Result<(), I
         let state = sample.state();
         assert_close(state.q[0], x, 1e-10);
         assert_close(state.v[0], v, 1e-10);
-        assert_close(sample.controller[0], z, 1e-10);
+        assert_close(sample.z[0], z, 1e-10);
         assert_eq!(state, State::new(sample.t, sample.q, sample.v));
-        let force = controlled.inputs(&state, &sample.controller)[Spring::FORCE];
+        let force = controlled.inputs(sample)[Spring::FORCE];
         let exact = PROPORTIONAL * (WANTED - x) + INTEGRAL * z - DERIVATIVE * v;
         assert_close(force, exact, 1e-9);
     }
@@ -98,7 +96,7 @@ fn fixed_steps_integrate_the_states_of_the_controller() -> Result<(), Integratio
     let [coarse, fine] = [0.02, 0.01].map(|step| -> Result<f64, IntegrationError> {
         let controlled = Problem::new(&SPRING, rest()).feedback_with_states([0.0], pid);
         let end = controlled.solve(2.0, RungeKutta::classical(step))?;
-        Ok(end.controller[0] - under_pid(2.0)[2])
+        Ok(end.z[0] - under_pid(2.0)[2])
     });
     // Order 4: half the step has a sixteenth of the error.
     let ratio = coarse? / fine?;
@@ -118,7 +116,7 @@ fn an_actuator_follows_its_command_with_a_lag() -> Result<(), IntegrationError> 
             .solve(end, precise())?;
         let risen = 1.0 - (-end / LAG).exp();
         let position = end * end / 2.0 - LAG * end + LAG * LAG * risen;
-        assert_close(found.controller[0], COMMAND * risen, 1e-10);
+        assert_close(found.z[0], COMMAND * risen, 1e-10);
         assert_close(found.v[0], COMMAND / FREE.m * (end - LAG * risen), 1e-10);
         assert_close(found.q[0], COMMAND / FREE.m * position, 1e-10);
     }
@@ -135,9 +133,9 @@ fn errors_of_the_controllers_states_control_the_steps() -> Result<(), Integratio
         .solve(3.0, precise())?;
     for sample in motion {
         let [cosine, sine] = [(50.0 * sample.t).cos(), (50.0 * sample.t).sin()];
-        assert_close(sample.controller[0], cosine, 1e-8);
-        assert_close(sample.controller[1], -50.0 * sine, 1e-6);
-        assert_eq!(sample.phase(), Phase::new([0.0], [0.0]));
+        assert_close(sample.z[0], cosine, 1e-8);
+        assert_close(sample.z[1], -50.0 * sine, 1e-6);
+        assert_eq!(sample.motion(), Phase::new([0.0], [0.0]));
     }
     Ok(())
 }
@@ -167,7 +165,7 @@ fn a_stop_condition_can_depend_on_the_controllers_states() -> Result<(), Integra
     // A clock.
     let end = Problem::new(&SPRING, rest())
         .feedback_with_states([0.0], |_, _| (1.0, 1.0))
-        .when(|x| x.controller[0] - 0.75)
+        .when(|x| x.z[0] - 0.75)
         .stop()
         .solve(10.0, precise())?;
     assert_eq!(end.reason, StopReason::Condition);
@@ -187,6 +185,6 @@ fn a_controller_on_another_scalar() -> Result<(), IntegrationError> {
         .solve(2.0, RungeKutta::classical(0.01))?;
     let [x, _, z] = under_pid(2.0);
     assert_close(f64::from(end.q[0]), x, 1e-6);
-    assert_close(f64::from(end.controller[0]), z, 1e-6);
+    assert_close(f64::from(end.z[0]), z, 1e-6);
     Ok(())
 }

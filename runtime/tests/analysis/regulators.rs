@@ -11,29 +11,10 @@ fn regulator<const D: usize, const U: usize>(
     b: SMatrix<f64, D, U>,
     r: SMatrix<f64, U, U>,
 ) -> Result<Regulator<D, U>, RegulatorError> {
-    let (c, d) = (SMatrix::<f64, D, D>::identity(), SMatrix::zeros());
-    let (nothing, output) = (SVector::zeros(), SVector::zeros());
     if is_discrete {
-        let plant = DiscreteStateSpace {
-            a,
-            b,
-            c,
-            d,
-            increment: nothing,
-            output,
-            period: 1.0,
-        };
-        plant.regulator(&q, &r)
+        DiscreteStateSpace::new(a, b, 1.0).regulator(&q, &r)
     } else {
-        let plant = StateSpace {
-            a,
-            b,
-            c,
-            d,
-            derivative: nothing,
-            output,
-        };
-        plant.regulator(&q, &r)
+        StateSpace::new(a, b).regulator(&q, &r)
     }
 }
 

@@ -72,7 +72,7 @@ pub(crate) fn clock(x: &At1) -> f64 {
 
 pub(crate) fn nothing(_: &mut At1) {}
 
-pub(crate) fn nothing_to_dynamics(_: &mut At1, _: &mut EquationsOfMotion<'_, Stone, f64, 1>) {}
+pub(crate) fn nothing_to_dynamics(_: &mut At1, _: &mut EquationsOfMotion<&'_ Stone, f64, 1>) {}
 
 pub(crate) fn stop_late(progress: &Progress<'_, Phase<f64, 1>>) -> ControlFlow<()> {
     if progress.t > 0.9 {

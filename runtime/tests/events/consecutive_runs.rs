@@ -121,7 +121,7 @@ struct Oscillator {
 
 const COUNT: usize = 6;
 
-type Equations<'a> = EquationsOfMotion<'a, Oscillator, f64, 2>;
+type Equations<'a> = EquationsOfMotion<&'a Oscillator, f64, 2>;
 
 fn functions(x: &At<f64, X>) -> [f64; COUNT] {
     let [a, b] = [x.q[0], x.q[1]];

@@ -2,8 +2,8 @@
 
 use core::f64::consts::PI;
 
-use lagrangian::Polynomial;
 use lagrangian::prelude::*;
+use lagrangian::signals::Polynomial;
 
 /// A spring, and another one behind a gap.
 #[derive(Lagrangian)]

@@ -25,7 +25,7 @@ const BALL: Ball = Ball { m: 0.2, g: 9.81 };
 /// The times of bounces at which the velocity is reversed and multiplied by `restitution`.
 fn bounces<I>(method: I, direction: Direction, restitution: f64, count: usize) -> Vec<f64>
 where
-    I: Copy + for<'a> Integrator<f64, EquationsOfMotion<'a, Ball, f64, 1>>,
+    I: Copy + for<'a> Integrator<f64, EquationsOfMotion<&'a Ball, f64, 1>>,
 {
     let mut state = State::new(0.0, [10.0], [0.0]);
     let mut times = Vec::new();

@@ -61,7 +61,7 @@ enum Floor {
 fn integrated<T, I>(method: I, floor: Floor, parameters: [T; 4], end: f64) -> [T; 4]
 where
     T: SingleNumber,
-    I: for<'a> Integrator<T, EquationsOfMotion<'a, Ball<T>, T, 1>>,
+    I: for<'a> Integrator<T, EquationsOfMotion<&'a Ball<T>, T, 1>>,
 {
     let [height, g, restitution, rise] = parameters;
     let ball = Ball {
@@ -211,7 +211,7 @@ const PENDULUM: [f64; 4] = [1.2, 0.9, -0.1, 0.8];
 /// The times of the first three impacts, and the state at the end.
 fn swings<T: SingleNumber>([theta, l, place, restitution]: [T; 4]) -> [T; 5]
 where
-    for<'a> Taylor: Integrator<T, lagrangian::EquationsOfMotion<'a, Pendulum<T>, T, 1>>,
+    for<'a> Taylor: Integrator<T, lagrangian::EquationsOfMotion<&'a Pendulum<T>, T, 1>>,
 {
     let number = T::from_f64;
     let pendulum = Pendulum {
@@ -287,7 +287,7 @@ const CRADLE: [f64; 5] = [-0.5, -0.45, 0.12, 0.01, 0.25];
 /// The number of impacts, the time of the last, and the state at the end.
 fn impacts<T: SingleNumber>([first, second, mass, gap, l]: [T; 5]) -> (usize, [T; 11])
 where
-    for<'a> Taylor: Integrator<T, lagrangian::EquationsOfMotion<'a, Cradle<T>, T, 5>>,
+    for<'a> Taylor: Integrator<T, lagrangian::EquationsOfMotion<&'a Cradle<T>, T, 5>>,
 {
     let number = T::from_f64;
     let mut m = [number(0.1); 5];

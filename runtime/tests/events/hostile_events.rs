@@ -76,7 +76,7 @@ fn found<I>(
     end: f64,
 ) -> Vec<f64>
 where
-    I: for<'a> Integrator<f64, lagrangian::EquationsOfMotion<'a, Particle, f64, 1>>,
+    I: for<'a> Integrator<f64, lagrangian::EquationsOfMotion<&'a Particle, f64, 1>>,
 {
     let problem = Problem::new(model, State::new(start, [start], [1.0])).on(index);
     let problem = directed!(direction, problem).record();

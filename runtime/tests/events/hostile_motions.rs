@@ -40,7 +40,7 @@ fn hits(place: [f64; 3], speed: [f64; 3]) -> Vec<(f64, usize)> {
 
 fn in_a_box<I>(method: I, cases: u32, error: f64)
 where
-    I: Copy + for<'a> Integrator<f64, lagrangian::EquationsOfMotion<'a, Box3, f64, 3>>,
+    I: Copy + for<'a> Integrator<f64, lagrangian::EquationsOfMotion<&'a Box3, f64, 3>>,
 {
     let mut random = Random(12345);
     for case in 0..cases {

@@ -27,7 +27,7 @@ fn seen<I>(
     declared: bool,
 ) -> Vec<f64>
 where
-    I: Copy + for<'a> Integrator<f64, EquationsOfMotion<'a, Oscillator, f64, 1>>,
+    I: Copy + for<'a> Integrator<f64, EquationsOfMotion<&'a Oscillator, f64, 1>>,
 {
     let model = Oscillator { k: 1.0 };
     let (mut last, mut seen) = (start, Vec::new());
@@ -202,7 +202,7 @@ fn where_some_runs_stop_their_event_is_not_one_of_the_other_direction() {
 /// Runs that end at one rounding of so many.
 fn stop_around_a_zero<I>(method: I, stride: usize)
 where
-    I: Copy + for<'a> Integrator<f64, EquationsOfMotion<'a, Oscillator, f64, 1>>,
+    I: Copy + for<'a> Integrator<f64, EquationsOfMotion<&'a Oscillator, f64, 1>>,
 {
     let zero = 5.0_f64.cbrt();
     let near = |ulps: i64| f64::from_bits(zero.to_bits().wrapping_add_signed(ulps));

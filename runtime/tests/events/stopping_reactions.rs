@@ -2,8 +2,8 @@
 
 use core::ops::ControlFlow;
 
+use lagrangian::EquationsOfMotion;
 use lagrangian::prelude::*;
-use lagrangian::{EquationsOfMotion, OwnedEquations};
 
 /// A stone that falls from a height of 5 for 1 s, and is then thrown up again at 10.
 #[derive(Lagrangian, Clone)]
@@ -48,8 +48,8 @@ macro_rules! bounces {
 
 fn reactions_take_place<I>(method: I, tolerance: f64)
 where
-    I: Copy + for<'a> Integrator<f64, EquationsOfMotion<'a, Stone, f64, 1>>,
-    I: Integrator<f64, OwnedEquations<Stone, f64, 1>>,
+    I: Copy + for<'a> Integrator<f64, EquationsOfMotion<&'a Stone, f64, 1>>,
+    I: Integrator<f64, EquationsOfMotion<Stone, f64, 1>>,
 {
     let falling = || Problem::new(&STONE, start()).on(Stone::FLOOR).falling();
     // The reaction stops.

@@ -2,7 +2,8 @@
 
 use crate::common::assert_close;
 use lagrangian::prelude::*;
-use lagrangian::{Constant, DoubleDouble, Lanes, Polynomial, Signal, Sinusoid, Sum};
+use lagrangian::signals::{Constant, Polynomial, Signal, Sinusoid, Sum};
+use lagrangian::{DoubleDouble, Lanes};
 use nalgebra::SVector;
 
 /// A pendulum whose support is pushed, and whose spring and weight are inputs, too.

@@ -2,7 +2,8 @@
 
 use crate::common::assert_close;
 use lagrangian::prelude::*;
-use lagrangian::{Constant, Lanes, Series, TaylorCoefficients, TaylorLanes};
+use lagrangian::signals::Constant;
+use lagrangian::{Lanes, Series, TaylorCoefficients, TaylorLanes};
 use nalgebra::SVector;
 
 /// From x = ẋ = x₀ the motion is x₀/(1 − x₀ t).
@@ -180,7 +181,9 @@ fn singularities_are_those_of_a_lane_in_all_systems() {
         }
     }
     let pushed = Pushed { push: 0.0 };
-    check(&pushed.driven_by([Constant(0.1)]));
+    let start = State::new(Lanes([0.0; 4]), [Lanes([1.0; 4]); 2], [Lanes([0.0; 4]); 2]);
+    let driven = Problem::new(&pushed, start).driven_by([Constant(0.1)]);
+    check(driven.dynamics());
     check(&pushed.with_inputs([Lanes([0.1; 4])]).dynamics());
     let dynamics = Polar.dynamics();
     check(&dynamics.with_sizes([1.0, 1.0]));

@@ -3,7 +3,8 @@
 use core::f64::consts::PI;
 
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, Polynomial, Scalar};
+use lagrangian::signals::Polynomial;
+use lagrangian::{DoubleDouble, Scalar};
 
 /// A square wave, ẍ = a sgn sin ωt.
 #[derive(Lagrangian)]

@@ -23,7 +23,7 @@ struct Cubic;
 /// double-doubles: t = E − ½ sin E.
 fn kepler<S: Scalar, I>(method: I, number: impl Fn(DoubleDouble) -> S) -> f64
 where
-    I: Integrator<S, EquationsOfMotion<'static, Kepler, S, 2>>,
+    I: Integrator<S, EquationsOfMotion<&'static Kepler, S, 2>>,
 {
     let [time, eccentricity, one] = [8.0, 0.5, 1.0].map(DoubleDouble::from_f64);
     let start = State::new(

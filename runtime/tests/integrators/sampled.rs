@@ -64,9 +64,9 @@ fn sampled_motions_follow_the_difference_equation() {
         macro_rules! under {
             ($method:expr, $error:expr) => {
                 let found = sampled!(period).solve(end, $method).unwrap();
-                let numbers = [found.q[0], found.v[0], found.inputs[0], found.memory[0]];
+                let numbers = [found.q[0], found.v[0], found.z.inputs[0], found.z.memory[0]];
                 check(&numbers, &expected(period, 20), $error);
-                assert!((found.samplings - 20.0).abs() < 0.5);
+                assert!((found.z.samplings - 20.0).abs() < 0.5);
             };
         }
         under!(Taylor::new(), 1e-13);
@@ -87,8 +87,8 @@ fn samples_have_what_is_held() {
         // Samples at samplings are taken as a step ends, before the controller is evaluated, except at the start.
         let samplings = if k == 0 { 1 } else { u32::div_ceil(k, 2) };
         let [.., push, sum] = expected(0.1, samplings);
-        assert!((state.inputs[0] - push).abs() < 1e-13, "{k}");
-        assert!((state.memory[0] - sum).abs() < 1e-13, "{k}");
+        assert!((state.z.inputs[0] - push).abs() < 1e-13, "{k}");
+        assert!((state.z.memory[0] - sum).abs() < 1e-13, "{k}");
     }
 }
 
@@ -104,8 +104,8 @@ fn what_is_held_goes_through_a_checkpoint() {
         let mut resumed = sampled!(0.1).resume(stored, method).unwrap();
         assert_eq!(resumed.advance(1.25).unwrap().last, end.last);
         check(
-            &[end.q[0], end.v[0], end.inputs[0], end.memory[0]],
-            &[whole.q[0], whole.v[0], whole.inputs[0], whole.memory[0]],
+            &[end.q[0], end.v[0], end.z.inputs[0], end.z.memory[0]],
+            &[whole.q[0], whole.v[0], whole.z.inputs[0], whole.z.memory[0]],
             1e-12,
         );
     }

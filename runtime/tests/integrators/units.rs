@@ -69,7 +69,7 @@ fn assert_same_bits(found: &Ends, expected: &Ends, unit: impl Fn(&State<f64, 3>)
 
 fn time_has_no_unit<I>(method: I)
 where
-    I: for<'a> Integrator<f64, EquationsOfMotion<'a, Bead, f64, 3>> + Copy,
+    I: for<'a> Integrator<f64, EquationsOfMotion<&'a Bead, f64, 3>> + Copy,
 {
     let (bead, start, end) = faster(1.0);
     let expected = ends(Problem::new(&bead, start), end, method);
@@ -205,5 +205,5 @@ fn sizes_are_set_by_coordinate() {
     assert!(free <= both && free > both / 2, "{free} {both}");
     // A controller has sizes of its own.
     let sizes: ([f64; 3], [f64; 2]) = ([1.0; 3], [1.0; 2]);
-    let _: lagrangian::AugmentedPhase<f64, 3, 2> = lagrangian::TypicalSizes::into_state(sizes);
+    let _: Phase<f64, 3, SVector<f64, 2>> = lagrangian::TypicalSizes::into_state(sizes);
 }

@@ -1,9 +1,7 @@
 //! Everything that a model evaluates, by the names that the data have for it.
 
 use lagrangian::quantities::{Energies, Inputs};
-use lagrangian::{
-    Dop853, Lagrangian, Problem, ReconstructedPhase, RouthReduction, Routhian, State, StopReason,
-};
+use lagrangian::{Dop853, Lagrangian, Problem, RouthReduction, Routhian, State, StopReason};
 use nalgebra::{SMatrix, SVector};
 
 use crate::At;
@@ -141,7 +139,7 @@ where
     if completed != [true; 2] {
         return vec![0.0; N];
     }
-    let found = equations.full_state(end, &found.x);
+    let found = equations.full_state(&found);
     let gone = (expected.q - full.q).amax() + (expected.v - full.v).amax() + full.v.amax() + 1.0;
     rows(&((found.q - expected.q) / gone))
 }
@@ -150,12 +148,8 @@ where
 pub(crate) fn beside<const R: usize, const K: usize>(
     state: &State<f64, R>,
     ignorable: SVector<f64, K>,
-) -> lagrangian::At<f64, ReconstructedPhase<f64, R, K>> {
-    let (q, v) = (state.q, state.v);
-    lagrangian::At {
-        t: state.t,
-        x: ReconstructedPhase { q, v, ignorable },
-    }
+) -> State<f64, R, SVector<f64, K>> {
+    (*state, ignorable).into()
 }
 
 /// The entries of a matrix row by row.

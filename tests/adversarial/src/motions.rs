@@ -5,7 +5,7 @@ use std::fmt;
 use lagrangian::quantities::{Events, MotionSeries, RouthianSeries};
 use lagrangian::{
     Dop853, EventDynamics, IntegrationError, Integrator, Lagrangian, Occurrence, Partial, Phase,
-    Problem, ReconstructedPhase, RouthReduction, Routhian, Solution, State, StopReason, Taylor,
+    Problem, RouthReduction, Routhian, Solution, State, StopReason, Taylor,
 };
 use nalgebra::SVector;
 
@@ -117,7 +117,12 @@ macro_rules! reduced_ends_by {
         ) -> Vec<Found>
         where
             M: Lagrangian<N, Model: MotionSeries<N> + Events<N>> + RouthReduction<N, R, Scalar = f64>,
-            M::Reduced: MotionSeries<R> + Events<R> + RouthianSeries<R, K, FullState = State<f64, N>>,
+            M::Reduced: RouthianSeries<
+                R,
+                K,
+                FullState = State<f64, N>,
+                Model: MotionSeries<R> + Events<R>,
+            >,
         {
             let names: [&'static str; 4] = $names;
             if !at.asks_for(names[0]) {
@@ -127,7 +132,7 @@ macro_rules! reduced_ends_by {
             let (reduced, state) = model.reduce(&start);
             let places = SVector::from(ignorable.map(|i| start.q[i]));
             let equations = reduced.reconstruction();
-            let back = |x: ReconstructedPhase<f64, R, K>| flat(equations.full_state(end, &x).x);
+            let back = |x: Phase<f64, R, SVector<f64, K>>| flat(equations.full_state(&(end, x).into()).x);
             let full = with_events(Problem::new(model, start), end, $method);
             let beside = Problem::new(&equations, beside(&state, places));
             let reduced = with_events(beside, end, $method);
@@ -143,8 +148,8 @@ macro_rules! reduced_ends_by {
 /// What motions of a model with ignorable coordinates end at, by one of the methods.
 pub mod reduced_ends {
     use super::{
-        At, Events, Found, Lagrangian, MotionSeries, Problem, ReconstructedPhase, RouthReduction,
-        Routhian as _, RouthianSeries, SVector, State, Taylor, beside, flat, named, with_events,
+        At, Events, Found, Lagrangian, MotionSeries, Phase, Problem, RouthReduction, Routhian as _,
+        RouthianSeries, SVector, State, Taylor, beside, flat, named, with_events,
     };
 
     reduced_ends_by! {

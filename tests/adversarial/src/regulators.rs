@@ -3,7 +3,7 @@
 use std::{fs, path::Path};
 
 use lagrangian::analysis::{DiscreteStateSpace, Regulator, RegulatorError, StateSpace};
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SMatrix;
 use serde_json::Value;
 
 use crate::at::numbers;
@@ -61,26 +61,9 @@ fn solved<const D: usize, const U: usize>(
     let (a, b) = (matrix::<D, D>(&problem["a"]), matrix::<D, U>(&problem["b"]));
     let (q, r) = (matrix::<D, D>(&problem["q"]), matrix::<U, U>(&problem["r"]));
     let Regulator { gain, cost, .. } = if problem["discrete"] == true {
-        let plant = DiscreteStateSpace::<f64, D, U, D> {
-            a,
-            b,
-            c: SMatrix::identity(),
-            d: SMatrix::zeros(),
-            increment: SVector::zeros(),
-            output: SVector::zeros(),
-            period: 1.0,
-        };
-        plant.regulator(&q, &r)?
+        DiscreteStateSpace::new(a, b, 1.0).regulator(&q, &r)?
     } else {
-        let plant = StateSpace::<f64, D, U, D> {
-            a,
-            b,
-            c: SMatrix::identity(),
-            d: SMatrix::zeros(),
-            derivative: SVector::zeros(),
-            output: SVector::zeros(),
-        };
-        plant.regulator(&q, &r)?
+        StateSpace::new(a, b).regulator(&q, &r)?
     };
     Ok([rows(&cost), rows(&gain)])
 }

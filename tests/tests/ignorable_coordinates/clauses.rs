@@ -1,6 +1,5 @@
 //! What the clauses of a declaration give its reduced model, against the full one and finite differences.
 
-use lagrangian::ReconstructedPhase;
 use lagrangian::prelude::*;
 use lagrangian_tests::{Random, assert_close};
 
@@ -187,8 +186,8 @@ fn events_occur_when_they_do_in_the_full_model() {
     let events = motion.events().iter().map(|event| (event.event, event.t));
     occurrences(&events.collect::<Vec<_>>());
     for (event, other) in motion.events().iter().zip(expected.events()) {
-        let x: ReconstructedPhase<f64, 1, 1> = event.x;
-        assert!((x.ignorable[0] - other.x.q[1]).abs() < 1e-9);
+        let x: Phase<f64, 1, SVector<f64, 1>> = event.x;
+        assert!((x.z[0] - other.x.q[1]).abs() < 1e-9);
     }
     let method = Dop853::new()
         .relative_tolerance(1e-12)

@@ -124,7 +124,7 @@ macro_rules! assert_reduced {
         let places = $ignorable.map(|_| 0.4);
         let there = At::from((reduced_start, places));
         let end = Problem::new(&equations, there).solve(1.5, method).unwrap();
-        let found = equations.full_state(end.t, &end.x);
+        let found = equations.full_state(&end);
         let expected = Problem::new(&model, start).solve(1.5, method).unwrap();
         assert_close("q", found.q.as_slice(), expected.q.as_slice(), 1e-8);
         assert_close("q̇", found.v.as_slice(), expected.v.as_slice(), 1e-7);

@@ -1,7 +1,7 @@
 //! The reduced symmetric top, against closed forms and the full one.
 
 use lagrangian::prelude::*;
-use lagrangian::{OperationCount, ReconstructedPhase, StopReason};
+use lagrangian::{OperationCount, StopReason};
 use lagrangian_tests::{Random, assert_close, relative_error};
 
 use crate::models::{ReducedTop, Top, TopThroughPoles, polar_top, top};
@@ -108,7 +108,7 @@ fn a_hundred_nutations_are_reconstructed() {
     let mut nutations = 0;
     let mut before = 0.0;
     for (full, sample) in full.samples().iter().zip(motion.samples()) {
-        let state = equations.full_state(sample.t, &sample.x);
+        let state = equations.full_state(&sample);
         assert!((state.q - full.q).amax() < 1e-10, "{} {}", state.q, full.q);
         assert!((state.v - full.v).amax() < 1e-9, "{} {}", state.v, full.v);
         nutations += usize::from(before < 0.0 && full.v[1] >= 0.0);
@@ -121,7 +121,7 @@ fn a_hundred_nutations_are_reconstructed() {
         .absolute_tolerance(1e-13);
     let solution = problem.save(Dense).solve(5.0, method).unwrap();
     for t in [0.123, 1.7, 4.999] {
-        let x: ReconstructedPhase<f64, 1, 2> = solution.at(t).unwrap().x;
+        let x: Phase<f64, 1, SVector<f64, 2>> = solution.at(t).unwrap().x;
         let expected = Problem::new(&top, start).solve(t, method).unwrap();
         let state = equations.full_state(t, &x);
         assert!((state.q - expected.q).amax() < 1e-9, "{t}");

@@ -27,7 +27,7 @@ struct Balls {
 /// Two fields, between which the impacts of the last ball switch.
 static FIELDS: [Balls; 2] = [Balls { g: 9.81, k: 0.7 }, Balls { g: 6.2, k: 2.5 }];
 
-type Motion = EquationsOfMotion<'static, Balls, f64, 3>;
+type Motion = EquationsOfMotion<&'static Balls, f64, 3>;
 
 /// An event as an observer is told of it, and the state then, in bits.
 type Told = (usize, u64, Vec<u64>);

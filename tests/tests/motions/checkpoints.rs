@@ -192,7 +192,7 @@ static MODELS: [Oscillator; 2] = [Oscillator { k: 1.0 }, Oscillator { k: 0.0 }];
 /// From a checkpoint between two steps a motion goes on without the spring, uniformly and without a rejected step.
 fn goes_on_without_a_spring<I>(method: I)
 where
-    I: Copy + Resume<f64, EquationsOfMotion<'static, Oscillator, f64, 1>>,
+    I: Copy + Resume<f64, EquationsOfMotion<&'static Oscillator, f64, 1>>,
 {
     let start = State::new(0.0, [1.0], [0.0]);
     let [spring, free] = MODELS.each_ref().map(|model| Problem::new(model, start));

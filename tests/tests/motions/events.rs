@@ -214,7 +214,7 @@ fn quarter(amplitude: f64) -> f64 {
 
 fn passes<I>(method: I, error: f64)
 where
-    I: Copy + for<'a> Integrator<f64, lagrangian::EquationsOfMotion<'a, Pendulum, f64, 1>>,
+    I: Copy + for<'a> Integrator<f64, lagrangian::EquationsOfMotion<&'a Pendulum, f64, 1>>,
 {
     let (pendulum, quarter) = (pendulum(), quarter(2.0));
     for sign in [1.0, -1.0] {

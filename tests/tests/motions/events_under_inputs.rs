@@ -1,7 +1,8 @@
 //! Declared events of models whose inputs are held, driven by signals, or set by control laws, and of models with sizes.
 
+use lagrangian::SetTypicalSizes;
 use lagrangian::prelude::*;
-use lagrangian::{Constant, Polynomial, SetTypicalSizes, Sinusoid, Sum};
+use lagrangian::signals::{Constant, Polynomial, Sinusoid, Sum};
 use lagrangian_tests::assert_close;
 
 use crate::events::times;

@@ -18,20 +18,6 @@ fn matrix<const R: usize, const C: usize>(value: &Value) -> SMatrix<f64, R, C> {
     SMatrix::from_fn(|i, j| number(&value[i][j]))
 }
 
-fn plant<const D: usize, const U: usize>(
-    a: SMatrix<f64, D, D>,
-    b: SMatrix<f64, D, U>,
-) -> StateSpace<f64, D, U, D> {
-    StateSpace {
-        a,
-        b,
-        c: SMatrix::identity(),
-        d: SMatrix::zeros(),
-        derivative: SVector::zeros(),
-        output: SVector::zeros(),
-    }
-}
-
 fn error<const R: usize, const C: usize>(found: &SMatrix<f64, R, C>, expected: &Value) -> f64 {
     let expected = matrix::<R, C>(expected);
     relative_error(found.as_slice(), expected.as_slice(), 1e-300)
@@ -55,7 +41,7 @@ fn python_control() {
     let mut figures = Figures::new();
     for (index, case) in list(&linear_control()).iter().enumerate() {
         let at = format!("case {index}");
-        let plant: TwoInputs = plant(matrix(&case["a"]), matrix(&case["b"]));
+        let plant: TwoInputs = StateSpace::new(matrix(&case["a"]), matrix(&case["b"]));
         let (q, r) = (matrix(&case["q"]), matrix(&case["r"]));
         let mut record = |name, error, tolerance| figures.record(name, &at, error, tolerance);
         record(
@@ -108,7 +94,7 @@ fn zero_order_hold_of_an_oscillator() {
         (3.0, -0.7),
     ] {
         let a = Matrix2::new(0.0, 1.0, -omega * omega, 0.0);
-        let held = plant(a, Vector2::new(0.0, 1.0)).discretized(period);
+        let held = StateSpace::new(a, Vector2::new(0.0, 1.0)).discretized(period);
         let (sine, cosine) = f64::sin_cos(omega * period);
         let tolerance = 1e-14 * (1.0 + omega * f64::abs(period));
         let expected = [cosine, -omega * sine, sine / omega, cosine];
@@ -121,14 +107,11 @@ fn zero_order_hold_of_an_oscillator() {
     }
     let number = DoubleDouble::from_f64;
     let [zero, one] = [0.0, 1.0].map(number);
-    let fine = StateSpace {
-        a: Matrix2::new(zero, one, number(-9.0), zero),
-        b: Vector2::new(zero, one),
-        c: Matrix2::new(one, zero, zero, one),
-        d: Vector2::new(zero, zero),
-        derivative: Vector2::new(one, zero),
-        output: Vector2::new(zero, zero),
-    };
+    let mut fine = StateSpace::new(
+        Matrix2::new(zero, one, number(-9.0), zero),
+        Vector2::new(zero, one),
+    );
+    fine.derivative = Vector2::new(one, zero);
     let held = fine.discretized(number(0.7));
     let angle = number(3.0) * number(0.7);
     let errors = [
@@ -243,7 +226,7 @@ fn modes_that_are_not_controlled() {
         0.0, 9.0, 0.0, 0.0,
     );
     let b = SVector::from([0.0, 0.0, 1.0, 0.0]);
-    let apart = plant(a, b);
+    let apart = StateSpace::new(a, b);
     assert_eq!(apart.controllability().rank, 2);
     let unit = Matrix4::identity();
     let RegulatorError::NotStabilizable { mode } =
@@ -266,7 +249,7 @@ fn modes_that_are_not_controlled() {
     let turn = nalgebra::Rotation3::from_euler_angles(0.3, -0.5, 1.1);
     let mut basis = Matrix4::identity();
     basis.fixed_view_mut::<3, 3>(1, 1).copy_from(turn.matrix());
-    let turned = plant(basis.transpose() * a * basis, basis.transpose() * b);
+    let turned = StateSpace::new(basis.transpose() * a * basis, basis.transpose() * b);
     let uncontrollable = Controllability::of(&turned.a, &turned.b);
     assert_eq!(uncontrollable.rank, 2);
     let values = uncontrollable.uncontrollable().unwrap();
@@ -293,14 +276,14 @@ fn modes_that_are_not_controlled() {
             4.0, 0.0, 0.0, 0.0, //
             0.0, other, 0.0, 0.0,
         );
-        plant(a, SVector::from([0.0, 0.0, 1.0, 1.0]))
+        StateSpace::new(a, SVector::from([0.0, 0.0, 1.0, 1.0]))
             .controllability()
             .rank
     };
     assert_eq!(twins(4.0), 2);
     assert_eq!(twins(4.0 + 1e-6), 4);
     // Position shows all, velocity does not show where the cart is.
-    let chain = plant(Matrix2::new(0.0, 1.0, 0.0, 0.0), Vector2::new(0.0, 1.0));
+    let chain = StateSpace::new(Matrix2::new(0.0, 1.0, 0.0, 0.0), Vector2::new(0.0, 1.0));
     let seen = |c: [f64; 2]| {
         chain
             .with_outputs::<1>(c.into(), SMatrix::zeros(), SVector::zeros())
@@ -313,7 +296,7 @@ fn modes_that_are_not_controlled() {
 
 #[test]
 fn weights_that_are_none() {
-    let chain = plant(Matrix2::new(0.0, 1.0, 0.0, 0.0), Vector2::new(0.0, 1.0));
+    let chain = StateSpace::new(Matrix2::new(0.0, 1.0, 0.0, 0.0), Vector2::new(0.0, 1.0));
     let text = |q: [f64; 4], r: f64| {
         let found = chain.regulator(&Matrix2::from_row_slice(&q), &Matrix1::new(r));
         found.unwrap_err().to_string()
@@ -333,7 +316,7 @@ fn weights_that_are_none() {
     );
     assert!(text([0.0, 0.0, 0.0, 1.0], 1.0).starts_with("the mode with the eigenvalue 0"));
     assert!(text([f64::NAN, 0.0, 0.0, 1.0], 1.0).contains("not"));
-    let broken = plant(
+    let broken = StateSpace::new(
         Matrix2::new(0.0, f64::INFINITY, 0.0, 0.0),
         Vector2::new(0.0, 1.0),
     );

@@ -120,7 +120,7 @@ fn report(method: &str, (reduced, unreduced): (f64, f64), bound: f64, gain: f64)
     assert!(unreduced > gain * reduced, "{method}: {unreduced:e}");
 }
 
-type Motion = EquationsOfMotion<'static, Top, f64, 3>;
+type Motion = EquationsOfMotion<&'static Top, f64, 3>;
 
 /// The samples of a motion of the top at some times by a method, and those without the reduction.
 fn sampled<I>(method: I, start: State<f64, 3>, times: &[f64]) -> [Vec<State<f64, 3>>; 2]

@@ -1,7 +1,7 @@
 //! A pendulum under a torque that is a function of time, by Taylor series.
 
-use lagrangian::Sinusoid;
 use lagrangian::prelude::*;
+use lagrangian::signals::Sinusoid;
 
 use crate::models::PENDULUM;
 

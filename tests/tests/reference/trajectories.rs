@@ -185,7 +185,8 @@ where
         ));
         comparisons
     };
-    let sampled = dormand_prince(&ControlledBy::new(model.model(), law), system);
+    let controlled = Problem::new(&model, start(system).0).feedback(law);
+    let sampled = dormand_prince(controlled.dynamics(), system);
     vec![Motion::new("DOP853", sampled, system, compare)]
 }
 

@@ -117,8 +117,6 @@ const _: () = assert!(COLUMNS[0].length == SUMS);
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::SVector;
-
     use super::super::coefficients::{FIFTH_ORDER_ERROR, MATRIX, THIRD_ORDER, WEIGHTS};
     use super::{STAGES, StageSums};
     use crate::integrate::runge_kutta::combination;
@@ -129,10 +127,7 @@ mod tests {
             let argument = f64::from(u32::try_from(index).unwrap_or(0) * 7 + shift);
             libm::sin(argument * argument)
         };
-        Phase {
-            q: SVector::from([1, 2, 3].map(component)),
-            v: SVector::from([4, 5, 6].map(component)),
-        }
+        Phase::new([1, 2, 3].map(component), [4, 5, 6].map(component))
     }
 
     #[test]

@@ -6,8 +6,8 @@ use crate::integrate::typical_sizes::WithSizes;
 use crate::scalar::{DoubleDouble, Dual, Scalar};
 
 /// Dynamics with event functions, such as the [equations of motion](crate::EquationsOfMotion) of a model that declares
-/// [events](crate::quantities::Events), by itself, [driven by signals](crate::Lagrangian::driven_by), under a
-/// [control law](crate::Plant::controlled_by) or [with sizes](crate::SetTypicalSizes::with_sizes).
+/// [events](crate::quantities::Events), under any [law](crate::laws),
+/// or [with sizes](crate::SetTypicalSizes::with_sizes).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no declared events",
     note = "a model has some with the clause `event(name = expression)` in its declaration; of other systems, give \

@@ -403,7 +403,10 @@ where
     #[cfg(feature = "alloc")]
     fn event(&mut self, event: usize, t: S, x: &D::State) {
         let x = x.clone();
-        self.events.push(Occurrence { event, t, x });
+        self.events.push(Occurrence {
+            event,
+            state: At { t, x },
+        });
     }
 
     fn step(&mut self, dynamics: &D, stepper: &mut T, end: f64) {

@@ -170,7 +170,7 @@ where
     }
 
     /// The event is recorded, and the state or the dynamics change: a spring breaks, a load is picked up. The dynamics of an
-    /// owned model, `Problem::new(model, start)`, change by [`OwnedEquations::change`](crate::OwnedEquations::change).
+    /// owned model, `Problem::new(model, start)`, change by [`EquationsOfMotion::change`](crate::EquationsOfMotion::change).
     pub fn then_with<F, A>(self, reaction: F) -> Problem<S, D, K, (C, E), Then<R, OfDynamics<F>>, O>
     where
         F: FnMut(&mut At<S, D::State>, &mut D) -> A,

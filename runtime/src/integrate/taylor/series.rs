@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 #[diagnostic::on_unimplemented(
     message = "the Taylor series of `{Self}` is not known",
     note = "a model has one with the clause `taylor` in its declaration",
-    note = "a control law has none: integrate by `Dop853`, or take `sampled_feedback`, or write the law under `force`; inputs that are functions of time are signals, `model.driven_by([signal])`, inputs that are held are \
+    note = "a control law has none: integrate by `Dop853`, or take `sampled_feedback`, or write the law under `force`; inputs that are functions of time are signals, `driven_by([signal])`, inputs that are held are \
             `model.with_inputs([value])`; a model with a type parameter has one on `Lanes` if its parameters are `Lanes`, or `f64`; Hamilton's equations have the motion of `model.dynamics()`, with \
             `model.momenta(&state)`; other systems implement `Series` with the blocks of `recurrences`; `Dop853` integrates all \
             others"

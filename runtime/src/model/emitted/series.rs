@@ -178,7 +178,7 @@ fn orders_of<
         if index == last
             && let Some(velocities) = velocities(v)
         {
-            *coefficient = Phase { q, v: velocities };
+            *coefficient = Phase::new(q, velocities);
             return;
         }
         let (velocities, rates, factors) = term(&Term {
@@ -189,7 +189,7 @@ fn orders_of<
             reciprocal_order,
             convolutions: sums,
         });
-        *coefficient = Phase { q, v: velocities };
+        *coefficient = Phase::new(q, velocities);
         if index == last {
             return;
         }

@@ -15,5 +15,6 @@ struct Model {
 fn main() {
     let model = Model { m: 1.0, X: 0.0 };
     let _ = Model::X;
-    let _ = model.controlled_by(|state| -state.q[Model::X].abs());
+    let start = State::new(0.0, [0.0], [0.0]);
+    let _ = Problem::new(&model, start).feedback(|state| -state.q[Model::X].abs());
 }

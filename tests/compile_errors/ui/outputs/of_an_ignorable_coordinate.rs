@@ -1,4 +1,3 @@
-use lagrangian::ReconstructedPhase;
 use lagrangian::prelude::*;
 
 #[derive(Lagrangian)]
@@ -24,8 +23,7 @@ fn main() -> Result<(), IntegrationError> {
     let _ = (outputs.rate, outputs.position.x, RadialMotion::APSIS, RadialMotion::EVENTS);
     let _ = radial.effective_potential(&State::new(0.0, [1.0], [0.0]));
     let equations = radial.reconstruction();
-    let x = ReconstructedPhase { q: start.q, v: start.v, ignorable: SVector::from([0.0]) };
-    let end = Problem::new(&equations, At { t: start.t, x }).solve(1.0, Taylor::new())?;
-    let _ = equations.full_state(end.t, &end.x).q[Orbit::PHI] + start.q[RadialMotion::R];
+    let end = Problem::new(&equations, (start, [0.0]).into()).solve(1.0, Taylor::new())?;
+    let _ = equations.full_state(&end).q[Orbit::PHI] + start.q[RadialMotion::R];
     Ok(())
 }

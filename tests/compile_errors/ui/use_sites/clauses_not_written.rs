@@ -14,7 +14,7 @@ fn has_outputs<M: lagrangian::quantities::Outputs<1>>(_: &M) {}
 fn main() {
     let plain = Plain { m: 1.0 };
     let state = State::new(0.0, [0.0], [1.0]);
-    let _ = plain.controlled_by(|state| -state.q[0]);
+    let _ = Problem::new(&plain, state).feedback(|state| -state.q[0]);
     let _ = plain.with_inputs([1.0]);
     let _ = plain.outputs(&state);
     let _ = plain.event_functions(&state);

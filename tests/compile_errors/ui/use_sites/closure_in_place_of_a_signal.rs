@@ -10,5 +10,6 @@ struct Driven {
 
 fn main() {
     let driven = Driven { m: 1.0, push: 0.0 };
-    let _ = driven.driven_by([|t: f64| t.sin()]);
+    let start = State::new(0.0, [0.0], [0.0]);
+    let _ = Problem::new(&driven, start).driven_by([|t: f64| t.sin()]);
 }

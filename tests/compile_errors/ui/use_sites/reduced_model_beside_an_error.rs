@@ -1,4 +1,3 @@
-use lagrangian::ReconstructedPhase;
 use lagrangian::prelude::*;
 
 #[derive(Lagrangian)]
@@ -28,9 +27,8 @@ fn main() -> Result<(), IntegrationError> {
     let [precession, spin] = nutation.ignorable_velocities(&start).into();
     let _: f64 = precession + spin + nutation.sensitivities(&start)[0];
     let equations = nutation.reconstruction();
-    let x = ReconstructedPhase { q: start.q, v: start.v, ignorable: Vector2::zeros() };
-    let end = Problem::new(&equations, At { t: start.t, x }).solve(10.0, Taylor::new())?;
-    let _ = equations.full_state(end.t, &end.x).q[Top::PSI];
+    let end = Problem::new(&equations, (start, [0.0, 0.0]).into()).solve(10.0, Taylor::new())?;
+    let _ = equations.full_state(&end).q[Top::PSI];
     let _ = nutation.linearize(&State::new(0.0, [0.5], [0.0]));
     Ok(())
 }

@@ -21,10 +21,11 @@ fn main() {
     let pushed = model.with_inputs([1.0]);
     println!("{}", pushed.accelerations(&state)[CartPole::X]);
     println!("{}", model.input_jacobian(&state));
-    let controlled = model.controlled_by(|state: &State<f64, 2>| SVector::from([-state.q[1]]));
-    println!("{}", controlled.inputs(&state)[CartPole::PUSH]);
-    let _ = model.with_controller(|state, z| (z[0], [state.q[1].sin()]));
+    let problem = Problem::new(&model, state);
+    let controlled = problem.clone().feedback(|state| SVector::from([-state.q[1]]));
+    println!("{}", controlled.dynamics().inputs(&state)[CartPole::PUSH]);
+    let _ = problem.feedback_with_states([0.0], |state, z| (z[0], [state.q[1].sin()]));
     println!("{:?} {}", CartPole::INPUTS, model.input_jacobian(&state));
-    let end = Problem::new(&controlled, state).solve(1.0, Dop853::new());
+    let end = controlled.solve(1.0, Dop853::new());
     println!("{:?}", end.map(|end| end.last));
 }

@@ -2,26 +2,22 @@
 
 use nalgebra::SVector;
 
-use super::augmented_phase::AugmentedPhase;
-use super::controlled_by::ControlledBy;
-use super::driven_by::DrivenBy;
-use super::equations_of_motion::EquationsOfMotion;
+use super::equations_of_motion::{EquationsOfMotion, InputsOf};
 use super::inputs::Inputs;
-use super::quantities::Quantities;
-use super::sampled_feedback::SampledFeedback;
-use super::sampled_phase::SampledPhase;
+use super::lagrangian::Lagrangian;
+use super::law::{Driven, DynamicFeedback, Feedback, Lagged, Law, Sampled, SampledFeedback};
+use super::phase::Phase;
 use super::signals::Signals;
 use super::state::State;
-use super::with_controller::WithController;
 use crate::integrate::{At, NothingWatched, Problem};
 use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
 /// The law of the inputs comes directly behind `Problem::new`, before events, conditions and observers: it may add components to the
 /// state.
-impl<'a, M, S, K, C, R, O, const N: usize> Problem<S, EquationsOfMotion<'a, M, S, N>, K, C, R, O>
+impl<M, S, K, C, R, O, const N: usize> Problem<S, EquationsOfMotion<M, S, N>, K, C, R, O>
 where
-    M: Quantities<N, S>,
+    M: Lagrangian<N, S>,
     S: Scalar,
 {
     /// Static state feedback: the inputs are a function of time, coordinates and velocities.
@@ -51,14 +47,14 @@ where
     pub fn feedback<F, A, const U: usize>(
         self,
         law: F,
-    ) -> Problem<S, ControlledBy<'a, M, F, S, N, U>, K, C, R, O>
+    ) -> Problem<S, EquationsOfMotion<M, S, N, Feedback<F, U>>, K, C, R, O>
     where
         (C, R, O): NothingWatched,
-        M: Inputs<N, U, S>,
+        M: Lagrangian<N, S, Model: Inputs<N, U, S>>,
         F: Fn(&State<S, N>) -> A,
         A: IntoVector<S, U>,
     {
-        self.with_dynamics(|dynamics, start| (ControlledBy::new(dynamics.model, law), start))
+        self.under(Feedback(law))
     }
 
     /// Dynamic feedback: a controller with states z of its own, from `initial` on. The function returns the inputs and ż.
@@ -85,34 +81,27 @@ where
     /// assert!((end.q[0] - 1.0).abs() < 1e-8);
     /// # Ok::<(), IntegrationError>(())
     /// ```
-    #[allow(clippy::type_complexity)] // The law decides on the state.
     pub fn feedback_with_states<I, F, A, Z, const U: usize, const J: usize>(
         self,
         initial: I,
         law: F,
-    ) -> Problem<S, WithController<'a, M, F, S, N, U, J>, K, C, R, O>
+    ) -> Problem<S, EquationsOfMotion<M, S, N, DynamicFeedback<F, U, J>>, K, C, R, O>
     where
         (C, R, O): NothingWatched,
-        M: Inputs<N, U, S>,
+        M: Lagrangian<N, S, Model: Inputs<N, U, S>>,
         I: IntoVector<S, J>,
         F: Fn(&State<S, N>, &SVector<S, J>) -> (A, Z),
         A: IntoVector<S, U>,
         Z: IntoVector<S, J>,
     {
-        self.with_dynamics(|dynamics, At { t, x }| {
-            let x = AugmentedPhase {
-                q: x.q,
-                v: x.v,
-                controller: initial.into_vector(),
-            };
-            (WithController::new(dynamics.model, law), At { t, x })
-        })
+        let law = DynamicFeedback(law);
+        self.under_law_with_states(|_| law, initial.into_vector())
     }
 
     /// Sampled feedback: a controller with a memory, from `initial` on, that is evaluated at the start and once each `period` from
     /// there. Its inputs are held in between (zero-order hold), and steps end where it is evaluated.
     ///
-    /// Inputs and memory are part of the state, [`SampledPhase`]: samples and checkpoints have them.
+    /// Inputs and memory are part of the state, in [`z`](Phase::z): samples and checkpoints have them.
     ///
     /// ```
     /// use lagrangian::prelude::*;
@@ -136,7 +125,7 @@ where
     ///     })
     ///     .solve(20.0, Taylor::new())?;
     /// assert!((end.q[0] - 1.0).abs() < 1e-3);
-    /// assert!((end.inputs[0] - 4.0).abs() < 1e-2);
+    /// assert!((end.z.inputs[0] - 4.0).abs() < 1e-2);
     /// assert!((slider.potential_energy(&end.state()) - 2.0).abs() < 1e-2);
     /// # Ok::<(), IntegrationError>(())
     /// ```
@@ -150,26 +139,23 @@ where
         period: f64,
         initial: I,
         law: F,
-    ) -> Problem<S, SampledFeedback<'a, M, F, S, N, U, J>, K, C, R, O>
+    ) -> Problem<S, EquationsOfMotion<M, S, N, SampledFeedback<F, U, J>>, K, C, R, O>
     where
         (C, R, O): NothingWatched,
-        M: Inputs<N, U, S>,
+        M: Lagrangian<N, S, Model: Inputs<N, U, S>>,
         I: IntoVector<S, J>,
         F: Fn(&State<S, N>, &mut SVector<S, J>) -> A,
         A: IntoVector<S, U>,
     {
-        self.with_dynamics(|dynamics, At { t, x }| {
-            let x = SampledPhase::before_sampling(x, initial.into_vector());
-            let sampled = SampledFeedback::new(dynamics.model, law, t, period);
-            (sampled, At { t, x })
-        })
+        let begin = |start| SampledFeedback { law, start, period };
+        self.under_law_with_states(begin, Sampled::before(initial.into_vector()))
     }
 
     /// The inputs are functions of time, with their Taylor series: an array of [signals](crate::Signal), or a tuple of
     /// different ones.
     ///
     /// ```
-    /// use lagrangian::{Sinusoid, prelude::*};
+    /// use lagrangian::{prelude::*, signals::Sinusoid};
     /// # #[derive(Lagrangian)]
     /// # #[lagrangian(
     /// #     taylor,
@@ -192,12 +178,96 @@ where
     pub fn driven_by<I, const U: usize>(
         self,
         signals: I,
-    ) -> Problem<S, DrivenBy<'a, M, I, S, N, U>, K, C, R, O>
+    ) -> Problem<S, EquationsOfMotion<M, S, N, Driven<I, U>>, K, C, R, O>
     where
         (C, R, O): NothingWatched,
-        M: Inputs<N, U, S>,
+        M: Lagrangian<N, S, Model: Inputs<N, U, S>>,
         I: Signals<S, U>,
     {
-        self.with_dynamics(|dynamics, start| (DrivenBy::new(dynamics.model, signals), start))
+        self.under(Driven(signals))
+    }
+
+    /// The inputs follow a [`Law`] without states.
+    pub fn under<L>(self, law: L) -> Problem<S, EquationsOfMotion<M, S, N, L>, K, C, R, O>
+    where
+        (C, R, O): NothingWatched,
+        L: Law<N, InputsOf<M, S, N>, S, States = ()>,
+    {
+        self.under_law_with_states(|_| law, ())
+    }
+
+    /// The inputs follow a law from these states on, made for the time of the start.
+    fn under_law_with_states<L>(
+        self,
+        law: impl FnOnce(f64) -> L,
+        z: L::States,
+    ) -> Problem<S, EquationsOfMotion<M, S, N, L>, K, C, R, O>
+    where
+        (C, R, O): NothingWatched,
+        L: Law<N, InputsOf<M, S, N>, S>,
+    {
+        self.with_dynamics(|dynamics, At { t, x }| {
+            let equations = EquationsOfMotion::under(dynamics.into_model(), law(t));
+            (equations, At { t, x: x.with(z) })
+        })
+    }
+}
+
+impl<M, S, K, C, R, O, L, const N: usize> Problem<S, EquationsOfMotion<M, S, N, L>, K, C, R, O>
+where
+    M: Lagrangian<N, S>,
+    S: Scalar,
+    L: Law<N, InputsOf<M, S, N>, S>,
+{
+    /// Actuators follow the law with first-order lags: u̇ = (asked − u)/τ with these time constants τ > 0, from the inputs of the
+    /// model on. The lagged inputs are states, `z.1` behind those of the law.
+    ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    ///
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     taylor,
+    ///     coordinates(x),
+    ///     kinetic = 0.5 * m * dot(x).powi(2),
+    ///     force(x = push),
+    /// )]
+    /// struct Cart { m: f64, #[lagrangian(input)] push: f64 }
+    ///
+    /// // The force 1 is asked for at once, and comes with a time constant of 0.5 s: v = t − (1 − e^(−2t))/2.
+    /// let cart = Cart { m: 1.0, push: 0.0 };
+    /// let end = Problem::new(&cart, State::new(0.0, [0.0], [0.0]))
+    ///     .driven_by([lagrangian::signals::Constant(1.0)])
+    ///     .lagged([0.5])
+    ///     .solve(2.0, Taylor::new())?;
+    /// assert!((end.v[0] - (2.0 - 0.5 * (1.0 - (-4.0_f64).exp()))).abs() < 1e-14);
+    /// assert!((end.z.1[0] - (1.0 - (-4.0_f64).exp())).abs() < 1e-14);
+    /// # Ok::<(), IntegrationError>(())
+    /// ```
+    pub fn lagged<const U: usize>(
+        self,
+        time_constants: impl IntoVector<S, U>,
+    ) -> Problem<S, EquationsOfMotion<M, S, N, Lagged<L, S, U>>, K, C, R, O>
+    where
+        (C, R, O): NothingWatched,
+        M: Lagrangian<N, S, Model: Inputs<N, U, S>>,
+    {
+        let time_constants = time_constants.into_vector();
+        self.with_dynamics(|dynamics, At { t, x }| {
+            let EquationsOfMotion {
+                model, law, inputs, ..
+            } = dynamics;
+            let law = Lagged {
+                law,
+                time_constants,
+            };
+            let Phase { q, v, z } = x;
+            let x = Phase {
+                q,
+                v,
+                z: (z, inputs),
+            };
+            (EquationsOfMotion::under(model, law), At { t, x })
+        })
     }
 }

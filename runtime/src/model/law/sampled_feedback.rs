@@ -1,0 +1,135 @@
+//! Sampled feedback: a controller that is evaluated periodically, and whose inputs are held in between.
+
+use nalgebra::SVector;
+
+use super::{Law, LawSeries, LawStates};
+use crate::integrate::SingleNumber;
+use crate::linalg::{IntoVector, VectorSpace};
+use crate::model::phase::Phase;
+use crate::model::state::State;
+use crate::scalar::Scalar;
+
+/// A controller with a memory of `J` numbers is evaluated periodically, and its `U` inputs are held in between (zero-order hold); made
+/// by [`Problem::sampled_feedback`](crate::Problem::sampled_feedback).
+#[derive(Clone, Copy, Debug)]
+pub struct SampledFeedback<F, const U: usize, const J: usize> {
+    pub(crate) law: F,
+    /// The time of the first sampling.
+    pub(crate) start: f64,
+    pub(crate) period: f64,
+}
+
+/// What a sampled controller holds, beside coordinates and velocities: a state has it in [`z`](Phase::z).
+///
+/// Its components are the inputs, the memory, then the number of samplings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "S: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>"
+    ))
+)]
+pub struct Sampled<S: Scalar, const U: usize, const J: usize> {
+    /// The inputs, held since the last sampling.
+    pub inputs: SVector<S, U>,
+    /// The memory of the controller.
+    pub memory: SVector<S, J>,
+    /// How often the controller was evaluated.
+    pub samplings: S,
+}
+
+impl<S: Scalar, const U: usize, const J: usize> Sampled<S, U, J> {
+    /// What is held before the first sampling: nothing but the memory.
+    pub(crate) fn before(memory: SVector<S, J>) -> Self {
+        Self {
+            inputs: SVector::from_element(S::zero()),
+            memory,
+            samplings: S::zero(),
+        }
+    }
+}
+
+impl<S: Scalar, const U: usize, const J: usize> VectorSpace<S> for Sampled<S, U, J> {
+    #[inline]
+    fn add_scaled(&mut self, factor: S, other: &Self) {
+        self.inputs.add_scaled(factor, &other.inputs);
+        self.memory.add_scaled(factor, &other.memory);
+        self.samplings += factor * other.samplings;
+    }
+
+    #[inline]
+    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
+        Self {
+            inputs: self.inputs.map(&mut function),
+            memory: self.memory.map(&mut function),
+            samplings: function(self.samplings),
+        }
+    }
+
+    #[inline]
+    fn components(&self) -> impl Iterator<Item = S> + '_ {
+        let held = self.inputs.iter().chain(self.memory.iter()).copied();
+        held.chain(core::iter::once(self.samplings))
+    }
+}
+
+impl<S: Scalar, const U: usize, const J: usize> LawStates<S> for Sampled<S, U, J> {}
+
+impl<F, A, S, const N: usize, const U: usize, const J: usize> Law<N, SVector<S, U>, S>
+    for SampledFeedback<F, U, J>
+where
+    F: Fn(&State<S, N>, &mut SVector<S, J>) -> A,
+    A: IntoVector<S, U>,
+    S: Scalar,
+{
+    type States = Sampled<S, U, J>;
+
+    /// The controller is evaluated at the whole angles.
+    const READS_MOTION: bool = false;
+
+    #[inline]
+    fn evaluate(
+        &self,
+        _: &SVector<S, U>,
+        _: S,
+        x: &Phase<S, N, Sampled<S, U, J>>,
+    ) -> (SVector<S, U>, Sampled<S, U, J>) {
+        (x.z.inputs, x.z.zeroed())
+    }
+
+    /// The next multiple of the period.
+    fn next_update(&self, z: &Sampled<S, U, J>) -> Option<f64> {
+        let time = self.start + z.samplings.smallest() * self.period;
+        // Without a period that is a number the time is not one, which is an error.
+        let is_valid = self.period > 0.0 && self.period.is_finite();
+        Some(if is_valid { time } else { f64::NAN })
+    }
+
+    fn update(&self, t: S, x: &mut Phase<S, N, Sampled<S, U, J>>) {
+        x.z.inputs = (self.law)(&x.at(t), &mut x.z.memory).into_vector();
+        x.z.samplings += S::one();
+    }
+
+    /// Between two samplings the inputs are constant.
+    fn series<const HALF: usize, R>(
+        &self,
+        _: &SVector<S, U>,
+        (_, x): (S, &Phase<S, N, Sampled<S, U, J>>),
+        _: S,
+        then: impl FnOnce(&[SVector<S, U>], &[Sampled<S, U, J>]) -> R,
+    ) -> Option<R> {
+        Some(then(core::slice::from_ref(&x.z.inputs), &[]))
+    }
+}
+
+/// Motions in lanes have samplings of their own, which nothing waits for: they have no series.
+impl<F, A, S, const N: usize, const U: usize, const J: usize> LawSeries<N, SVector<S, U>, S>
+    for SampledFeedback<F, U, J>
+where
+    F: Fn(&State<S, N>, &mut SVector<S, J>) -> A,
+    A: IntoVector<S, U>,
+    S: SingleNumber,
+{
+}
