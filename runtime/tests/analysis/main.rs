@@ -10,6 +10,7 @@ mod decided_stability;
 mod derivative_check;
 mod equilibria;
 mod hostile_stability;
+mod laws;
 mod legendre;
 mod linearization;
 mod regulators;

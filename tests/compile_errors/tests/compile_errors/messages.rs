@@ -48,7 +48,7 @@ fn portable(rendered: &str) -> String {
             let place = own.map_or_else(|| place_elsewhere(&place, &workspace), str::to_owned);
             lines.push(format!("{arrow}{place}"));
         } else if elsewhere {
-            lines.push(without_number(line));
+            lines.push(without_number(line).replace(&package, "$DIR"));
         } else {
             digits = digits.max(number(line).unwrap_or_default().len());
             lines.push(line.replace(&package, "$DIR"));
