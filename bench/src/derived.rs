@@ -2,7 +2,6 @@
 
 use std::hint::black_box;
 
-use lagrangian::quantities::Quantities;
 use lagrangian::{EquationsOfMotion, Lagrangian, State};
 use nalgebra::SVector;
 
@@ -10,8 +9,8 @@ use crate::evaluation::Evaluation;
 
 /// A model and the function that is called, both hidden from the optimizer.
 pub(crate) struct Derived<'a, M: Lagrangian<N>, const N: usize> {
-    equations: EquationsOfMotion<&'a M::Model, f64, N>,
-    accelerations: Accelerations<'a, M::Model, N>,
+    equations: EquationsOfMotion<&'a M, f64, N>,
+    accelerations: Accelerations<'a, M, N>,
 }
 
 type Accelerations<'a, M, const N: usize> =
@@ -29,8 +28,8 @@ impl<'a, M: Lagrangian<N>, const N: usize> Derived<'a, M, N> {
 /// The method that integrators call, behind the boundary that the peers have too. What depends on the
 /// parameters alone has been computed once, as an integration does; the peers have it as constants.
 #[inline(never)]
-fn accelerations<M: Quantities<N>, const N: usize>(
-    equations: &EquationsOfMotion<&'_ M, f64, N>,
+fn accelerations<M: Lagrangian<N>, const N: usize>(
+    equations: &EquationsOfMotion<&M, f64, N>,
     state: &State<f64, N>,
     accelerations: &mut SVector<f64, N>,
 ) {
@@ -62,8 +61,8 @@ impl<M: Lagrangian<N>, const N: usize> Evaluation<N> for Derived<'_, M, N> {
 
 /// Inverse dynamics of a model, hidden likewise.
 pub(crate) struct InverseDynamics<'a, M: Lagrangian<N>, const N: usize> {
-    equations: EquationsOfMotion<&'a M::Model, f64, N>,
-    forces: Forces<'a, M::Model, N>,
+    equations: EquationsOfMotion<&'a M, f64, N>,
+    forces: Forces<'a, M, N>,
 }
 
 type Forces<'a, M, const N: usize> =
@@ -79,8 +78,8 @@ impl<'a, M: Lagrangian<N>, const N: usize> InverseDynamics<'a, M, N> {
 }
 
 #[inline(never)]
-fn forces<M: Quantities<N>, const N: usize>(
-    equations: &EquationsOfMotion<&'_ M, f64, N>,
+fn forces<M: Lagrangian<N>, const N: usize>(
+    equations: &EquationsOfMotion<&M, f64, N>,
     state: &State<f64, N>,
     accelerations: &SVector<f64, N>,
     forces: &mut SVector<f64, N>,

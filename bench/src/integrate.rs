@@ -166,7 +166,7 @@ fn by<S: Motions, I, M, const N: usize>(
 ) -> Result<Integrated, String>
 where
     M: Lagrangian<N, S>,
-    I: Clone + for<'a> Integrator<S, EquationsOfMotion<&'a M::Model, S, N>>,
+    I: Clone + for<'a> Integrator<S, EquationsOfMotion<&'a M, S, N>>,
 {
     let Integration {
         starts,

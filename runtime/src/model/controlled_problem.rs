@@ -1,5 +1,7 @@
 //! Problems of models whose inputs follow a law.
 
+#![allow(clippy::type_complexity)] // The law of a problem is in its type, as its settings are.
+
 use nalgebra::SVector;
 
 use super::equations_of_motion::{EquationsOfMotion, InputsOf};
@@ -151,7 +153,7 @@ where
         self.under_law_with_states(begin, Sampled::before(initial.into_vector()))
     }
 
-    /// The inputs are functions of time, with their Taylor series: an array of [signals](crate::Signal), or a tuple of
+    /// The inputs are functions of time, with their Taylor series: an array of [signals](crate::signals), or a tuple of
     /// different ones.
     ///
     /// ```
