@@ -42,15 +42,17 @@ pub use dense_solution::DenseSolution;
 pub use dormand_prince::{Dop853, Dop853Interpolant, Dop853Stepper};
 pub use dynamics::{ComponentName, Dynamics};
 pub use error::IntegrationError;
-pub use event::{EventDynamics, EventValues, MetConditions, Occurrence, SingleNumber, Watched};
+pub use event::{
+    DeclaredEvent, EventDynamics, EventValues, MetConditions, Occurrence, SingleNumber, Watched,
+};
 pub use integrator::Integrator;
 pub use observer::{Flow, ObservationKind, Observer, Progress};
 pub use outcome::StopReason;
 pub use partial::Partial;
 pub(crate) use problem::NothingWatched;
+pub use problem::{DeclaredBy, End, Keep, Problem, Reactions, Run, Solution, System, When};
 #[cfg(feature = "alloc")]
 pub use problem::{Dense, Every, StepEnds};
-pub use problem::{End, EventIndices, Keep, Problem, Reactions, Run, Solution, System, When};
 pub use runge_kutta::{
     ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
 };

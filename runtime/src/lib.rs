@@ -68,11 +68,12 @@ pub use model::emitted as __private;
 pub use check::{ArgumentValues, CheckDerivatives, DerivativeError, check_derivatives};
 pub use integrate::{
     Advance, At, BranchVisitor, ButcherTableau, CLASSICAL_FOURTH_ORDER, Checkpoint, ComponentName,
-    DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Dynamics, EventDynamics, EventValues,
-    IntegrationError, Integrator, Interpolant, MetConditions, ObservationKind, Occurrence,
-    Progress, Resume, RungeKutta, RungeKuttaMemory, RungeKuttaStepper, Series, SetTypicalSizes,
-    SingleNumber, Singularity, Statistics, StepPolynomial, Stepper, StopReason, SwitchingFunction,
-    Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes, WithSizes,
+    DeclaredEvent, DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Dynamics, EventDynamics,
+    EventValues, IntegrationError, Integrator, Interpolant, MetConditions, ObservationKind,
+    Occurrence, Progress, Resume, RungeKutta, RungeKuttaMemory, RungeKuttaStepper, Series,
+    SetTypicalSizes, SingleNumber, Singularity, Statistics, StepPolynomial, Stepper, StopReason,
+    SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes,
+    WithSizes,
 };
 pub use integrate::{Ensemble, TaylorLanes, recurrences};
 pub use integrate::{Partial, Problem, Solution};

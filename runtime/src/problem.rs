@@ -3,8 +3,8 @@
 //! Programs name few of these: [`Every`], [`StepEnds`] and [`Dense`] for what is saved. The traits are bounds of functions that
 //! are generic over problems.
 
+pub use crate::integrate::{
+    DeclaredBy, End, Flow, Keep, Observer, Reactions, Run, System, Watched, When,
+};
 #[cfg(feature = "alloc")]
 pub use crate::integrate::{Dense, DenseSolution, Every, StepEnds};
-pub use crate::integrate::{
-    End, EventIndices, Flow, Keep, Observer, Reactions, Run, System, Watched, When,
-};

@@ -136,7 +136,7 @@ impl Emitter<'_> {
         has_inputs.then(|| quote!(let term_of_inputs = higher_inputs.next();))
     }
 
-    /// The names of the events and their indices, as constants of the type.
+    /// The names of the events and the events, as constants of the type.
     pub(super) fn event_constants(&self) -> TokenStream {
         constants(self.declaration, &self.lowered.events)
     }
@@ -175,12 +175,13 @@ pub(super) fn names<'a>(
     })
 }
 
-/// The names of the events and their indices, as constants of the type; nothing where there are no events.
+/// The names of the events and the events, as constants of the type; nothing where there are no events.
 pub(super) fn constants(declaration: &Declaration, shapes: &[Shape]) -> TokenStream {
     if shapes.is_empty() {
         return TokenStream::new();
     }
-    let visibility = &declaration.visibility;
+    let (root, visibility) = (&declaration.root, &declaration.visibility);
+    let event = quote!(#root::DeclaredEvent);
     let names: Vec<String> = names(declaration, shapes).collect();
     let count = names.len();
     let constants = indices(declaration, shapes).map(|(name, shape, indices)| {
@@ -188,12 +189,15 @@ pub(super) fn constants(declaration: &Declaration, shapes: &[Shape]) -> TokenStr
         let written = unraw(name);
         let start = indices.start;
         if shape == Shape::Scalar {
-            let text = format!("The index of the event `{written}`.");
-            quote!(#[doc = #text] #visibility const #constant: usize = #start;)
+            let text = format!("The event `{written}`.");
+            quote!(#[doc = #text] #visibility const #constant: #event<Self> = #event::new(#start);)
         } else {
-            let text = format!("The indices of the events `{written}[0]` and so on.");
+            let text = format!("The events `{written}[0]` and so on.");
             let length = indices.len();
-            quote!(#[doc = #text] #visibility const #constant: [usize; #length] = [#(#indices),*];)
+            quote! {
+                #[doc = #text]
+                #visibility const #constant: [#event<Self>; #length] = [#(#event::new(#indices)),*];
+            }
         }
     });
     quote! {

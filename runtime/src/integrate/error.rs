@@ -304,8 +304,7 @@ impl IntegrationError {
             }
             Self::NoSuchEvent { index, events } => write!(
                 f,
-                "the model has no event {index}: its events are {events:?}, with the constants of the model as their \
-                 indices"
+                "the model has no event {index}: its events are {events:?}, which the constants of the model name"
             ),
             Self::UnorderedTimes {
                 index,

@@ -22,10 +22,12 @@ mod polynomial;
 mod window;
 mod exclusion;
 mod declared;
+mod declared_event;
 mod event_time;
 mod met_conditions;
 
 pub(crate) use declared::DeclaredEvents;
+pub use declared_event::DeclaredEvent;
 pub use detection::Watched;
 pub(crate) use detection::{Detection, EventFunctions, Occurring};
 pub use event_dynamics::{EventDynamics, SingleNumber};

@@ -20,7 +20,7 @@ pub use run::Run;
 pub(crate) use solution::Events;
 pub use solution::Solution;
 pub use system::System;
-pub use watch::{EventIndices, When};
+pub use watch::{DeclaredBy, When};
 
 use core::marker::PhantomData;
 

@@ -55,6 +55,7 @@ where
     S: Scalar,
     L: Law<N, InputsOf<M, S, N>, S>,
 {
+    type Model = M::Model;
     type Values = <M::Model as Events<N, S>>::EventValues;
 
     fn names(&self) -> &'static [&'static str] {

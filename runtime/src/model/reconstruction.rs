@@ -178,6 +178,7 @@ where
     M: Routhian<N, K, S, Model: Events<N, S>>,
     S: Scalar,
 {
+    type Model = M::Model;
     type Values = <M::Model as Events<N, S>>::EventValues;
 
     fn names(&self) -> &'static [&'static str] {

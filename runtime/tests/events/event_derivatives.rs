@@ -76,7 +76,7 @@ where
     let bounce = |x: &mut State<T, 1>| x.v[0] = rise - restitution * (x.v[0] - rise);
     let motion = match floor {
         Floor::Declared => {
-            let problem = problem.on(Ball::<f64>::FLOOR).falling().then(bounce);
+            let problem = problem.on(Ball::FLOOR).falling().then(bounce);
             problem.solve(end, method)
         }
         Floor::Function => {
@@ -178,7 +178,7 @@ fn a_time_without_a_derivative_is_not_a_number_in_disguise() {
         top: Dual::variable(1.0, 0),
     };
     let start = State::new(number(0.0), [number(0.0)], [number(4.0)]);
-    let limit = Problem::new(&ball, start).on(Ball::<f64>::LIMIT).stop();
+    let limit = Problem::new(&ball, start).on(Ball::LIMIT).stop();
     let touched = limit.solve(1.0, Taylor::new()).unwrap();
     assert_eq!(touched.events().len(), 1);
     let time = touched.events()[0].t;
@@ -221,7 +221,7 @@ where
         place,
     };
     let start = State::new(number(0.0), [theta], [number(0.0)]);
-    let wall = Problem::new(&pendulum, start).on(Pendulum::<f64>::WALL);
+    let wall = Problem::new(&pendulum, start).on(Pendulum::WALL);
     let bouncing = wall.falling().then(|x| x.v[0] = -(x.v[0] * restitution));
     let motion = bouncing.solve(4.0, Taylor::new()).unwrap();
     let events = motion.events();
@@ -312,7 +312,7 @@ where
     macro_rules! cradle {
         ($($i:literal)*) => {
             Problem::new(&cradle, start)
-                $(.on(Cradle::<f64>::CONTACT[$i]).falling().then(collide($i)))*
+                $(.on(Cradle::CONTACT[$i]).falling().then(collide($i)))*
         };
     }
     let motion = cradle!(0 1 2 3).solve(0.9, Taylor::new()).unwrap();

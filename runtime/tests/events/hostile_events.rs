@@ -3,6 +3,7 @@
 
 use crate::directions::{Direction, directed};
 use crate::random_numbers::Random;
+use lagrangian::DeclaredEvent;
 use lagrangian::prelude::*;
 
 /// A particle at unit velocity, x = t, so that events are functions of x whose zeros are written down.
@@ -70,7 +71,7 @@ fn changes(function: impl Fn(f64) -> f64, mut corners: Vec<f64>, end: f64) -> Ve
 fn found<I>(
     method: I,
     model: &Particle,
-    index: usize,
+    event: DeclaredEvent<Particle>,
     direction: Direction,
     start: f64,
     end: f64,
@@ -78,7 +79,7 @@ fn found<I>(
 where
     I: for<'a> Integrator<f64, lagrangian::EquationsOfMotion<&'a Particle, f64, 1>>,
 {
-    let problem = Problem::new(model, State::new(start, [start], [1.0])).on(index);
+    let problem = Problem::new(model, State::new(start, [start], [1.0])).on(event);
     let problem = directed!(direction, problem).record();
     let motion = problem.solve(end, method).unwrap();
     motion
@@ -143,12 +144,12 @@ fn cross_corners(cases: usize) {
         let tree = changes(|x| model.tree(x), corners, 1.0);
         let steps = [f64::INFINITY, 0.3, 0.0625][case % 3];
         let method = Taylor::new().max_step(steps.min(1e3));
-        for (index, expected, what) in [
+        for (event, expected, what) in [
             (Particle::ZIGZAG, zigzag, "zigzag"),
             (Particle::TREE, tree, "tree"),
         ] {
             let at_edge = |t: f64| !(1e-9..=1.0 - 1e-9).contains(&t);
-            let value = if index == Particle::TREE {
+            let value = if event == Particle::TREE {
                 model.tree(0.0)
             } else {
                 model.zigzag(0.0)
@@ -169,11 +170,11 @@ fn cross_corners(cases: usize) {
                     .iter()
                     .filter(|(_, rises)| wanted.is_none_or(|wanted| wanted == *rises));
                 let times: Vec<f64> = times.map(|(t, _)| *t).collect();
-                let found = found(method, &model, index, direction, 0.0, 1.0);
+                let found = found(method, &model, event, direction, 0.0, 1.0);
                 if found.len() > times.len() {
                     // A zero that is touched at a corner counts as reached; it is no change of sign.
                     let function = |x: f64| {
-                        if index == Particle::TREE {
+                        if event == Particle::TREE {
                             model.tree(x)
                         } else {
                             model.zigzag(x)
@@ -204,13 +205,13 @@ fn cross_corners(cases: usize) {
 /// |u| touches zero at its corner once, from above; a small constant lifts it off, or splits the zero into two.
 #[test]
 fn a_corner_at_zero_is_reached_once() {
-    let lifted = |lift: f64, index: usize, direction: Direction| {
+    let lifted = |lift: f64, event: DeclaredEvent<Particle>, direction: Direction| {
         let model = Particle {
             a: [0.0; 5],
             b: [0.0; 4],
             c: [0.375, 0.0, 0.0, lift],
         };
-        found(Taylor::new(), &model, index, direction, 0.0, 1.0)
+        found(Taylor::new(), &model, event, direction, 0.0, 1.0)
     };
     for (direction, touches) in [
         (Direction::Either, 1),
@@ -275,7 +276,7 @@ fn cross_jumps(cases: usize) {
         };
         let [low, high] = [c[0].min(c[1]), c[0].max(c[1])];
         let found =
-            |model, index, direction| found(Taylor::new(), model, index, direction, 0.0, 1.0);
+            |model, event, direction| found(Taylor::new(), model, event, direction, 0.0, 1.0);
         let falls = found(&model, Particle::SIGNS, Direction::Falling);
         let rises = found(&model, Particle::SIGNS, Direction::Rising);
         compare(

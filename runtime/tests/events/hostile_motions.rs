@@ -2,6 +2,7 @@
 
 use crate::directions::{Direction, directed};
 use crate::random_numbers::Random;
+use lagrangian::DeclaredEvent;
 use lagrangian::prelude::*;
 
 /// A particle in a box whose walls are events, as it is unfolded: two walls or three are met at once where lines of a
@@ -51,7 +52,7 @@ where
         let bounce = |i: usize| move |x: &mut State<f64, 3>| x.v[i] *= -1.0;
         macro_rules! with_walls {
             ($($wall:literal)*) => {
-                Problem::new(&room, start)$(.on($wall).falling().then(bounce($wall % 3)))*
+                Problem::new(&room, start)$(.on(DeclaredEvent::new($wall)).falling().then(bounce($wall % 3)))*
             };
         }
         let times = [0.9, 3.3, 7.7];

@@ -37,21 +37,21 @@ fn occurrences(direction: Direction, turns: f64) -> ([[usize; 5]; 2], usize) {
     let end = turns * core::f64::consts::TAU;
     let mut counts = [[0; 5]; 2];
     let mut steps = 0;
-    let indices = [
+    let events = [
         Circle::RADIUS,
         Circle::TOTAL_ENERGY,
         Circle::MOMENTUM,
         Circle::TINY,
         Circle::NEAR,
     ];
-    for index in indices {
+    for event in events {
         let circle = Problem::new(&Circle, start);
-        let declared = directed!(direction, circle.clone().on(index)).record();
+        let declared = directed!(direction, circle.clone().on(event)).record();
         let motion = declared.solve(end, Taylor::new()).unwrap();
-        counts[0][index] = motion.events().len();
-        let given = directed!(direction, circle.when(|x| functions(x)[index])).record();
+        counts[0][event.index()] = motion.events().len();
+        let given = directed!(direction, circle.when(|x| functions(x)[event.index()])).record();
         let motion = given.solve(end, Taylor::new()).unwrap();
-        counts[1][index] = motion.events().len();
+        counts[1][event.index()] = motion.events().len();
         steps = usize::try_from(motion.statistics.steps).unwrap();
     }
     (counts, steps)

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use lagrangian::prelude::*;
-use lagrangian::{Dynamics, EventDynamics, Series, TaylorCoefficients};
+use lagrangian::{DeclaredEvent, Dynamics, EventDynamics, Series, TaylorCoefficients};
 
 /// A heavy top: none of the first three events ever occurs.
 #[derive(Lagrangian)]
@@ -63,6 +63,7 @@ impl<D: Series<f64>> Series<f64> for Counted<'_, D> {
 }
 
 impl<D: EventDynamics<f64>> EventDynamics<f64> for Counted<'_, D> {
+    type Model = D::Model;
     type Values = D::Values;
 
     fn names(&self) -> &'static [&'static str] {
@@ -86,7 +87,7 @@ impl<D: EventDynamics<f64>> EventDynamics<f64> for Counted<'_, D> {
 }
 
 /// The number of steps, the orders of the series that were asked for, and the times of the events.
-fn watched<const K: usize>(events: [usize; K]) -> (u64, Vec<usize>, Vec<f64>) {
+fn watched<const K: usize>(events: [DeclaredEvent<Top>; K]) -> (u64, Vec<usize>, Vec<f64>) {
     let dynamics = Counted {
         dynamics: &TOP.dynamics(),
         orders: RefCell::default(),

@@ -44,7 +44,7 @@ fn a_switch_has_the_gradient_of_its_closed_form() {
     };
     let start = State::new(number(0.0), [number(0.0)], [number(0.0)]);
     let motion = Problem::new(switched, start)
-        .on(Switched::<f64>::SWITCH)
+        .on(Switched::SWITCH)
         .rising()
         .then_with(|_, dynamics| dynamics.change(|model| model.field = after))
         .solve(1.5, Taylor::new())

@@ -3,6 +3,7 @@
 use crate::directions::{Direction, EVERY, directed};
 use crate::random_numbers::Random;
 use crate::two_runs::{ENDS, X, in_two_runs, run};
+use lagrangian::DeclaredEvent;
 use lagrangian::prelude::*;
 
 /// A stone that is thrown, on a spring sideways.
@@ -29,8 +30,8 @@ struct Stone {
     d: f64,
 }
 
-const TOUCHING: [usize; 2] = [Stone::SQUARE, Stone::NOON];
-const PAIRS: [usize; 3] = [Stone::PAIR, Stone::BELOW, Stone::NEAR];
+const TOUCHING: [DeclaredEvent<Stone>; 2] = [Stone::SQUARE, Stone::NOON];
+const PAIRS: [DeclaredEvent<Stone>; 3] = [Stone::PAIR, Stone::BELOW, Stone::NEAR];
 
 /// A number between powers of ten.
 fn power(random: &mut Random, from: f64, to: f64) -> f64 {
@@ -52,15 +53,15 @@ fn thrown(random: &mut Random, case: usize) -> (Stone, At<f64, X>, f64) {
 }
 
 /// Splits of motions at zeros of these functions and near them, of which each zero is reported by one run.
-fn each_zero_once(indices: &[usize], seed: u64, cases: &[usize]) {
+fn each_zero_once(events: &[DeclaredEvent<Stone>], seed: u64, cases: &[usize]) {
     let mut random = Random(seed);
     for &case in cases {
         let (model, start, end) = thrown(&mut random, case);
         let method = [Taylor::new(), Taylor::new().max_step(0.1)][(case / 2) % 2];
         for direction in EVERY {
-            for &index in indices {
+            for &event in events {
                 let watching = |direction, start: &At<f64, X>| {
-                    directed!(direction, Problem::new(&model, *start).on(index)).record()
+                    directed!(direction, Problem::new(&model, *start).on(event)).record()
                 };
                 let problem = |start: &At<f64, X>| watching(direction, start);
                 let all = run(watching(Direction::Either, &start), method, end);
@@ -81,7 +82,7 @@ fn each_zero_once(indices: &[usize], seed: u64, cases: &[usize]) {
                     assert_eq!(
                         parts.len(),
                         whole.len(),
-                        "{kind:?} at {at:e} = {time:e} {:+e}, {direction:?} {index} of {model:?} from {start:?}: {parts:?} {whole:?}",
+                        "{kind:?} at {at:e} = {time:e} {:+e}, {direction:?} {event:?} of {model:?} from {start:?}: {parts:?} {whole:?}",
                         at - time
                     );
                 }

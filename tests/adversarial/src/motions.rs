@@ -4,8 +4,8 @@ use std::fmt;
 
 use lagrangian::quantities::{Events, MotionSeries, RouthianSeries};
 use lagrangian::{
-    Dop853, EventDynamics, IntegrationError, Integrator, Lagrangian, Occurrence, Partial, Phase,
-    Problem, RouthReduction, Routhian, Solution, State, StopReason, Taylor,
+    DeclaredEvent, Dop853, EventDynamics, IntegrationError, Integrator, Lagrangian, Occurrence,
+    Partial, Phase, Problem, RouthReduction, Routhian, Solution, State, StopReason, Taylor,
 };
 use nalgebra::SVector;
 
@@ -184,7 +184,10 @@ where
     I: Integrator<f64, D>,
     D: EventDynamics<f64>,
 {
-    let problem = problem.on([0, 1]).record().max_steps(MAX_STEPS);
+    let problem = problem
+        .on([0, 1].map(DeclaredEvent::new))
+        .record()
+        .max_steps(MAX_STEPS);
     let motion = problem.solve(end, method);
     let motion = motion.map_err(|error| error.error().to_string())?;
     let events = listed(motion.events());

@@ -38,7 +38,7 @@ macro_rules! watched {
         }
     }};
     (true, $problem:ident, $model:ident, $index:ident) => {
-        $problem.on($index)
+        $problem.on(lagrangian::DeclaredEvent::new($index))
     };
     (false, $problem:ident, $model:ident, $index:ident) => {
         $problem.when(move |x: &State<f64, N>| $model.event_functions(x).as_ref()[$index])

@@ -295,13 +295,13 @@ fn models_of_all_kinds_pass_all_lints() {
     assert!(slider.linearize(&state).velocity[0] < 0.0);
     assert!(slider.check_derivatives("slope", [-1.0..=1.0]).is_ok());
     let cart = Cart { m: 1.0, push: 2.0 };
-    assert!(cart.event_functions(&state)[Cart::STILL] > 0.0);
+    assert!(cart.event_functions(&state)[Cart::STILL.index()] > 0.0);
     let gate = Gate {
         m: 1.0,
         push: 2.0,
         place: 0.5,
     };
-    assert!(gate.event_functions(&state)[Gate::GATE] < 0.0);
+    assert!(gate.event_functions(&state)[Gate::GATE.index()] < 0.0);
     let motor = Motor {
         inertia: 1.0,
         table: [1.0, 0.0, 2.0],

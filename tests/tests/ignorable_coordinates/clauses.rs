@@ -1,5 +1,6 @@
 //! What the clauses of a declaration give its reduced model, against the full one and finite differences.
 
+use lagrangian::DeclaredEvent;
 use lagrangian::prelude::*;
 use lagrangian_tests::{Random, assert_close};
 
@@ -150,7 +151,7 @@ fn outputs_and_events_are_those_of_the_full_model() {
         assert_close("events of the top", &found, &expected, 1e-11);
     }
     assert_eq!(RadialMotion::EVENTS, ["apsis", "rate[0]", "rate[1]"]);
-    assert_eq!(RadialMotion::RATE, [1, 2]);
+    assert_eq!(RadialMotion::RATE.map(DeclaredEvent::index), [1, 2]);
     assert_eq!(NoddingTop::EVENTS, ["horizontal", "loops"]);
 }
 
@@ -161,18 +162,18 @@ fn events_occur_when_they_do_in_the_full_model() {
     let start = State::new(0.0, [1.0, 0.2], [0.1, 1.2]);
     let (radial, reduced_start) = orbit.reduce(&start);
     macro_rules! watched {
-        ($problem:expr, $method:expr) => {
+        ($model:ident, $problem:expr, $method:expr) => {
             $problem
-                .on([RadialMotion::APSIS, RadialMotion::RATE[0]])
+                .on([$model::APSIS, $model::RATE[0]])
                 .record()
-                .on(RadialMotion::RATE[1])
+                .on($model::RATE[1])
                 .falling()
                 .record()
                 .solve(12.0, $method)
                 .unwrap()
         };
     }
-    let expected = watched!(Problem::new(&orbit, start), Taylor::new());
+    let expected = watched!(Orbit, Problem::new(&orbit, start), Taylor::new());
     let occurrences = |events: &[(usize, f64)]| {
         assert!(events.len() >= 5, "{events:?}");
         for (one, other) in events.iter().zip(expected.events()) {
@@ -182,7 +183,11 @@ fn events_occur_when_they_do_in_the_full_model() {
         assert_eq!(events.len(), expected.events().len());
     };
     let there = At::from((reduced_start, [0.2]));
-    let motion = watched!(Problem::new(radial.reconstruction(), there), Taylor::new());
+    let motion = watched!(
+        RadialMotion,
+        Problem::new(radial.reconstruction(), there),
+        Taylor::new()
+    );
     let events = motion.events().iter().map(|event| (event.event, event.t));
     occurrences(&events.collect::<Vec<_>>());
     for (event, other) in motion.events().iter().zip(expected.events()) {
@@ -192,7 +197,7 @@ fn events_occur_when_they_do_in_the_full_model() {
     let method = Dop853::new()
         .relative_tolerance(1e-12)
         .absolute_tolerance(1e-13);
-    let motion = watched!(Problem::new(&radial, reduced_start), method);
+    let motion = watched!(RadialMotion, Problem::new(&radial, reduced_start), method);
     let events = motion.events().iter().map(|event| (event.event, event.t));
     occurrences(&events.collect::<Vec<_>>());
 }

@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use lagrangian::DeclaredEvent;
 use lagrangian::DoubleDouble;
 use lagrangian::prelude::*;
 use lagrangian_tests::assert_close;
@@ -74,13 +75,17 @@ fn names_and_indices_are_constants() {
         ]
     );
     assert_eq!(
-        (Particle::PAIR, Particle::WALLS, Particle::KINK),
+        (
+            Particle::PAIR.index(),
+            Particle::WALLS.map(DeclaredEvent::index),
+            Particle::KINK.index()
+        ),
         (0, [6, 7], 8)
     );
     let state = State::new(0.5, [0.5_f64], [1.0]);
     let values = PARTICLE.event_functions(&state);
-    close(values[Particle::WALLS[1]], 0.375, 1e-15);
-    close(values[Particle::LATE], -0.25, 1e-15);
+    close(values[Particle::WALLS[1].index()], 0.375, 1e-15);
+    close(values[Particle::LATE.index()], -0.25, 1e-15);
 }
 
 #[test]
@@ -251,7 +256,7 @@ fn the_greatest_speed_of_a_pendulum_is_a_tangency() {
             fastest,
             ..pendulum.clone()
         };
-        let problem = Problem::new(&pendulum, start).on(Pendulum::<f64>::TOP);
+        let problem = Problem::new(&pendulum, start).on(Pendulum::TOP);
         problem.record().solve(6.0 * quarter, Taylor::new())
     };
     let slower = motion(pendulum.fastest * (1.0 - 1e-12)).unwrap();
@@ -274,7 +279,7 @@ fn events_are_found_on_other_scalars() {
         fastest: number(100.0),
     };
     let start = State::new(number(0.0), [number(2.0)], [number(0.0)]);
-    let lowest = Problem::new(&precise, start).on(Pendulum::<f64>::LOWEST);
+    let lowest = Problem::new(&precise, start).on(Pendulum::LOWEST);
     let end = lowest.falling().stop().solve(10.0, Taylor::order_40());
     let end = end.unwrap();
     close(end.t.to_f64(), quarter(2.0), 1e-15);
@@ -287,7 +292,7 @@ fn events_are_found_on_other_scalars() {
         fastest: 100.0,
     };
     let start = State::new(0.0_f32, [2.0], [0.0]);
-    let lowest = Problem::new(&coarse, start).on(Pendulum::<f64>::LOWEST);
+    let lowest = Problem::new(&coarse, start).on(Pendulum::LOWEST);
     let end = lowest.falling().stop().solve(10.0, Taylor::order_12());
     close(f64::from(end.unwrap().t), quarter(2.0), 1e-5);
 }

@@ -196,7 +196,7 @@ fn cost_of_a_motion() {
         })
         .solve(20.0, Dop853::new().absolute_tolerance(1e-22))
         .unwrap();
-    assert!((end.controller[0] / expected - 1.0).abs() < 1e-7);
+    assert!((end.z[0] / expected - 1.0).abs() < 1e-7);
 
     // Samples every 10 ms, with a hold, balance the model itself from 30 degrees.
     let period = 0.01;

@@ -286,5 +286,5 @@ fn a_control_law_counts_turns() {
     let problem = problem.feedback_with_states([0.0], follower);
     let end = problem.solve(40.0, Dop853::new()).unwrap();
     assert!((end.q[0] - target).abs() < 1e-6);
-    assert!((end.controller[0] - target).abs() < 1e-6);
+    assert!((end.z[0] - target).abs() < 1e-6);
 }

@@ -1,5 +1,6 @@
 //! Declared events that have no series: they are sampled under the Taylor method, too.
 
+use lagrangian::DeclaredEvent;
 use lagrangian::prelude::*;
 
 use crate::events::times;
@@ -47,12 +48,11 @@ fn events_of_another_model_are_refused() {
     };
     let start = State::new(0.0, [0.0], [1.0]);
     for index in [2, 7] {
-        let problem = Problem::new(&model, start).on(0).record();
-        let problem = problem.on(index).falling().record();
+        let problem = Problem::new(&model, start).on(External::OUTSIDE).record();
+        let problem = problem.on(DeclaredEvent::new(index)).falling().record();
         let error = problem.solve(1.0, Taylor::new()).unwrap_err().error();
         let expected = format!(
-            "the model has no event {index}: its events are [\"outside\", \"beyond\"], with the constants of the model \
-             as their indices"
+            "the model has no event {index}: its events are [\"outside\", \"beyond\"], which the constants of the model name"
         );
         assert_eq!(error.to_string(), expected);
     }

@@ -1,5 +1,6 @@
 //! Declared events at one time, or so near that rounding cannot tell: none hides another one.
 
+use lagrangian::DeclaredEvent;
 use lagrangian::prelude::*;
 use lagrangian_tests::assert_close;
 
@@ -30,7 +31,7 @@ const ERRORS: [f64; COUNT] = [1e-14, 1e-9, 1e-6, 1e-6, 1e-4, 1e-13];
 /// The times of each of three events.
 fn watched(events: [usize; 3], speed: f64, place: f64) -> [Vec<f64>; 3] {
     let motion = Problem::new(&Particle { place }, State::new(0.0, [0.0], [speed]))
-        .on(events)
+        .on(events.map(DeclaredEvent::new))
         .record()
         .solve(1.0, Taylor::new())
         .unwrap();

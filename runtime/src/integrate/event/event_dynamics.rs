@@ -14,6 +14,9 @@ use crate::scalar::{DoubleDouble, Dual, Scalar};
             functions to `Problem::when`"
 )]
 pub trait EventDynamics<S: Scalar>: Dynamics<S> {
+    /// The type whose constants name the events, the model; of dynamics that are written by hand `Self`.
+    type Model;
+
     /// One value for each event, and behind them those of the functions at whose zeros event functions have corners or
     /// jumps ([`branches`](Self::branches)): an array.
     type Values: AsRef<[S]> + Copy;
@@ -46,6 +49,7 @@ pub trait EventDynamics<S: Scalar>: Dynamics<S> {
 }
 
 impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for &D {
+    type Model = D::Model;
     type Values = D::Values;
 
     fn names(&self) -> &'static [&'static str] {
@@ -75,6 +79,7 @@ impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for &D {
 
 /// The sizes of coordinates are nothing to events.
 impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for WithSizes<'_, D, D::State> {
+    type Model = D::Model;
     type Values = D::Values;
 
     fn names(&self) -> &'static [&'static str] {

@@ -5,8 +5,8 @@ use super::reaction::{OfDynamics, OfState, Then};
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::event::{
-    Crossing, DeclaredEvents, Event, EventDynamics, EventValues, FunctionOfState, PredicateOfState,
-    SingleNumber, Watched,
+    Crossing, DeclaredEvent, DeclaredEvents, Event, EventDynamics, EventValues, FunctionOfState,
+    PredicateOfState, SingleNumber, Watched,
 };
 use crate::integrate::observer::Flow;
 use crate::scalar::Scalar;
@@ -52,16 +52,21 @@ impl<const K: usize> Directed for DeclaredEvents<K> {
     }
 }
 
-/// The index of a declared event, or the indices of several.
-pub trait EventIndices {
-    /// The events of these indices.
+/// One event that the model `M` declares, or several: [`DeclaredEvent`]s.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an event that `{M}` declares",
+    note = "an event is named by a constant of the model, as `Ball::FLOOR` is of `Ball` with the clause `event(floor = height)`, \
+            several by an array of constants; functions of the state are watched for by `when(|x| …)`"
+)]
+pub trait DeclaredBy<M> {
+    /// The events.
     type Events;
 
     /// Zeros of either direction.
     fn events(self) -> Self::Events;
 }
 
-impl EventIndices for usize {
+impl<M> DeclaredBy<M> for DeclaredEvent<M> {
     type Events = DeclaredEvents<1>;
 
     fn events(self) -> DeclaredEvents<1> {
@@ -69,12 +74,12 @@ impl EventIndices for usize {
     }
 }
 
-impl<const N: usize> EventIndices for [usize; N] {
+impl<M, const N: usize> DeclaredBy<M> for [DeclaredEvent<M>; N] {
     type Events = DeclaredEvents<N>;
 
     fn events(self) -> DeclaredEvents<N> {
         DeclaredEvents {
-            events: self.map(|index| (index, Event::either())),
+            events: self.map(|event| (event.index(), Event::either())),
             parts: None,
         }
     }
@@ -98,10 +103,11 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     }
 
     /// An event that the model declares by the clause `event`, by its constant: `Ball::FLOOR`; or several.
-    pub fn on<E: EventIndices>(self, events: E) -> When<Self, E::Events>
+    pub fn on<E, M>(self, events: E) -> When<Self, E::Events>
     where
         S: SingleNumber,
-        D: EventDynamics<S>,
+        D: EventDynamics<S, Model = M>,
+        E: DeclaredBy<M>,
     {
         When {
             problem: self,

@@ -98,10 +98,7 @@ where
     M: Lagrangian<2, DoubleDouble, Model: MotionSeries<2, DoubleDouble>>,
 {
     let exact = |values: [f64; 2]| values.map(DoubleDouble::from_f64);
-    let x = Phase {
-        q: exact([0.7, -0.2]).into(),
-        v: exact([1.9, 0.6]).into(),
-    };
+    let x = Phase::new(exact([0.7, -0.2]), exact([1.9, 0.6]));
     let mut polynomial = TaylorCoefficients::<_, HALF>::new(x);
     let [t, unit] = exact([0.7, 0.25]);
     model.dynamics().series(t, &x, unit, &mut polynomial);

@@ -1,0 +1,67 @@
+//! Names of declared events.
+
+use core::fmt;
+use core::marker::PhantomData;
+
+/// An event that the declaration of `M` has in its clause `event`: the constants of the model are of this type, and
+/// [`Problem::on`](crate::Problem::on) takes them.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(height),
+///     kinetic = 0.5 * m * dot(height).powi(2),
+///     event(floor = height, apex = dot(height)),
+/// )]
+/// struct Ball { m: f64 }
+///
+/// let ball = Ball { m: 0.1 };
+/// let values = ball.event_functions(&State::new(0.0, [2.0], [-3.0]));
+/// assert_eq!(values[Ball::APEX.index()], -3.0);
+/// assert_eq!(Ball::EVENTS[Ball::APEX.index()], "apex");
+/// ```
+pub struct DeclaredEvent<M> {
+    index: usize,
+    model: PhantomData<fn() -> M>,
+}
+
+impl<M> DeclaredEvent<M> {
+    /// The event of an index, as the derive names them; for dynamics that are written by hand.
+    #[must_use]
+    pub const fn new(index: usize) -> Self {
+        Self {
+            index,
+            model: PhantomData,
+        }
+    }
+
+    /// Its index among the events of the declaration.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.index
+    }
+}
+
+impl<M> Clone for DeclaredEvent<M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M> Copy for DeclaredEvent<M> {}
+
+impl<M> PartialEq for DeclaredEvent<M> {
+    fn eq(&self, other: &Self) -> bool {
+        self.index == other.index
+    }
+}
+
+impl<M> Eq for DeclaredEvent<M> {}
+
+impl<M> fmt::Debug for DeclaredEvent<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("DeclaredEvent").field(&self.index).finish()
+    }
+}
