@@ -138,12 +138,13 @@ for DrivenPendulum {
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> __S {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let m: __S = prepared[0];
+        let g: __S = prepared[1];
+        let l: __S = prepared[2];
         let x0 = m
             * (l
                 * g
@@ -175,34 +176,38 @@ for DrivenPendulum {
     fn momenta(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let m: __S = prepared[0];
+        let l: __S = prepared[2];
         ::lagrangian::__private::vector([m * (l * l) * theta_dot])
     }
     fn mass_matrix(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         ::lagrangian::__private::mass_matrix_by_columns(
             state,
-            |state| {
-                ::lagrangian::quantities::Quantities::<1usize, __S>::momenta(self, state)
-            },
+            |state| ::lagrangian::quantities::Quantities::<
+                1usize,
+                __S,
+            >::momenta(self, state, prepared),
         )
     }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let m: __S = prepared[0];
+        let g: __S = prepared[1];
+        let l: __S = prepared[2];
+        let friction: __S = prepared[3];
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([
             (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
@@ -218,27 +223,37 @@ for DrivenPendulum {
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([(-friction).mul_add(theta_dot, torque)])
     }
-    type Prepared = [__S; 4usize];
-    fn prepare(&self) -> [__S; 4usize] {
+    type Prepared = [__S; 8usize];
+    fn prepare(&self) -> [__S; 8usize] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
+        let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let x0 = m * l;
-        [m * g * l, __S::from_f64(1.0) / (m * (l * l)), g * x0, l * x0]
+        [
+            m,
+            g,
+            l,
+            friction,
+            m * g * l,
+            __S::from_f64(1.0) / (m * (l * l)),
+            g * x0,
+            l * x0,
+        ]
     }
     #[inline(always)]
     fn accelerations(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 4usize],
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let friction: __S = prepared[3];
         let torque: __S = inputs[0];
-        let c0: __S = prepared[0];
-        let c1: __S = prepared[1];
+        let c0: __S = prepared[4];
+        let c1: __S = prepared[5];
         ::lagrangian::__private::vector([
             (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
         ])
@@ -248,15 +263,15 @@ for DrivenPendulum {
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 4usize],
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let theta_ddot: __S = accelerations[0];
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let friction: __S = prepared[3];
         let torque: __S = inputs[0];
-        let c2: __S = prepared[2];
-        let c3: __S = prepared[3];
+        let c2: __S = prepared[6];
+        let c3: __S = prepared[7];
         ::lagrangian::__private::vector([
             friction.mul_add(theta_dot, theta_ddot.mul_add(c3, theta.sin() * c2))
                 - torque,
@@ -277,7 +292,14 @@ for DrivenPendulum {
             &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
         );
         let factors = ::lagrangian::Factorization::new(
-            ::lagrangian::quantities::Quantities::<1usize, __S>::mass_matrix(self, state),
+            ::lagrangian::quantities::Quantities::<
+                1usize,
+                __S,
+            >::mass_matrix(
+                self,
+                state,
+                &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
+            ),
         );
         let prepared = ::lagrangian::quantities::Quantities::<
             1usize,
@@ -297,9 +319,10 @@ for DrivenPendulum {
     fn relative_pivots(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let m: __S = prepared[0];
+        let l: __S = prepared[2];
         let x0 = m * (l * l);
         ::lagrangian::__private::by_coordinate(
             [::lagrangian::__private::relative_pivot(x0, x0.abs())],
@@ -350,7 +373,14 @@ for DrivenPendulum {
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         let factors = ::lagrangian::Factorization::new(
-            ::lagrangian::quantities::Quantities::<1usize, __S>::mass_matrix(self, state),
+            ::lagrangian::quantities::Quantities::<
+                1usize,
+                __S,
+            >::mass_matrix(
+                self,
+                state,
+                &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
+            ),
         );
         let prepared = ::lagrangian::quantities::Quantities::<
             1usize,

@@ -134,12 +134,13 @@ for DrivenPendulum {
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> __S {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let m: __S = prepared[0];
+        let g: __S = prepared[1];
+        let l: __S = prepared[2];
         let x0 = m
             * (l
                 * g
@@ -171,31 +172,34 @@ for DrivenPendulum {
     fn momenta(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let m: __S = prepared[0];
+        let l: __S = prepared[2];
         ::lagrangian::__private::vector([m * (l * l) * theta_dot])
     }
     fn mass_matrix(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let m: __S = prepared[0];
+        let l: __S = prepared[2];
         ::lagrangian::__private::matrix([[m * (l * l)]])
     }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let m: __S = prepared[0];
+        let g: __S = prepared[1];
+        let l: __S = prepared[2];
+        let friction: __S = prepared[3];
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([
             (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
@@ -211,27 +215,37 @@ for DrivenPendulum {
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([(-friction).mul_add(theta_dot, torque)])
     }
-    type Prepared = [__S; 4usize];
-    fn prepare(&self) -> [__S; 4usize] {
+    type Prepared = [__S; 8usize];
+    fn prepare(&self) -> [__S; 8usize] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
+        let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let x0 = m * l;
-        [m * g * l, __S::from_f64(1.0) / (m * (l * l)), g * x0, l * x0]
+        [
+            m,
+            g,
+            l,
+            friction,
+            m * g * l,
+            __S::from_f64(1.0) / (m * (l * l)),
+            g * x0,
+            l * x0,
+        ]
     }
     #[inline(always)]
     fn accelerations(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 4usize],
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let friction: __S = prepared[3];
         let torque: __S = inputs[0];
-        let c0: __S = prepared[0];
-        let c1: __S = prepared[1];
+        let c0: __S = prepared[4];
+        let c1: __S = prepared[5];
         ::lagrangian::__private::vector([
             (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
         ])
@@ -241,15 +255,15 @@ for DrivenPendulum {
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 4usize],
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let theta_ddot: __S = accelerations[0];
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let friction: __S = prepared[3];
         let torque: __S = inputs[0];
-        let c2: __S = prepared[2];
-        let c3: __S = prepared[3];
+        let c2: __S = prepared[6];
+        let c3: __S = prepared[7];
         ::lagrangian::__private::vector([
             friction.mul_add(theta_dot, theta_ddot.mul_add(c3, theta.sin() * c2))
                 - torque,
@@ -279,9 +293,10 @@ for DrivenPendulum {
     fn relative_pivots(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let m: __S = prepared[0];
+        let l: __S = prepared[2];
         let x0 = m * (l * l);
         ::lagrangian::__private::by_coordinate(
             [::lagrangian::__private::relative_pivot(x0, x0.abs())],

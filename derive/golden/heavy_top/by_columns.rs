@@ -156,18 +156,19 @@ for HeavyTop {
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 13usize],
     ) -> __S {
         let theta: __S = state.x.q[1];
         let psi: __S = state.x.q[2];
         let phi_dot: __S = state.x.v[0];
         let theta_dot: __S = state.x.v[1];
         let psi_dot: __S = state.x.v[2];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let i1: __S = prepared[0];
+        let i2: __S = prepared[1];
+        let i3: __S = prepared[2];
+        let m: __S = prepared[3];
+        let g: __S = prepared[4];
+        let l: __S = prepared[5];
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -219,15 +220,16 @@ for HeavyTop {
     fn momenta(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let theta: __S = state.x.q[1];
         let psi: __S = state.x.q[2];
         let phi_dot: __S = state.x.v[0];
         let theta_dot: __S = state.x.v[1];
         let psi_dot: __S = state.x.v[2];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
+        let i1: __S = prepared[0];
+        let i2: __S = prepared[1];
+        let i3: __S = prepared[2];
         let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
@@ -248,30 +250,33 @@ for HeavyTop {
     fn mass_matrix(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
         ::lagrangian::__private::mass_matrix_by_columns(
             state,
-            |state| {
-                ::lagrangian::quantities::Quantities::<3usize, __S>::momenta(self, state)
-            },
+            |state| ::lagrangian::quantities::Quantities::<
+                3usize,
+                __S,
+            >::momenta(self, state, prepared),
         )
     }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let theta: __S = state.x.q[1];
         let psi: __S = state.x.q[2];
         let phi_dot: __S = state.x.v[0];
         let theta_dot: __S = state.x.v[1];
         let psi_dot: __S = state.x.v[2];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let i1: __S = prepared[0];
+        let i2: __S = prepared[1];
+        let i3: __S = prepared[2];
+        let m: __S = prepared[3];
+        let g: __S = prepared[4];
+        let l: __S = prepared[5];
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -321,8 +326,8 @@ for HeavyTop {
             __S::from_f64(0.0),
         ])
     }
-    type Prepared = [__S; 7usize];
-    fn prepare(&self) -> [__S; 7usize] {
+    type Prepared = [__S; 13usize];
+    fn prepare(&self) -> [__S; 13usize] {
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -332,6 +337,12 @@ for HeavyTop {
         let x0 = m * g;
         let x1 = l * x0;
         [
+            i1,
+            i2,
+            i3,
+            m,
+            g,
+            l,
             (i1 - i3) / i2,
             x1 / i2,
             (i3 - i2) / i1,
@@ -346,18 +357,18 @@ for HeavyTop {
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 7usize],
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let theta: __S = state.x.q[1];
         let psi: __S = state.x.q[2];
         let phi_dot: __S = state.x.v[0];
         let theta_dot: __S = state.x.v[1];
         let psi_dot: __S = state.x.v[2];
-        let c0: __S = prepared[0];
-        let c1: __S = prepared[1];
-        let c2: __S = prepared[2];
-        let c3: __S = prepared[3];
-        let c4: __S = prepared[4];
+        let c0: __S = prepared[6];
+        let c1: __S = prepared[7];
+        let c2: __S = prepared[8];
+        let c3: __S = prepared[9];
+        let c4: __S = prepared[10];
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -391,7 +402,7 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
-        prepared: &[__S; 7usize],
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let theta: __S = state.x.q[1];
         let psi: __S = state.x.q[2];
@@ -401,11 +412,11 @@ for HeavyTop {
         let phi_ddot: __S = accelerations[0];
         let theta_ddot: __S = accelerations[1];
         let psi_ddot: __S = accelerations[2];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let c5: __S = prepared[5];
-        let c6: __S = prepared[6];
+        let i1: __S = prepared[0];
+        let i2: __S = prepared[1];
+        let i3: __S = prepared[2];
+        let c5: __S = prepared[11];
+        let c6: __S = prepared[12];
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -459,7 +470,14 @@ for HeavyTop {
             &::lagrangian::quantities::Quantities::<3usize, __S>::prepare(self),
         );
         let factors = ::lagrangian::Factorization::new(
-            ::lagrangian::quantities::Quantities::<3usize, __S>::mass_matrix(self, state),
+            ::lagrangian::quantities::Quantities::<
+                3usize,
+                __S,
+            >::mass_matrix(
+                self,
+                state,
+                &::lagrangian::quantities::Quantities::<3usize, __S>::prepare(self),
+            ),
         );
         let prepared = ::lagrangian::quantities::Quantities::<
             3usize,
@@ -479,11 +497,12 @@ for HeavyTop {
     fn relative_pivots(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let theta: __S = state.x.q[1];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
+        let i1: __S = prepared[0];
+        let i2: __S = prepared[1];
+        let i3: __S = prepared[2];
         let (sin_theta, cos_theta) = theta.sin_cos();
         ::lagrangian::__private::by_coordinate(
             [

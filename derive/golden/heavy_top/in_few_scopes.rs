@@ -152,6 +152,7 @@ for HeavyTop {
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 13usize],
     ) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
@@ -160,12 +161,12 @@ for HeavyTop {
         phi_dot = state.x.v[0];
         theta_dot = state.x.v[1];
         psi_dot = state.x.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
+        i1 = prepared[0];
+        i2 = prepared[1];
+        i3 = prepared[2];
+        m = prepared[3];
+        g = prepared[4];
+        l = prepared[5];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -219,6 +220,7 @@ for HeavyTop {
     fn momenta(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_theta, cos_theta,
         sin_psi, cos_psi, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
@@ -227,9 +229,9 @@ for HeavyTop {
         phi_dot = state.x.v[0];
         theta_dot = state.x.v[1];
         psi_dot = state.x.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
+        i1 = prepared[0];
+        i2 = prepared[1];
+        i3 = prepared[2];
         ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
@@ -250,14 +252,15 @@ for HeavyTop {
     fn mass_matrix(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
         let [theta, psi, i1, i2, i3, sin_theta, cos_theta, sin_psi, cos_psi, x0, x1, x2,
         x3]: [__S; 13usize];
         theta = state.x.q[1];
         psi = state.x.q[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
+        i1 = prepared[0];
+        i2 = prepared[1];
+        i3 = prepared[2];
         ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
@@ -280,6 +283,7 @@ for HeavyTop {
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3,
@@ -289,12 +293,12 @@ for HeavyTop {
         phi_dot = state.x.v[0];
         theta_dot = state.x.v[1];
         psi_dot = state.x.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
+        i1 = prepared[0];
+        i2 = prepared[1];
+        i3 = prepared[2];
+        m = prepared[3];
+        g = prepared[4];
+        l = prepared[5];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -344,8 +348,8 @@ for HeavyTop {
             __S::from_f64(0.0),
         ])
     }
-    type Prepared = [__S; 7usize];
-    fn prepare(&self) -> [__S; 7usize] {
+    type Prepared = [__S; 13usize];
+    fn prepare(&self) -> [__S; 13usize] {
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -355,6 +359,12 @@ for HeavyTop {
         let x0 = m * g;
         let x1 = l * x0;
         [
+            i1,
+            i2,
+            i3,
+            m,
+            g,
+            l,
             (i1 - i3) / i2,
             x1 / i2,
             (i3 - i2) / i1,
@@ -369,7 +379,7 @@ for HeavyTop {
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 7usize],
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1, c2, c3, c4, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
@@ -379,11 +389,11 @@ for HeavyTop {
         phi_dot = state.x.v[0];
         theta_dot = state.x.v[1];
         psi_dot = state.x.v[2];
-        c0 = prepared[0];
-        c1 = prepared[1];
-        c2 = prepared[2];
-        c3 = prepared[3];
-        c4 = prepared[4];
+        c0 = prepared[6];
+        c1 = prepared[7];
+        c2 = prepared[8];
+        c3 = prepared[9];
+        c4 = prepared[10];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -417,15 +427,12 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
-        prepared: &[__S; 7usize],
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let mut values: [__S; 26usize] = [__S::from_f64(0.0); 26usize];
+        let mut values: [__S; 23usize] = [__S::from_f64(0.0); 23usize];
         ::lagrangian::__private::scatter(
             &mut values[..],
-            [
-                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
-                9usize, 10usize,
-            ],
+            [0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize],
             [
                 state.x.q[1],
                 state.x.q[2],
@@ -435,14 +442,11 @@ for HeavyTop {
                 accelerations[0],
                 accelerations[1],
                 accelerations[2],
-                ::lagrangian::__private::parameter(self.i1),
-                ::lagrangian::__private::parameter(self.i2),
-                ::lagrangian::__private::parameter(self.i3),
             ],
         );
         {
             #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 23usize]) {
                 let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values[..],
                     [0, 1, 2, 3, 4],
@@ -460,7 +464,7 @@ for HeavyTop {
                 let w1 = sin_psi.mul_add(x1, x2);
                 ::lagrangian::__private::scatter(
                     &mut values[..],
-                    [11, 12, 13, 14, 15, 16, 17, 18, 19, 20],
+                    [8, 9, 10, 11, 12, 13, 14, 15, 16, 17],
                     [sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x3, x4, w1],
                 );
             }
@@ -468,12 +472,18 @@ for HeavyTop {
         }
         {
             #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
+            fn piece<__S: ::lagrangian::Scalar>(
+                values: &mut [__S; 23usize],
+                prepared: &[__S; 13usize],
+            ) {
+                let [i1, i2, i3]: [__S; 3usize] = ::lagrangian::__private::gather(
+                    &prepared[..],
+                    [0, 1, 2],
+                );
                 let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, x3, x4, phi_dot,
-                theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot, i1, i2, i3,
-                ]: [__S; 17usize] = ::lagrangian::__private::gather(
+                theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot]: [__S; 14usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 15, 13, 14, 16, 18, 19, 2, 3, 4, 5, 6, 7, 8, 9, 10],
+                    [8, 9, 12, 10, 11, 13, 15, 16, 2, 3, 4, 5, 6, 7],
                 );
                 let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
                 let x6 = i3
@@ -487,29 +497,26 @@ for HeavyTop {
                 let x11 = i1 * sin_psi;
                 ::lagrangian::__private::scatter(
                     &mut values[..],
-                    [1, 0, 21, 22, 23, 24, 25],
+                    [1, 0, 18, 19, 20, 21, 22],
                     [x5, x6, w3, x8, x9, x10, x11],
                 );
             }
-            piece(&mut values);
+            piece(&mut values, prepared);
         }
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values: &mut [__S; 26usize],
-                prepared: &[__S; 7usize],
+                values: &mut [__S; 23usize],
+                prepared: &[__S; 13usize],
             ) {
-                let [c5, c6]: [__S; 2usize] = ::lagrangian::__private::gather(
+                let [i1, i2, i3, c5, c6]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &prepared[..],
-                    [5, 6],
+                    [0, 1, 2, 11, 12],
                 );
                 let [sin_psi, cos_psi, sin_theta, cos_theta, x1, w2, x4, w1, x5, x6, w3,
-                x8, x9, x10, x11, theta_dot, i1, i2, i3]: [__S; 19usize] = ::lagrangian::__private::gather(
+                x8, x9, x10, x11, theta_dot]: [__S; 16usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [
-                        11, 12, 13, 14, 16, 17, 19, 20, 1, 0, 21, 22, 23, 24, 25, 3, 8,
-                        9, 10,
-                    ],
+                    [8, 9, 10, 11, 13, 14, 16, 17, 1, 0, 18, 19, 20, 21, 22, 3],
                 );
                 let x12 = sin_theta
                     .mul_add(
@@ -529,7 +536,7 @@ for HeavyTop {
                 let x15 = w1.mul_add(w2 * c6, x6);
                 ::lagrangian::__private::scatter(
                     &mut values[..],
-                    [18, 15, 7],
+                    [15, 12, 7],
                     [x12, x14, x15],
                 );
             }
@@ -537,7 +544,7 @@ for HeavyTop {
         }
         let [x12, x14, x15]: [__S; 3usize] = ::lagrangian::__private::gather(
             &values[..],
-            [18, 15, 7],
+            [15, 12, 7],
         );
         ::lagrangian::__private::vector([x12, x14, x15])
     }
@@ -915,11 +922,12 @@ for HeavyTop {
     fn relative_pivots(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let theta: __S = state.x.q[1];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
+        let i1: __S = prepared[0];
+        let i2: __S = prepared[1];
+        let i3: __S = prepared[2];
         let (sin_theta, cos_theta) = theta.sin_cos();
         ::lagrangian::__private::by_coordinate(
             [

@@ -120,11 +120,12 @@ for Slider {
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 8usize],
     ) -> __S {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let k: __S = ::lagrangian::__private::parameter(self.k);
+        let m: __S = prepared[0];
+        let k: __S = prepared[1];
         __S::from_f64(0.5) * (-k).mul_add(x * x, m * (x_dot * x_dot))
     }
     fn energy(
@@ -141,28 +142,31 @@ for Slider {
     fn momenta(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let m: __S = prepared[0];
         ::lagrangian::__private::vector([m * x_dot])
     }
     fn mass_matrix(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let m: __S = prepared[0];
         ::lagrangian::__private::matrix([[m]])
     }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        let k: __S = ::lagrangian::__private::parameter(self.k);
-        let weight: __S = ::lagrangian::__private::parameter(self.weight);
-        let width: __S = ::lagrangian::__private::parameter(self.width);
+        let k: __S = prepared[1];
+        let weight: __S = prepared[2];
+        let width: __S = prepared[3];
         let x0 = -k
             .mul_add(
                 x,
@@ -191,13 +195,17 @@ for Slider {
                 ),
         ])
     }
-    type Prepared = [__S; 4usize];
-    fn prepare(&self) -> [__S; 4usize] {
+    type Prepared = [__S; 8usize];
+    fn prepare(&self) -> [__S; 8usize] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
         [
+            m,
+            k,
+            weight,
+            width,
             __S::from_f64(1.0) / width,
             k * __S::from_f64(10.0),
             __S::ratio(1.0, 10.0) / m,
@@ -209,14 +217,14 @@ for Slider {
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 4usize],
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        let weight: __S = ::lagrangian::__private::parameter(self.weight);
-        let c0: __S = prepared[0];
-        let c1: __S = prepared[1];
-        let c2: __S = prepared[2];
+        let weight: __S = prepared[2];
+        let c0: __S = prepared[4];
+        let c1: __S = prepared[5];
+        let c2: __S = prepared[6];
         let x0 = -(__S::from_f64(10.0)
             .mul_add(
                 self.__value_of_friction::<__S>(x_dot * c0, weight),
@@ -229,16 +237,16 @@ for Slider {
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 4usize],
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let x_ddot: __S = accelerations[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let k: __S = ::lagrangian::__private::parameter(self.k);
-        let weight: __S = ::lagrangian::__private::parameter(self.weight);
-        let c0: __S = prepared[0];
-        let c3: __S = prepared[3];
+        let m: __S = prepared[0];
+        let k: __S = prepared[1];
+        let weight: __S = prepared[2];
+        let c0: __S = prepared[4];
+        let c3: __S = prepared[7];
         ::lagrangian::__private::vector([
             m
                 .mul_add(
@@ -288,8 +296,9 @@ for Slider {
     fn relative_pivots(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let m: __S = prepared[0];
         ::lagrangian::__private::by_coordinate(
             [::lagrangian::__private::relative_pivot(m, m.abs())],
             [&[0]],

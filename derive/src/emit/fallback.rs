@@ -232,9 +232,9 @@ impl<'a> Fallback<'a> {
         let inputs = self.signatures().inputs();
         let items = quote! {
             type Inputs = #inputs;
-            type Prepared = ();
+            type Prepared = [#scalar; 0];
             fn inputs(&self) -> #inputs { ::core::unreachable!() }
-            fn prepare(&self) {}
+            fn prepare(&self) -> [#scalar; 0] { [] }
         };
         let quantities = self.interface(Interface::Quantities, &items);
         let lagrangian = self.implement(
@@ -262,14 +262,15 @@ impl<'a> Fallback<'a> {
 
     /// What the types in signatures are made of.
     fn signatures(&self) -> Signatures<'_> {
+        let scalar = &self.scalar;
         Signatures {
             root: &self.declaration.root,
-            scalar: &self.scalar,
+            scalar,
             dimension: self.dimension.clone(),
             inputs: self.lowered.quantities.inputs.len(),
             parameters: self.parameters().len(),
             base_parameters: requested::base_parameters().into_token_stream(),
-            prepared: quote!(()),
+            prepared: quote!([#scalar; 0]),
         }
     }
 

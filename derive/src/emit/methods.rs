@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::emitter::Emitter;
 use super::parameters::marked_if_unused;
 use crate::limits::COSTLIEST_INLINED_ACCELERATIONS;
-use crate::plan::{Interface, Method, MethodRow, ResultType};
+use crate::plan::{Interface, Method, MethodOutputs, MethodRow, ResultType};
 
 impl Emitter<'_> {
     /// The impls of `Quantities`, and of `Lagrangian`, whose methods evaluate them.
@@ -44,7 +44,11 @@ impl Emitter<'_> {
         let methods = self.methods.all();
         let methods = methods.map(|(emitted, method)| (emitted.row(), method));
         for (row, method) in methods.filter(|(row, _)| row.interface == interface) {
-            items.extend(self.method(row, method));
+            if row.result == ResultType::Prepared {
+                items.extend(self.method(row, &self.prepared.method(method)));
+            } else {
+                items.extend(self.method(row, method));
+            }
         }
         self.implement(&self.signatures().interface(interface), &items)
     }
@@ -52,7 +56,7 @@ impl Emitter<'_> {
     /// The emitted function of one row, with its body.
     fn method(&self, row: MethodRow, method: &Method) -> TokenStream {
         let signatures = self.signatures();
-        let body = self.body(method, &[]);
+        let body = self.body(method, row.parameters, &[]);
         let (name, state) = (format_ident!("{}", row.name), signatures.state());
         let output = signatures.result(row.result);
         let state = row.takes_state().then(|| quote!(state: #state,));
@@ -60,12 +64,11 @@ impl Emitter<'_> {
         let others = others.iter().map(|(name, ty)| quote!(#name: #ty,));
         let parameters = marked_if_unused(quote!(#state #(#others)*), &body);
         // Steppers evaluate the accelerations in a loop, in which their results are best kept in registers.
-        let is_inlined = row.is_prepared()
-            && !row.takes_accelerations()
+        let is_inlined = matches!(method.outputs, MethodOutputs::Accelerations(_))
             && method.count.cost() <= COSTLIEST_INLINED_ACCELERATIONS;
         let inline = is_inlined.then(|| quote!(#[inline(always)]));
         let prepared =
-            (row.result == ResultType::Invariants).then(|| quote!(type Prepared = #output;));
+            (row.result == ResultType::Prepared).then(|| quote!(type Prepared = #output;));
         let signature = quote!(#prepared #inline fn #name(&self, #parameters) -> #output);
         with_body(signature, body)
     }

@@ -7,14 +7,33 @@ use quote::quote;
 use super::body::{Element, SymbolReader};
 use super::emitter::Emitter;
 use crate::lower::quantities::Component;
+use crate::plan::ParameterSource;
 
 /// Reads the symbols of a model.
 pub(super) struct ModelSymbols<'a> {
     pub(super) emitter: &'a Emitter<'a>,
+    /// Where parameters are.
+    pub(super) parameters: ParameterSource,
+}
+
+impl ModelSymbols<'_> {
+    /// The index of a symbol in the prepared array, if it is read there.
+    fn prepared(&self, symbol: Symbol) -> Option<usize> {
+        match (symbol, self.parameters) {
+            (Symbol::Invariant(_), _) | (Symbol::Parameter(_), ParameterSource::Prepared) => {
+                self.emitter.prepared.index(symbol)
+            }
+            _ => None,
+        }
+    }
 }
 
 impl SymbolReader for ModelSymbols<'_> {
     fn read(&self, symbol: Symbol) -> TokenStream {
+        if let Some(index) = self.prepared(symbol) {
+            let index = Literal::usize_unsuffixed(index);
+            return quote!(prepared[#index]);
+        }
         let quantities = &self.emitter.lowered.quantities;
         let field = |components: &[Component], i: u32| self.emitter.read(&components[i as usize]);
         match symbol {
@@ -25,12 +44,12 @@ impl SymbolReader for ModelSymbols<'_> {
             Symbol::RightHandSide(i) => element(&quote!(momenta), i),
             Symbol::Parameter(i) => field(&quantities.parameters, i),
             Symbol::Input(i) => element(&quote!(inputs), i),
-            Symbol::Invariant(i) => element(&quote!(prepared), i),
             Symbol::Variation(i) => element(&quote!(variation), i),
             Symbol::Argument(i) => element(&quote!(arguments), i),
-            // Symbols of recurrences, which are read from their terms, of equations before they are solved, and of vectors
+            // Invariants are in the prepared array. Symbols of recurrences, which are read from their terms, of equations before they are solved, and of vectors
             // before they are resolved.
-            Symbol::Order
+            Symbol::Invariant(_)
+            | Symbol::Order
             | Symbol::ReciprocalOrder
             | Symbol::Convolution(_)
             | Symbol::QuasiVelocity(_)
@@ -41,13 +60,10 @@ impl SymbolReader for ModelSymbols<'_> {
     }
 
     fn element(&self, symbol: Symbol) -> Option<Element> {
-        let Symbol::Invariant(index) = symbol else {
-            return None;
-        };
         Some(Element {
             array: Ident::new("prepared", Span::call_site()),
-            length: self.emitter.invariants(),
-            index: index as usize,
+            length: self.emitter.prepared.len(),
+            index: self.prepared(symbol)?,
         })
     }
 }

@@ -9,7 +9,7 @@ use crate::integrate::ComponentName;
 use crate::linalg::ErrorTolerance;
 use crate::scalar::Scalar;
 
-/// What the dynamics of a model say of singularities: `self.model` is the model or a reference to it, and `x.at(t)` the state of the
+/// What the dynamics of a model say of singularities: `self.model` is the model or a reference to it, `self.prepared` its prepared array, and `x.at(t)` the state of the
 /// mechanical system.
 macro_rules! singularities_of_the_model {
     () => {
@@ -21,7 +21,7 @@ macro_rules! singularities_of_the_model {
             min_pivot: f64,
         ) -> Option<$crate::Singularity> {
             use $crate::model::singular_configuration::singularity;
-            singularity::<M, S, N>(&self.model, &x.at(t), min_pivot)
+            singularity::<M, S, N>(&self.model, &self.prepared, &x.at(t), min_pivot)
         }
 
         #[inline]
@@ -32,7 +32,7 @@ macro_rules! singularities_of_the_model {
             min_pivot: f64,
         ) -> Option<$crate::Singularity> {
             use $crate::model::singular_configuration::singularity_in_motion;
-            singularity_in_motion::<M, S, N>(&self.model, &x.at(t), min_pivot)
+            singularity_in_motion::<M, S, N>(&self.model, &self.prepared, &x.at(t), min_pivot)
         }
 
         #[inline]
@@ -55,12 +55,12 @@ macro_rules! singularities_of_the_model {
             min_pivot: f64,
         ) -> Option<$crate::Singularity> {
             use $crate::model::singular_configuration::singularity_in_lane;
-            singularity_in_lane::<M, S, N>(&self.model, lane, &x.at(t), min_pivot)
+            singularity_in_lane::<M, S, N>(&self.model, &self.prepared, lane, &x.at(t), min_pivot)
         }
 
         fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<$crate::Singularity> {
             use $crate::model::singular_configuration::vanishing_inertia;
-            vanishing_inertia::<M, S, N>(&self.model, &x.at(t))
+            vanishing_inertia::<M, S, N>(&self.model, &self.prepared, &x.at(t))
         }
 
         fn vanishing_inertia_in_lane(
@@ -70,14 +70,14 @@ macro_rules! singularities_of_the_model {
             x: &Self::State,
         ) -> Option<$crate::Singularity> {
             use $crate::model::singular_configuration::vanishing_inertia_in_lane;
-            vanishing_inertia_in_lane::<M, S, N>(&self.model, lane, &x.at(t))
+            vanishing_inertia_in_lane::<M, S, N>(&self.model, &self.prepared, lane, &x.at(t))
         }
     };
 }
 pub(super) use singularities_of_the_model;
 
 /// What the dynamics of a model say of allowed errors, of singularities and of the names of components, whatever sets the
-/// inputs: `self.model` is the model or a reference to it.
+/// inputs, with the fields that [`singularities_of_the_model`] reads.
 macro_rules! errors_of_the_model {
     () => {
         #[inline]

@@ -22,7 +22,7 @@ where
     S: Scalar,
 {
     pub(super) model: &'a M,
-    prepared: M::Prepared,
+    pub(super) prepared: M::Prepared,
     pub(super) signals: I,
 }
 
@@ -120,7 +120,7 @@ where
         let inputs = inputs.as_flattened_mut();
         self.signals.series::<HALF>(t, unit, inputs);
         self.model
-            .branch_series(&x.at(t), inputs, unit, motion, visit);
+            .branch_series(&x.at(t), inputs, &self.prepared, unit, motion, visit);
     }
 
     fn switching_function(&self, index: usize) -> SwitchingFunction {

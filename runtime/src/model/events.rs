@@ -38,7 +38,12 @@ pub trait Events<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     type EventValues: AsRef<[S]> + Copy + core::fmt::Debug;
 
     /// [`Lagrangian::event_functions`](crate::Lagrangian::event_functions) under these inputs.
-    fn event_functions(&self, state: &State<S, N>, inputs: &Self::Inputs) -> Self::EventValues;
+    fn event_functions(
+        &self,
+        state: &State<S, N>,
+        inputs: &Self::Inputs,
+        prepared: &Self::Prepared,
+    ) -> Self::EventValues;
 
     /// The Taylor coefficients of the event functions along a motion through a state, given those of the motion, in their
     /// unit of time; its coefficients of order 0 are not read. The inputs are u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has
@@ -48,10 +53,11 @@ pub trait Events<const N: usize, S: Scalar = f64>: Quantities<N, S> {
         &self,
         state: &State<S, N>,
         inputs: &[Self::Inputs],
+        prepared: &Self::Prepared,
         unit: S,
         motion: &TaylorCoefficients<Phase<S, N>, HALF>,
     ) -> Option<TaylorCoefficients<Self::EventValues, HALF>> {
-        let _ = (state, inputs, unit, motion);
+        let _ = (state, inputs, prepared, unit, motion);
         None
     }
 }
@@ -79,7 +85,8 @@ macro_rules! event_dynamics {
 
         #[inline]
         fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
-            self.model.event_functions(&x.at(t), &self.inputs)
+            self.model
+                .event_functions(&x.at(t), &self.inputs, &self.prepared)
         }
 
         #[inline]
@@ -91,7 +98,8 @@ macro_rules! event_dynamics {
             motion: &TaylorCoefficients<Phase<S, N>, HALF>,
         ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
             let inputs = core::slice::from_ref(&self.inputs);
-            self.model.event_series(&x.at(t), inputs, unit, motion)
+            self.model
+                .event_series(&x.at(t), inputs, &self.prepared, unit, motion)
         }
     };
 }
@@ -124,7 +132,8 @@ where
     #[inline]
     fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
         let inputs = self.inputs(t);
-        self.model.event_functions(&x.at(t), &inputs)
+        self.model
+            .event_functions(&x.at(t), &inputs, &self.prepared)
     }
 
     fn event_series<const HALF: usize>(
@@ -137,7 +146,8 @@ where
         let mut inputs = [[SVector::from_element(S::zero()); 2]; HALF];
         let inputs = inputs.as_flattened_mut();
         self.signals.series::<HALF>(t, unit, inputs);
-        self.model.event_series(&x.at(t), inputs, unit, motion)
+        self.model
+            .event_series(&x.at(t), inputs, &self.prepared, unit, motion)
     }
 }
 
@@ -155,7 +165,8 @@ where
     #[inline]
     fn event_functions(&self, t: S, x: &Phase<S, N>) -> M::EventValues {
         let state = x.at(t);
-        self.model.event_functions(&state, &self.inputs(&state))
+        self.model
+            .event_functions(&state, &self.inputs(&state), &self.prepared)
     }
 }
 
@@ -175,6 +186,6 @@ where
     fn event_functions(&self, t: S, x: &AugmentedPhase<S, N, K>) -> M::EventValues {
         let state = x.at(t);
         let inputs = self.inputs(&state, &x.controller);
-        self.model.event_functions(&state, &inputs)
+        self.model.event_functions(&state, &inputs, &self.prepared)
     }
 }

@@ -87,7 +87,7 @@ where
         ReconstructedPhase {
             q: x.v,
             v: Quantities::accelerations(self.model, &state, &self.inputs, &self.prepared),
-            ignorable: self.model.ignorable_velocities(&state),
+            ignorable: self.model.eliminated_velocities(&state, &self.prepared),
         }
     }
 
@@ -133,7 +133,9 @@ where
         let inputs = core::slice::from_ref(&self.inputs);
         self.model
             .taylor_series(&state, inputs, &self.prepared, unit, &mut motion);
-        let rates = self.model.ignorable_velocity_series(&state, unit, &motion);
+        let rates = self
+            .model
+            .ignorable_velocity_series(&state, &self.prepared, unit, &motion);
         *coefficients.initial_mut() = joined(*motion.initial(), x.ignorable);
         // ∫ Σ uₖ τᵏ unit dτ = Σ unit uₖ₋₁/k τᵏ.
         let rates = core::iter::once(rates.initial()).chain(rates.higher());
@@ -157,7 +159,7 @@ where
         let of_phase = motion.map(ReconstructedPhase::phase);
         let inputs = core::slice::from_ref(&self.inputs);
         self.model
-            .branch_series(&x.at(t), inputs, unit, &of_phase, visit);
+            .branch_series(&x.at(t), inputs, &self.prepared, unit, &of_phase, visit);
     }
 
     fn switching_function(&self, index: usize) -> SwitchingFunction {
@@ -179,7 +181,7 @@ where
 
     #[inline]
     fn event_functions(&self, t: S, x: &Self::State) -> M::EventValues {
-        Events::event_functions(self.model, &x.at(t), &self.inputs)
+        Events::event_functions(self.model, &x.at(t), &self.inputs, &self.prepared)
     }
 
     #[inline]
@@ -192,6 +194,7 @@ where
     ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
         let inputs = core::slice::from_ref(&self.inputs);
         let of_phase = motion.map(ReconstructedPhase::phase);
-        self.model.event_series(&x.at(t), inputs, unit, &of_phase)
+        self.model
+            .event_series(&x.at(t), inputs, &self.prepared, unit, &of_phase)
     }
 }

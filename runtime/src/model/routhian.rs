@@ -64,7 +64,16 @@ pub trait Routhian<const N: usize, const K: usize, S: Scalar = f64>:
     fn effective_potential(&self, state: &State<S, N>) -> S;
 
     /// The velocities of the ignorable coordinates, from p = ∂L/∂q̇ = C.
-    fn ignorable_velocities(&self, state: &State<S, N>) -> SVector<S, K>;
+    fn ignorable_velocities(&self, state: &State<S, N>) -> SVector<S, K> {
+        self.eliminated_velocities(state, &self.prepare())
+    }
+
+    /// [`ignorable_velocities`](Self::ignorable_velocities), given the result of [`prepare`](Quantities::prepare).
+    fn eliminated_velocities(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+    ) -> SVector<S, K>;
 
     /// The state of the full model, at these values of the ignorable coordinates.
     fn full_state(&self, state: &State<S, N>, ignorable: &SVector<S, K>) -> Self::FullState;
@@ -92,6 +101,7 @@ pub trait RouthianSeries<const N: usize, const K: usize, S: Scalar = f64>:
     fn ignorable_velocity_series<const HALF: usize>(
         &self,
         state: &State<S, N>,
+        prepared: &Self::Prepared,
         unit: S,
         motion: &TaylorCoefficients<Phase<S, N>, HALF>,
     ) -> TaylorCoefficients<[S; K], HALF>;

@@ -161,6 +161,7 @@ where
         self.model.branch_series(
             &x.at(t),
             &held,
+            &self.prepared,
             unit,
             &motion.map(SampledPhase::phase),
             visit,
@@ -184,7 +185,8 @@ where
 
     #[inline]
     fn event_functions(&self, t: S, x: &Self::State) -> M::EventValues {
-        self.model.event_functions(&x.at(t), &x.inputs)
+        self.model
+            .event_functions(&x.at(t), &x.inputs, &self.prepared)
     }
 
     fn event_series<const HALF: usize>(
@@ -195,7 +197,8 @@ where
         motion: &TaylorCoefficients<Self::State, HALF>,
     ) -> Option<TaylorCoefficients<M::EventValues, HALF>> {
         let held = [x.inputs];
+        let motion = motion.map(SampledPhase::phase);
         self.model
-            .event_series(&x.at(t), &held, unit, &motion.map(SampledPhase::phase))
+            .event_series(&x.at(t), &held, &self.prepared, unit, &motion)
     }
 }

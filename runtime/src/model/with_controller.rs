@@ -23,7 +23,7 @@ where
     S: Scalar,
 {
     pub(super) model: &'a M,
-    prepared: M::Prepared,
+    pub(super) prepared: M::Prepared,
     law: C,
 }
 
