@@ -339,6 +339,8 @@ for DrivenPendulum {
     }
 }
 #[automatically_derived]
+impl ::lagrangian::quantities::MembersInLanes for DrivenPendulum {}
+#[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
 for DrivenPendulum {
     fn kinetic_energy(

@@ -313,6 +313,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
     }
 }
 #[automatically_derived]
+impl ::lagrangian::quantities::MembersInLanes for Slider {}
+#[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
 for Slider {
     fn kinetic_energy(

@@ -18,6 +18,7 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::editor;
 use super::inputs::{Indices, input_indices};
+use super::methods::members_in_lanes;
 use super::signatures::Signatures;
 use crate::lower::Lowered;
 use crate::plan::constants::{
@@ -245,7 +246,8 @@ impl<'a> Fallback<'a> {
                 fn model(&self) -> &Self { ::core::unreachable!() }
             },
         );
-        quote!(#quantities #lagrangian)
+        let members = members_in_lanes(self.declaration, scalar);
+        quote!(#quantities #lagrangian #members)
     }
 
     /// The impl of a trait of the table: these items, and its methods.
