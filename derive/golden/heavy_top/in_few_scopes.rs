@@ -69,38 +69,18 @@ impl HeavyTop {
     /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.
     pub const LATEX: &'static str = "\\begin{align*}\nq &= (\\varphi, \\theta, \\psi)\n\\end{align*}\n\\begin{align*}\nw_{1} &= \\dot{\\varphi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi \\\\\nw_{2} &= \\dot{\\varphi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi \\\\\nw_{3} &= \\dot{\\varphi} \\cos \\theta + \\dot{\\psi}\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} I_{1} w_{1}^{2} + \\frac{1}{2} I_{2} w_{2}^{2} + \\frac{1}{2} I_{3} w_{3}^{2} \\\\\nV &= m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\varphi} &= \\left(I_{1} w_{1} \\sin \\psi + I_{2} w_{2} \\cos \\psi\\right) \\sin \\theta + I_{3} w_{3} \\cos \\theta \\\\\np_{\\theta} &= I_{1} w_{1} \\cos \\psi - I_{2} w_{2} \\sin \\psi \\\\\np_{\\psi} &= I_{3} w_{3}\n\\end{align*}\n$p_{\\varphi}$ is constant.\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V\n\\end{align*}\n$h$ is constant.\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\n&\\left(\\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi\\right) \\sin^{2} \\theta + I_{3} \\cos^{2} \\theta\\right) \\ddot{\\varphi} + \\left(I_{1} - I_{2}\\right) \\ddot{\\theta} \\sin \\theta \\sin \\psi \\cos \\psi + I_{3} \\ddot{\\psi} \\cos \\theta \\\\\n&\\quad + 2 \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi} \\dot{\\theta} \\sin \\theta \\cos \\theta + 2 \\left(I_{1} - I_{2}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin^{2} \\theta \\sin \\psi \\cos \\psi \\\\\n&\\quad + \\left(I_{1} - I_{2}\\right) \\dot{\\theta}^{2} \\cos \\theta \\sin \\psi \\cos \\psi - \\left(\\left(I_{1} - I_{2}\\right) \\sin^{2} \\psi + \\left(I_{2} - I_{1}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\theta = 0 \\\\\n&\\left(I_{1} - I_{2}\\right) \\ddot{\\varphi} \\sin \\theta \\sin \\psi \\cos \\psi + \\left(I_{1} \\cos^{2} \\psi + I_{2} \\sin^{2} \\psi\\right) \\ddot{\\theta} \\\\\n&\\quad - \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi}^{2} \\sin \\theta \\cos \\theta \\\\\n&\\quad + \\left(\\left(I_{2} - I_{1}\\right) \\sin^{2} \\psi + \\left(I_{1} - I_{2}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin \\theta + 2 \\left(I_{2} - I_{1}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\psi \\cos \\psi \\\\\n&\\quad - m g l \\sin \\theta = 0 \\\\\nI_{3} \\ddot{\\varphi} \\cos \\theta + I_{3} \\ddot{\\psi} + \\left(I_{2} - I_{1}\\right) w_{1} w_{2} - I_{3} \\dot{\\varphi} \\dot{\\theta} \\sin \\theta &= 0\n\\end{align*}\nBoltzmann--Hamel equations, Euler's (3.5)--(3.7) for a rigid body, and kinematics:\n\\begin{align*}\nI_{1} \\dot{w}_{1} &= \\left(I_{2} - I_{3}\\right) w_{2} w_{3} + m g l \\sin \\theta \\cos \\psi \\\\\nI_{2} \\dot{w}_{2} &= \\left(I_{3} - I_{1}\\right) w_{1} w_{3} - m g l \\sin \\theta \\sin \\psi \\\\\nI_{3} \\dot{w}_{3} &= \\left(I_{1} - I_{2}\\right) w_{1} w_{2} \\\\\n\\dot{\\varphi} &= \\frac{w_{1} \\sin \\psi + w_{2} \\cos \\psi}{\\sin \\theta} \\\\\n\\dot{\\theta} &= w_{1} \\cos \\psi - w_{2} \\sin \\psi \\\\\n\\dot{\\psi} &= w_{3} - \\frac{\\left(w_{1} \\sin \\psi + w_{2} \\cos \\psi\\right) \\cos \\theta}{\\sin \\theta}\n\\end{align*}\n";
     /// The operation counts of the methods.
-    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
-        lagrangian: ::lagrangian::__private::operation_count([
-            6usize, 16usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        energy: ::lagrangian::__private::operation_count([
-            6usize, 16usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        momenta: ::lagrangian::__private::operation_count([
-            6usize, 15usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        mass_matrix: ::lagrangian::__private::operation_count([
-            4usize, 13usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        forcing: ::lagrangian::__private::operation_count([
-            19usize, 40usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        generalized_forces: ::lagrangian::__private::operation_count([
-            0usize, 0usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        prepare: ::lagrangian::__private::operation_count([
-            4usize, 3usize, 5usize, 0usize, 0usize, 0usize,
-        ]),
-        accelerations: ::lagrangian::__private::operation_count([
-            16usize, 27usize, 1usize, 0usize, 2usize, 0usize,
-        ]),
-        inverse_dynamics: ::lagrangian::__private::operation_count([
-            23usize, 45usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        linearize: ::lagrangian::__private::operation_count([
-            83usize, 130usize, 4usize, 0usize, 2usize, 0usize,
-        ]),
-    };
+    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
+        [6, 16, 0, 0, 2, 0],
+        [6, 16, 0, 0, 2, 0],
+        [6, 15, 0, 0, 2, 0],
+        [4, 13, 0, 0, 2, 0],
+        [19, 40, 0, 0, 2, 0],
+        [0, 0, 0, 0, 0, 0],
+        [4, 3, 5, 0, 0, 0],
+        [16, 27, 1, 0, 2, 0],
+        [23, 45, 0, 0, 2, 0],
+        [83, 130, 4, 0, 2, 0],
+    ]);
     #[doc(hidden)]
     fn __mentions(&self) {
         let w1 = ();
@@ -156,17 +136,9 @@ for HeavyTop {
     ) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
-        i1 = prepared[0];
-        i2 = prepared[1];
-        i3 = prepared[2];
-        m = prepared[3];
-        g = prepared[4];
-        l = prepared[5];
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [i1, i2, i3, m, g, l, ..] = *prepared;
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -190,11 +162,8 @@ for HeavyTop {
     ) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
@@ -224,14 +193,9 @@ for HeavyTop {
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_theta, cos_theta,
         sin_psi, cos_psi, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
-        i1 = prepared[0];
-        i2 = prepared[1];
-        i3 = prepared[2];
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [i1, i2, i3, ..] = *prepared;
         ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
@@ -256,11 +220,8 @@ for HeavyTop {
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
         let [theta, psi, i1, i2, i3, sin_theta, cos_theta, sin_psi, cos_psi, x0, x1, x2,
         x3]: [__S; 13usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        i1 = prepared[0];
-        i2 = prepared[1];
-        i3 = prepared[2];
+        [_, theta, psi] = state.x.q.data.0[0];
+        [i1, i2, i3, ..] = *prepared;
         ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
@@ -288,17 +249,9 @@ for HeavyTop {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3,
         x9, x10, x11]: [__S; 30usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
-        i1 = prepared[0];
-        i2 = prepared[1];
-        i3 = prepared[2];
-        m = prepared[3];
-        g = prepared[4];
-        l = prepared[5];
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [i1, i2, i3, m, g, l, ..] = *prepared;
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -384,16 +337,9 @@ for HeavyTop {
         let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1, c2, c3, c4, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
         ]: [__S; 24usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
-        c0 = prepared[6];
-        c1 = prepared[7];
-        c2 = prepared[8];
-        c3 = prepared[9];
-        c4 = prepared[10];
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [_, _, _, _, _, _, c0, c1, c2, c3, c4, ..] = *prepared;
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -924,10 +870,8 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let [i1, i2, i3, ..] = *prepared;
         let theta: __S = state.x.q[1];
-        let i1: __S = prepared[0];
-        let i2: __S = prepared[1];
-        let i3: __S = prepared[2];
         let (sin_theta, cos_theta) = theta.sin_cos();
         ::lagrangian::__private::by_coordinate(
             [
@@ -964,11 +908,8 @@ for HeavyTop {
     ) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_psi, cos_psi,
         sin_theta, cos_theta, x0, w2, w1, w3]: [__S; 16usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);

@@ -46,38 +46,18 @@ impl Slider {
     /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.
     pub const LATEX: &'static str = "\\begin{align*}\nq &= x\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m \\dot{x}^{2} \\\\\nV &= \\frac{1}{2} k x^{2}\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{x} &= m \\dot{x}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= -\\dot{x} \\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\dot{x} \\operatorname{side}\\left(x\\right)\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm \\ddot{x} + k x &= -\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{x} &= -\\frac{\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right)}{m} - \\frac{0.1 \\left(10 k x + \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\\right)}{m}\n\\end{align*}\n";
     /// The operation counts of the methods.
-    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
-        lagrangian: ::lagrangian::__private::operation_count([
-            1usize, 5usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        energy: ::lagrangian::__private::operation_count([
-            1usize, 5usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        momenta: ::lagrangian::__private::operation_count([
-            0usize, 1usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        mass_matrix: ::lagrangian::__private::operation_count([
-            0usize, 0usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        forcing: ::lagrangian::__private::operation_count([
-            3usize, 3usize, 1usize, 0usize, 0usize, 2usize,
-        ]),
-        generalized_forces: ::lagrangian::__private::operation_count([
-            2usize, 2usize, 1usize, 0usize, 0usize, 2usize,
-        ]),
-        prepare: ::lagrangian::__private::operation_count([
-            0usize, 2usize, 2usize, 0usize, 0usize, 0usize,
-        ]),
-        accelerations: ::lagrangian::__private::operation_count([
-            3usize, 5usize, 0usize, 0usize, 0usize, 2usize,
-        ]),
-        inverse_dynamics: ::lagrangian::__private::operation_count([
-            3usize, 4usize, 0usize, 0usize, 0usize, 2usize,
-        ]),
-        linearize: ::lagrangian::__private::operation_count([
-            5usize, 11usize, 2usize, 0usize, 0usize, 3usize,
-        ]),
-    };
+    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
+        [1, 5, 0, 0, 0, 0],
+        [1, 5, 0, 0, 0, 0],
+        [0, 1, 0, 0, 0, 0],
+        [0, 0, 0, 0, 0, 0],
+        [3, 3, 1, 0, 0, 2],
+        [2, 2, 1, 0, 0, 2],
+        [0, 2, 2, 0, 0, 0],
+        [3, 5, 0, 0, 0, 2],
+        [3, 4, 0, 0, 0, 2],
+        [5, 11, 2, 0, 0, 3],
+    ]);
     #[doc(hidden)]
     fn __mentions(&self) {
         let friction = ();
@@ -122,10 +102,9 @@ for Slider {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 8usize],
     ) -> __S {
+        let [m, k, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        let m: __S = prepared[0];
-        let k: __S = prepared[1];
         __S::from_f64(0.5) * (-k).mul_add(x * x, m * (x_dot * x_dot))
     }
     fn energy(
@@ -162,11 +141,9 @@ for Slider {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [_, k, weight, width, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        let k: __S = prepared[1];
-        let weight: __S = prepared[2];
-        let width: __S = prepared[3];
         let x0 = -k
             .mul_add(
                 x,
@@ -219,12 +196,9 @@ for Slider {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [_, _, weight, _, c0, c1, c2, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        let weight: __S = prepared[2];
-        let c0: __S = prepared[4];
-        let c1: __S = prepared[5];
-        let c2: __S = prepared[6];
         let x0 = -(__S::from_f64(10.0)
             .mul_add(
                 self.__value_of_friction::<__S>(x_dot * c0, weight),
@@ -239,14 +213,10 @@ for Slider {
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [m, k, weight, _, c0, _, _, c3] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let x_ddot: __S = accelerations[0];
-        let m: __S = prepared[0];
-        let k: __S = prepared[1];
-        let weight: __S = prepared[2];
-        let c0: __S = prepared[4];
-        let c3: __S = prepared[7];
         ::lagrangian::__private::vector([
             m
                 .mul_add(

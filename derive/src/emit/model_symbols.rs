@@ -4,7 +4,7 @@ use lagrangian_symbolic::Symbol;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use super::body::{Element, SymbolReader};
+use super::body::{Array, Element, SymbolReader};
 use super::emitter::Emitter;
 use crate::lower::quantities::Component;
 use crate::plan::ParameterSource;
@@ -64,6 +64,30 @@ impl SymbolReader for ModelSymbols<'_> {
             array: Ident::new("prepared", Span::call_site()),
             length: self.emitter.prepared.len(),
             index: self.prepared(symbol)?,
+        })
+    }
+
+    fn array(&self, symbol: Symbol) -> Option<Array> {
+        if let Some(index) = self.prepared(symbol) {
+            return Some(Array {
+                value: quote!(*prepared),
+                length: self.emitter.prepared.len(),
+                index,
+            });
+        }
+        let n = self.emitter.coordinates();
+        let (vector, length, index) = match symbol {
+            Symbol::Coordinate(i) => (quote!(state.x.q), n, i),
+            Symbol::Velocity(i) => (quote!(state.x.v), n, i),
+            Symbol::Acceleration(i) => (quote!(accelerations), n, i),
+            Symbol::RightHandSide(i) => (quote!(momenta), n, i),
+            Symbol::Input(i) => (quote!(inputs), self.emitter.model.inputs as usize, i),
+            _ => return None,
+        };
+        Some(Array {
+            value: quote!(#vector.data.0[0]),
+            length,
+            index: index as usize,
         })
     }
 }
