@@ -122,6 +122,7 @@ fn reduced_items(
     }
     let mut emitter = derived.emitter(declaration, lowered, full.limits);
     emitter.poles.clone_from(&reduction.poles);
+    emitter.prepared.add_reduced(&methods);
     let definition = reduced_struct(full.declaration, declaration);
     let items = items(&emitter);
     let there = full.routh_reduction(reduced);

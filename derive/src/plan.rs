@@ -11,6 +11,7 @@ mod taylor_method;
 mod value_series;
 mod series_methods;
 mod reduced_methods;
+mod prepared_array;
 mod branches;
 mod undeclared;
 mod validation;
@@ -23,11 +24,13 @@ pub(crate) use outputs::{
     AccelerationOutputs, Columns, DerivativeOutputs, InputJacobianOutputs, LowerTriangle,
     MethodOutputs, OutputSlice, PivotOutputs, Residuals, StateJacobian,
 };
+pub(crate) use prepared_array::PreparedArray;
 pub(crate) use reduced_methods::ReducedMethods;
 pub(crate) use requested::Requested;
 pub(crate) use series_methods::SeriesMethods;
 pub(crate) use table::{
-    Argument, EmittedMethod, Interface, MethodRow, PARAMETERS, ResultType, is_method,
+    Argument, EmittedMethod, Interface, MethodRow, PARAMETERS, ParameterSource, ResultType,
+    is_method,
 };
 pub(crate) use taylor_method::{NoTaylorSeries, Rates, TaylorMethod};
 pub(crate) use value_series::{BranchSeries, EventSeries, ValueSeries};

@@ -10,6 +10,7 @@ mod half_typed;
 mod mixed_derivatives;
 mod pages;
 mod pair_sums;
+mod prepared;
 mod printed;
 mod robustness;
 mod roots;

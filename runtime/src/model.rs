@@ -23,6 +23,7 @@ mod ensemble;
 mod whole_periods;
 mod singular_configuration;
 mod equations_of_motion;
+mod members_in_lanes;
 mod inputs;
 mod outputs;
 mod regressor;
@@ -58,6 +59,7 @@ pub use law::{
     SampledFeedback,
 };
 pub use linearization::Linearization;
+pub use members_in_lanes::MembersInLanes;
 pub use motion_series::MotionSeries;
 pub use operations::{OperationCount, Operations};
 pub use outputs::Outputs;

@@ -60,38 +60,18 @@ impl DrivenPendulum {
     /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.
     pub const LATEX: &'static str = "\\begin{align*}\nq &= \\theta\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m l^{2} \\dot{\\theta}^{2} \\\\\nV &= -m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\theta} &= m l^{2} \\dot{\\theta}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= \\mathrm{torque}\\,\\dot{\\theta} - \\mathrm{friction}\\,\\dot{\\theta}^{2}\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm l^{2} \\ddot{\\theta} + m g l \\sin \\theta &= \\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{\\theta} &= \\frac{\\frac{\\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}}{m l} - g \\sin \\theta}{l}\n\\end{align*}\n";
     /// The operation counts of the methods.
-    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
-        lagrangian: ::lagrangian::__private::operation_count([
-            1usize, 6usize, 0usize, 0usize, 1usize, 0usize,
-        ]),
-        energy: ::lagrangian::__private::operation_count([
-            1usize, 6usize, 0usize, 0usize, 1usize, 0usize,
-        ]),
-        momenta: ::lagrangian::__private::operation_count([
-            0usize, 3usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        mass_matrix: ::lagrangian::__private::operation_count([
-            1usize, 6usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        forcing: ::lagrangian::__private::operation_count([
-            2usize, 4usize, 0usize, 0usize, 1usize, 0usize,
-        ]),
-        generalized_forces: ::lagrangian::__private::operation_count([
-            1usize, 1usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        prepare: ::lagrangian::__private::operation_count([
-            0usize, 7usize, 1usize, 0usize, 0usize, 0usize,
-        ]),
-        accelerations: ::lagrangian::__private::operation_count([
-            2usize, 3usize, 0usize, 0usize, 1usize, 0usize,
-        ]),
-        inverse_dynamics: ::lagrangian::__private::operation_count([
-            3usize, 3usize, 0usize, 0usize, 1usize, 0usize,
-        ]),
-        linearize: ::lagrangian::__private::operation_count([
-            41usize, 74usize, 4usize, 0usize, 4usize, 0usize,
-        ]),
-    };
+    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
+        [1, 6, 0, 0, 1, 0],
+        [1, 6, 0, 0, 1, 0],
+        [0, 3, 0, 0, 0, 0],
+        [1, 6, 0, 0, 0, 0],
+        [2, 4, 0, 0, 1, 0],
+        [1, 1, 0, 0, 0, 0],
+        [0, 7, 1, 0, 0, 0],
+        [2, 3, 0, 0, 1, 0],
+        [3, 3, 0, 0, 1, 0],
+        [41, 74, 4, 0, 4, 0],
+    ]);
     #[doc(hidden)]
     fn __mentions(&self) {
         let x = ();
@@ -138,12 +118,11 @@ for DrivenPendulum {
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> __S {
+        let [m, g, l, ..] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
         let x0 = m
             * (l
                 * g
@@ -175,34 +154,34 @@ for DrivenPendulum {
     fn momenta(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [m, _, l, ..] = *prepared;
         let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
         ::lagrangian::__private::vector([m * (l * l) * theta_dot])
     }
     fn mass_matrix(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         ::lagrangian::__private::mass_matrix_by_columns(
             state,
-            |state| {
-                ::lagrangian::quantities::Quantities::<1usize, __S>::momenta(self, state)
-            },
+            |state| ::lagrangian::quantities::Quantities::<
+                1usize,
+                __S,
+            >::momenta(self, state, prepared),
         )
     }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [m, g, l, friction, ..] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([
             (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
@@ -218,27 +197,35 @@ for DrivenPendulum {
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([(-friction).mul_add(theta_dot, torque)])
     }
-    type Prepared = [__S; 4usize];
-    fn prepare(&self) -> [__S; 4usize] {
+    type Prepared = [__S; 8usize];
+    fn prepare(&self) -> [__S; 8usize] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
+        let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let x0 = m * l;
-        [m * g * l, __S::from_f64(1.0) / (m * (l * l)), g * x0, l * x0]
+        [
+            m,
+            g,
+            l,
+            friction,
+            m * g * l,
+            __S::from_f64(1.0) / (m * (l * l)),
+            g * x0,
+            l * x0,
+        ]
     }
     #[inline(always)]
     fn accelerations(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 4usize],
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [_, _, _, friction, c0, c1, ..] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        let c0: __S = prepared[0];
-        let c1: __S = prepared[1];
         ::lagrangian::__private::vector([
             (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
         ])
@@ -248,15 +235,13 @@ for DrivenPendulum {
         state: &::lagrangian::State<__S, 1usize>,
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 4usize],
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [_, _, _, friction, _, _, c2, c3] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let theta_ddot: __S = accelerations[0];
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        let c2: __S = prepared[2];
-        let c3: __S = prepared[3];
         ::lagrangian::__private::vector([
             friction.mul_add(theta_dot, theta_ddot.mul_add(c3, theta.sin() * c2))
                 - torque,
@@ -277,7 +262,14 @@ for DrivenPendulum {
             &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
         );
         let factors = ::lagrangian::Factorization::new(
-            ::lagrangian::quantities::Quantities::<1usize, __S>::mass_matrix(self, state),
+            ::lagrangian::quantities::Quantities::<
+                1usize,
+                __S,
+            >::mass_matrix(
+                self,
+                state,
+                &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
+            ),
         );
         let prepared = ::lagrangian::quantities::Quantities::<
             1usize,
@@ -297,9 +289,9 @@ for DrivenPendulum {
     fn relative_pivots(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let [m, _, l, ..] = *prepared;
         let x0 = m * (l * l);
         ::lagrangian::__private::by_coordinate(
             [::lagrangian::__private::relative_pivot(x0, x0.abs())],
@@ -315,6 +307,8 @@ for DrivenPendulum {
         self
     }
 }
+#[automatically_derived]
+impl ::lagrangian::quantities::MembersInLanes for DrivenPendulum {}
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
 for DrivenPendulum {
@@ -350,7 +344,14 @@ for DrivenPendulum {
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
         let factors = ::lagrangian::Factorization::new(
-            ::lagrangian::quantities::Quantities::<1usize, __S>::mass_matrix(self, state),
+            ::lagrangian::quantities::Quantities::<
+                1usize,
+                __S,
+            >::mass_matrix(
+                self,
+                state,
+                &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
+            ),
         );
         let prepared = ::lagrangian::quantities::Quantities::<
             1usize,

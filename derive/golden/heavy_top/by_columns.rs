@@ -73,38 +73,18 @@ impl HeavyTop {
     /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.
     pub const LATEX: &'static str = "\\begin{align*}\nq &= (\\varphi, \\theta, \\psi)\n\\end{align*}\n\\begin{align*}\nw_{1} &= \\dot{\\varphi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi \\\\\nw_{2} &= \\dot{\\varphi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi \\\\\nw_{3} &= \\dot{\\varphi} \\cos \\theta + \\dot{\\psi}\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} I_{1} w_{1}^{2} + \\frac{1}{2} I_{2} w_{2}^{2} + \\frac{1}{2} I_{3} w_{3}^{2} \\\\\nV &= m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\varphi} &= \\left(I_{1} w_{1} \\sin \\psi + I_{2} w_{2} \\cos \\psi\\right) \\sin \\theta + I_{3} w_{3} \\cos \\theta \\\\\np_{\\theta} &= I_{1} w_{1} \\cos \\psi - I_{2} w_{2} \\sin \\psi \\\\\np_{\\psi} &= I_{3} w_{3}\n\\end{align*}\n$p_{\\varphi}$ is constant.\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V\n\\end{align*}\n$h$ is constant.\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\n&\\left(\\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi\\right) \\sin^{2} \\theta + I_{3} \\cos^{2} \\theta\\right) \\ddot{\\varphi} + \\left(I_{1} - I_{2}\\right) \\ddot{\\theta} \\sin \\theta \\sin \\psi \\cos \\psi + I_{3} \\ddot{\\psi} \\cos \\theta \\\\\n&\\quad + 2 \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi} \\dot{\\theta} \\sin \\theta \\cos \\theta + 2 \\left(I_{1} - I_{2}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin^{2} \\theta \\sin \\psi \\cos \\psi \\\\\n&\\quad + \\left(I_{1} - I_{2}\\right) \\dot{\\theta}^{2} \\cos \\theta \\sin \\psi \\cos \\psi - \\left(\\left(I_{1} - I_{2}\\right) \\sin^{2} \\psi + \\left(I_{2} - I_{1}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\theta = 0 \\\\\n&\\left(I_{1} - I_{2}\\right) \\ddot{\\varphi} \\sin \\theta \\sin \\psi \\cos \\psi + \\left(I_{1} \\cos^{2} \\psi + I_{2} \\sin^{2} \\psi\\right) \\ddot{\\theta} \\\\\n&\\quad - \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi}^{2} \\sin \\theta \\cos \\theta \\\\\n&\\quad + \\left(\\left(I_{2} - I_{1}\\right) \\sin^{2} \\psi + \\left(I_{1} - I_{2}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin \\theta + 2 \\left(I_{2} - I_{1}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\psi \\cos \\psi \\\\\n&\\quad - m g l \\sin \\theta = 0 \\\\\nI_{3} \\ddot{\\varphi} \\cos \\theta + I_{3} \\ddot{\\psi} + \\left(I_{2} - I_{1}\\right) w_{1} w_{2} - I_{3} \\dot{\\varphi} \\dot{\\theta} \\sin \\theta &= 0\n\\end{align*}\nBoltzmann--Hamel equations, Euler's (3.5)--(3.7) for a rigid body, and kinematics:\n\\begin{align*}\nI_{1} \\dot{w}_{1} &= \\left(I_{2} - I_{3}\\right) w_{2} w_{3} + m g l \\sin \\theta \\cos \\psi \\\\\nI_{2} \\dot{w}_{2} &= \\left(I_{3} - I_{1}\\right) w_{1} w_{3} - m g l \\sin \\theta \\sin \\psi \\\\\nI_{3} \\dot{w}_{3} &= \\left(I_{1} - I_{2}\\right) w_{1} w_{2} \\\\\n\\dot{\\varphi} &= \\frac{w_{1} \\sin \\psi + w_{2} \\cos \\psi}{\\sin \\theta} \\\\\n\\dot{\\theta} &= w_{1} \\cos \\psi - w_{2} \\sin \\psi \\\\\n\\dot{\\psi} &= w_{3} - \\frac{\\left(w_{1} \\sin \\psi + w_{2} \\cos \\psi\\right) \\cos \\theta}{\\sin \\theta}\n\\end{align*}\n";
     /// The operation counts of the methods.
-    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
-        lagrangian: ::lagrangian::__private::operation_count([
-            6usize, 16usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        energy: ::lagrangian::__private::operation_count([
-            6usize, 16usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        momenta: ::lagrangian::__private::operation_count([
-            6usize, 15usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        mass_matrix: ::lagrangian::__private::operation_count([
-            33usize, 60usize, 0usize, 0usize, 8usize, 0usize,
-        ]),
-        forcing: ::lagrangian::__private::operation_count([
-            19usize, 40usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        generalized_forces: ::lagrangian::__private::operation_count([
-            0usize, 0usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        prepare: ::lagrangian::__private::operation_count([
-            4usize, 3usize, 5usize, 0usize, 0usize, 0usize,
-        ]),
-        accelerations: ::lagrangian::__private::operation_count([
-            16usize, 27usize, 1usize, 0usize, 2usize, 0usize,
-        ]),
-        inverse_dynamics: ::lagrangian::__private::operation_count([
-            23usize, 45usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        linearize: ::lagrangian::__private::operation_count([
-            766usize, 1147usize, 19usize, 0usize, 24usize, 0usize,
-        ]),
-    };
+    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
+        [6, 16, 0, 0, 2, 0],
+        [6, 16, 0, 0, 2, 0],
+        [6, 15, 0, 0, 2, 0],
+        [33, 60, 0, 0, 8, 0],
+        [19, 40, 0, 0, 2, 0],
+        [0, 0, 0, 0, 0, 0],
+        [4, 3, 5, 0, 0, 0],
+        [16, 27, 1, 0, 2, 0],
+        [23, 45, 0, 0, 2, 0],
+        [766, 1147, 19, 0, 24, 0],
+    ]);
     #[doc(hidden)]
     fn __mentions(&self) {
         let w1 = ();
@@ -156,18 +136,11 @@ for HeavyTop {
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 13usize],
     ) -> __S {
-        let theta: __S = state.x.q[1];
-        let psi: __S = state.x.q[2];
-        let phi_dot: __S = state.x.v[0];
-        let theta_dot: __S = state.x.v[1];
-        let psi_dot: __S = state.x.v[2];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let [_, theta, psi] = state.x.q.data.0[0];
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let [i1, i2, i3, m, g, l, ..] = *prepared;
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -189,11 +162,8 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> __S {
-        let theta: __S = state.x.q[1];
-        let psi: __S = state.x.q[2];
-        let phi_dot: __S = state.x.v[0];
-        let theta_dot: __S = state.x.v[1];
-        let psi_dot: __S = state.x.v[2];
+        let [_, theta, psi] = state.x.q.data.0[0];
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -219,15 +189,11 @@ for HeavyTop {
     fn momenta(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.x.q[1];
-        let psi: __S = state.x.q[2];
-        let phi_dot: __S = state.x.v[0];
-        let theta_dot: __S = state.x.v[1];
-        let psi_dot: __S = state.x.v[2];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
+        let [_, theta, psi] = state.x.q.data.0[0];
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let [i1, i2, i3, ..] = *prepared;
         let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
@@ -248,30 +214,25 @@ for HeavyTop {
     fn mass_matrix(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
         ::lagrangian::__private::mass_matrix_by_columns(
             state,
-            |state| {
-                ::lagrangian::quantities::Quantities::<3usize, __S>::momenta(self, state)
-            },
+            |state| ::lagrangian::quantities::Quantities::<
+                3usize,
+                __S,
+            >::momenta(self, state, prepared),
         )
     }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.x.q[1];
-        let psi: __S = state.x.q[2];
-        let phi_dot: __S = state.x.v[0];
-        let theta_dot: __S = state.x.v[1];
-        let psi_dot: __S = state.x.v[2];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let [_, theta, psi] = state.x.q.data.0[0];
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let [i1, i2, i3, m, g, l, ..] = *prepared;
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -321,8 +282,8 @@ for HeavyTop {
             __S::from_f64(0.0),
         ])
     }
-    type Prepared = [__S; 7usize];
-    fn prepare(&self) -> [__S; 7usize] {
+    type Prepared = [__S; 13usize];
+    fn prepare(&self) -> [__S; 13usize] {
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -332,6 +293,12 @@ for HeavyTop {
         let x0 = m * g;
         let x1 = l * x0;
         [
+            i1,
+            i2,
+            i3,
+            m,
+            g,
+            l,
             (i1 - i3) / i2,
             x1 / i2,
             (i3 - i2) / i1,
@@ -346,18 +313,11 @@ for HeavyTop {
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 7usize],
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.x.q[1];
-        let psi: __S = state.x.q[2];
-        let phi_dot: __S = state.x.v[0];
-        let theta_dot: __S = state.x.v[1];
-        let psi_dot: __S = state.x.v[2];
-        let c0: __S = prepared[0];
-        let c1: __S = prepared[1];
-        let c2: __S = prepared[2];
-        let c3: __S = prepared[3];
-        let c4: __S = prepared[4];
+        let [_, theta, psi] = state.x.q.data.0[0];
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let [_, _, _, _, _, _, c0, c1, c2, c3, c4, ..] = *prepared;
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -391,21 +351,12 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
-        prepared: &[__S; 7usize],
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let theta: __S = state.x.q[1];
-        let psi: __S = state.x.q[2];
-        let phi_dot: __S = state.x.v[0];
-        let theta_dot: __S = state.x.v[1];
-        let psi_dot: __S = state.x.v[2];
-        let phi_ddot: __S = accelerations[0];
-        let theta_ddot: __S = accelerations[1];
-        let psi_ddot: __S = accelerations[2];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
-        let c5: __S = prepared[5];
-        let c6: __S = prepared[6];
+        let [_, theta, psi] = state.x.q.data.0[0];
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let [phi_ddot, theta_ddot, psi_ddot] = accelerations.data.0[0];
+        let [i1, i2, i3, _, _, _, _, _, _, _, _, c5, c6] = *prepared;
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -459,7 +410,14 @@ for HeavyTop {
             &::lagrangian::quantities::Quantities::<3usize, __S>::prepare(self),
         );
         let factors = ::lagrangian::Factorization::new(
-            ::lagrangian::quantities::Quantities::<3usize, __S>::mass_matrix(self, state),
+            ::lagrangian::quantities::Quantities::<
+                3usize,
+                __S,
+            >::mass_matrix(
+                self,
+                state,
+                &::lagrangian::quantities::Quantities::<3usize, __S>::prepare(self),
+            ),
         );
         let prepared = ::lagrangian::quantities::Quantities::<
             3usize,
@@ -479,11 +437,10 @@ for HeavyTop {
     fn relative_pivots(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let [i1, i2, i3, ..] = *prepared;
         let theta: __S = state.x.q[1];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
         let (sin_theta, cos_theta) = theta.sin_cos();
         ::lagrangian::__private::by_coordinate(
             [
@@ -509,6 +466,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     }
 }
 #[automatically_derived]
+impl ::lagrangian::quantities::MembersInLanes for HeavyTop {}
+#[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3usize, __S>
 for HeavyTop {
     fn kinetic_energy(
@@ -516,11 +475,8 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> __S {
-        let theta: __S = state.x.q[1];
-        let psi: __S = state.x.q[2];
-        let phi_dot: __S = state.x.v[0];
-        let theta_dot: __S = state.x.v[1];
-        let psi_dot: __S = state.x.v[2];
+        let [_, theta, psi] = state.x.q.data.0[0];
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);

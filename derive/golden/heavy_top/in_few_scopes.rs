@@ -69,38 +69,18 @@ impl HeavyTop {
     /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.
     pub const LATEX: &'static str = "\\begin{align*}\nq &= (\\varphi, \\theta, \\psi)\n\\end{align*}\n\\begin{align*}\nw_{1} &= \\dot{\\varphi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi \\\\\nw_{2} &= \\dot{\\varphi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi \\\\\nw_{3} &= \\dot{\\varphi} \\cos \\theta + \\dot{\\psi}\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} I_{1} w_{1}^{2} + \\frac{1}{2} I_{2} w_{2}^{2} + \\frac{1}{2} I_{3} w_{3}^{2} \\\\\nV &= m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\varphi} &= \\left(I_{1} w_{1} \\sin \\psi + I_{2} w_{2} \\cos \\psi\\right) \\sin \\theta + I_{3} w_{3} \\cos \\theta \\\\\np_{\\theta} &= I_{1} w_{1} \\cos \\psi - I_{2} w_{2} \\sin \\psi \\\\\np_{\\psi} &= I_{3} w_{3}\n\\end{align*}\n$p_{\\varphi}$ is constant.\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V\n\\end{align*}\n$h$ is constant.\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\n&\\left(\\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi\\right) \\sin^{2} \\theta + I_{3} \\cos^{2} \\theta\\right) \\ddot{\\varphi} + \\left(I_{1} - I_{2}\\right) \\ddot{\\theta} \\sin \\theta \\sin \\psi \\cos \\psi + I_{3} \\ddot{\\psi} \\cos \\theta \\\\\n&\\quad + 2 \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi} \\dot{\\theta} \\sin \\theta \\cos \\theta + 2 \\left(I_{1} - I_{2}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin^{2} \\theta \\sin \\psi \\cos \\psi \\\\\n&\\quad + \\left(I_{1} - I_{2}\\right) \\dot{\\theta}^{2} \\cos \\theta \\sin \\psi \\cos \\psi - \\left(\\left(I_{1} - I_{2}\\right) \\sin^{2} \\psi + \\left(I_{2} - I_{1}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\theta = 0 \\\\\n&\\left(I_{1} - I_{2}\\right) \\ddot{\\varphi} \\sin \\theta \\sin \\psi \\cos \\psi + \\left(I_{1} \\cos^{2} \\psi + I_{2} \\sin^{2} \\psi\\right) \\ddot{\\theta} \\\\\n&\\quad - \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi}^{2} \\sin \\theta \\cos \\theta \\\\\n&\\quad + \\left(\\left(I_{2} - I_{1}\\right) \\sin^{2} \\psi + \\left(I_{1} - I_{2}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin \\theta + 2 \\left(I_{2} - I_{1}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\psi \\cos \\psi \\\\\n&\\quad - m g l \\sin \\theta = 0 \\\\\nI_{3} \\ddot{\\varphi} \\cos \\theta + I_{3} \\ddot{\\psi} + \\left(I_{2} - I_{1}\\right) w_{1} w_{2} - I_{3} \\dot{\\varphi} \\dot{\\theta} \\sin \\theta &= 0\n\\end{align*}\nBoltzmann--Hamel equations, Euler's (3.5)--(3.7) for a rigid body, and kinematics:\n\\begin{align*}\nI_{1} \\dot{w}_{1} &= \\left(I_{2} - I_{3}\\right) w_{2} w_{3} + m g l \\sin \\theta \\cos \\psi \\\\\nI_{2} \\dot{w}_{2} &= \\left(I_{3} - I_{1}\\right) w_{1} w_{3} - m g l \\sin \\theta \\sin \\psi \\\\\nI_{3} \\dot{w}_{3} &= \\left(I_{1} - I_{2}\\right) w_{1} w_{2} \\\\\n\\dot{\\varphi} &= \\frac{w_{1} \\sin \\psi + w_{2} \\cos \\psi}{\\sin \\theta} \\\\\n\\dot{\\theta} &= w_{1} \\cos \\psi - w_{2} \\sin \\psi \\\\\n\\dot{\\psi} &= w_{3} - \\frac{\\left(w_{1} \\sin \\psi + w_{2} \\cos \\psi\\right) \\cos \\theta}{\\sin \\theta}\n\\end{align*}\n";
     /// The operation counts of the methods.
-    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
-        lagrangian: ::lagrangian::__private::operation_count([
-            6usize, 16usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        energy: ::lagrangian::__private::operation_count([
-            6usize, 16usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        momenta: ::lagrangian::__private::operation_count([
-            6usize, 15usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        mass_matrix: ::lagrangian::__private::operation_count([
-            4usize, 13usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        forcing: ::lagrangian::__private::operation_count([
-            19usize, 40usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        generalized_forces: ::lagrangian::__private::operation_count([
-            0usize, 0usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        prepare: ::lagrangian::__private::operation_count([
-            4usize, 3usize, 5usize, 0usize, 0usize, 0usize,
-        ]),
-        accelerations: ::lagrangian::__private::operation_count([
-            16usize, 27usize, 1usize, 0usize, 2usize, 0usize,
-        ]),
-        inverse_dynamics: ::lagrangian::__private::operation_count([
-            23usize, 45usize, 0usize, 0usize, 2usize, 0usize,
-        ]),
-        linearize: ::lagrangian::__private::operation_count([
-            83usize, 130usize, 4usize, 0usize, 2usize, 0usize,
-        ]),
-    };
+    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
+        [6, 16, 0, 0, 2, 0],
+        [6, 16, 0, 0, 2, 0],
+        [6, 15, 0, 0, 2, 0],
+        [4, 13, 0, 0, 2, 0],
+        [19, 40, 0, 0, 2, 0],
+        [0, 0, 0, 0, 0, 0],
+        [4, 3, 5, 0, 0, 0],
+        [16, 27, 1, 0, 2, 0],
+        [23, 45, 0, 0, 2, 0],
+        [83, 130, 4, 0, 2, 0],
+    ]);
     #[doc(hidden)]
     fn __mentions(&self) {
         let w1 = ();
@@ -152,20 +132,13 @@ for HeavyTop {
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 13usize],
     ) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [i1, i2, i3, m, g, l, ..] = *prepared;
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -189,11 +162,8 @@ for HeavyTop {
     ) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);
@@ -219,17 +189,13 @@ for HeavyTop {
     fn momenta(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_theta, cos_theta,
         sin_psi, cos_psi, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [i1, i2, i3, ..] = *prepared;
         ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
@@ -250,14 +216,12 @@ for HeavyTop {
     fn mass_matrix(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
         let [theta, psi, i1, i2, i3, sin_theta, cos_theta, sin_psi, cos_psi, x0, x1, x2,
         x3]: [__S; 13usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
+        [_, theta, psi] = state.x.q.data.0[0];
+        [i1, i2, i3, ..] = *prepared;
         ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
@@ -280,21 +244,14 @@ for HeavyTop {
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3,
         x9, x10, x11]: [__S; 30usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
-        m = ::lagrangian::__private::parameter(self.m);
-        g = ::lagrangian::__private::parameter(self.g);
-        l = ::lagrangian::__private::parameter(self.l);
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [i1, i2, i3, m, g, l, ..] = *prepared;
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -344,8 +301,8 @@ for HeavyTop {
             __S::from_f64(0.0),
         ])
     }
-    type Prepared = [__S; 7usize];
-    fn prepare(&self) -> [__S; 7usize] {
+    type Prepared = [__S; 13usize];
+    fn prepare(&self) -> [__S; 13usize] {
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -355,6 +312,12 @@ for HeavyTop {
         let x0 = m * g;
         let x1 = l * x0;
         [
+            i1,
+            i2,
+            i3,
+            m,
+            g,
+            l,
             (i1 - i3) / i2,
             x1 / i2,
             (i3 - i2) / i1,
@@ -369,21 +332,14 @@ for HeavyTop {
         &self,
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 7usize],
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1, c2, c3, c4, sin_psi,
         cos_psi, sin_theta, cos_theta, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
         ]: [__S; 24usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
-        c0 = prepared[0];
-        c1 = prepared[1];
-        c2 = prepared[2];
-        c3 = prepared[3];
-        c4 = prepared[4];
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [_, _, _, _, _, _, c0, c1, c2, c3, c4, ..] = *prepared;
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
@@ -417,15 +373,12 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
-        prepared: &[__S; 7usize],
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let mut values: [__S; 26usize] = [__S::from_f64(0.0); 26usize];
+        let mut values: [__S; 23usize] = [__S::from_f64(0.0); 23usize];
         ::lagrangian::__private::scatter(
             &mut values[..],
-            [
-                0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize, 8usize,
-                9usize, 10usize,
-            ],
+            [0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize],
             [
                 state.x.q[1],
                 state.x.q[2],
@@ -435,14 +388,11 @@ for HeavyTop {
                 accelerations[0],
                 accelerations[1],
                 accelerations[2],
-                ::lagrangian::__private::parameter(self.i1),
-                ::lagrangian::__private::parameter(self.i2),
-                ::lagrangian::__private::parameter(self.i3),
             ],
         );
         {
             #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 23usize]) {
                 let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values[..],
                     [0, 1, 2, 3, 4],
@@ -460,7 +410,7 @@ for HeavyTop {
                 let w1 = sin_psi.mul_add(x1, x2);
                 ::lagrangian::__private::scatter(
                     &mut values[..],
-                    [11, 12, 13, 14, 15, 16, 17, 18, 19, 20],
+                    [8, 9, 10, 11, 12, 13, 14, 15, 16, 17],
                     [sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x3, x4, w1],
                 );
             }
@@ -468,12 +418,18 @@ for HeavyTop {
         }
         {
             #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 26usize]) {
+            fn piece<__S: ::lagrangian::Scalar>(
+                values: &mut [__S; 23usize],
+                prepared: &[__S; 13usize],
+            ) {
+                let [i1, i2, i3]: [__S; 3usize] = ::lagrangian::__private::gather(
+                    &prepared[..],
+                    [0, 1, 2],
+                );
                 let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, x3, x4, phi_dot,
-                theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot, i1, i2, i3,
-                ]: [__S; 17usize] = ::lagrangian::__private::gather(
+                theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot]: [__S; 14usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 15, 13, 14, 16, 18, 19, 2, 3, 4, 5, 6, 7, 8, 9, 10],
+                    [8, 9, 12, 10, 11, 13, 15, 16, 2, 3, 4, 5, 6, 7],
                 );
                 let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
                 let x6 = i3
@@ -487,29 +443,26 @@ for HeavyTop {
                 let x11 = i1 * sin_psi;
                 ::lagrangian::__private::scatter(
                     &mut values[..],
-                    [1, 0, 21, 22, 23, 24, 25],
+                    [1, 0, 18, 19, 20, 21, 22],
                     [x5, x6, w3, x8, x9, x10, x11],
                 );
             }
-            piece(&mut values);
+            piece(&mut values, prepared);
         }
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values: &mut [__S; 26usize],
-                prepared: &[__S; 7usize],
+                values: &mut [__S; 23usize],
+                prepared: &[__S; 13usize],
             ) {
-                let [c5, c6]: [__S; 2usize] = ::lagrangian::__private::gather(
+                let [i1, i2, i3, c5, c6]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &prepared[..],
-                    [5, 6],
+                    [0, 1, 2, 11, 12],
                 );
                 let [sin_psi, cos_psi, sin_theta, cos_theta, x1, w2, x4, w1, x5, x6, w3,
-                x8, x9, x10, x11, theta_dot, i1, i2, i3]: [__S; 19usize] = ::lagrangian::__private::gather(
+                x8, x9, x10, x11, theta_dot]: [__S; 16usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [
-                        11, 12, 13, 14, 16, 17, 19, 20, 1, 0, 21, 22, 23, 24, 25, 3, 8,
-                        9, 10,
-                    ],
+                    [8, 9, 10, 11, 13, 14, 16, 17, 1, 0, 18, 19, 20, 21, 22, 3],
                 );
                 let x12 = sin_theta
                     .mul_add(
@@ -529,7 +482,7 @@ for HeavyTop {
                 let x15 = w1.mul_add(w2 * c6, x6);
                 ::lagrangian::__private::scatter(
                     &mut values[..],
-                    [18, 15, 7],
+                    [15, 12, 7],
                     [x12, x14, x15],
                 );
             }
@@ -537,7 +490,7 @@ for HeavyTop {
         }
         let [x12, x14, x15]: [__S; 3usize] = ::lagrangian::__private::gather(
             &values[..],
-            [18, 15, 7],
+            [15, 12, 7],
         );
         ::lagrangian::__private::vector([x12, x14, x15])
     }
@@ -915,11 +868,10 @@ for HeavyTop {
     fn relative_pivots(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let [i1, i2, i3, ..] = *prepared;
         let theta: __S = state.x.q[1];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
         let (sin_theta, cos_theta) = theta.sin_cos();
         ::lagrangian::__private::by_coordinate(
             [
@@ -945,6 +897,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     }
 }
 #[automatically_derived]
+impl ::lagrangian::quantities::MembersInLanes for HeavyTop {}
+#[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3usize, __S>
 for HeavyTop {
     fn kinetic_energy(
@@ -954,11 +908,8 @@ for HeavyTop {
     ) -> __S {
         let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_psi, cos_psi,
         sin_theta, cos_theta, x0, w2, w1, w3]: [__S; 16usize];
-        theta = state.x.q[1];
-        psi = state.x.q[2];
-        phi_dot = state.x.v[0];
-        theta_dot = state.x.v[1];
-        psi_dot = state.x.v[2];
+        [_, theta, psi] = state.x.q.data.0[0];
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
         i3 = ::lagrangian::__private::parameter(self.i3);

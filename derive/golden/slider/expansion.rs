@@ -46,38 +46,18 @@ impl Slider {
     /// The same in displays of LaTeX, for `amsmath`, `KaTeX` and `MathJax`.
     pub const LATEX: &'static str = "\\begin{align*}\nq &= x\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m \\dot{x}^{2} \\\\\nV &= \\frac{1}{2} k x^{2}\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{x} &= m \\dot{x}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= -\\dot{x} \\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\dot{x} \\operatorname{side}\\left(x\\right)\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm \\ddot{x} + k x &= -\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{x} &= -\\frac{\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right)}{m} - \\frac{0.1 \\left(10 k x + \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\\right)}{m}\n\\end{align*}\n";
     /// The operation counts of the methods.
-    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::Operations {
-        lagrangian: ::lagrangian::__private::operation_count([
-            1usize, 5usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        energy: ::lagrangian::__private::operation_count([
-            1usize, 5usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        momenta: ::lagrangian::__private::operation_count([
-            0usize, 1usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        mass_matrix: ::lagrangian::__private::operation_count([
-            0usize, 0usize, 0usize, 0usize, 0usize, 0usize,
-        ]),
-        forcing: ::lagrangian::__private::operation_count([
-            3usize, 3usize, 1usize, 0usize, 0usize, 2usize,
-        ]),
-        generalized_forces: ::lagrangian::__private::operation_count([
-            2usize, 2usize, 1usize, 0usize, 0usize, 2usize,
-        ]),
-        prepare: ::lagrangian::__private::operation_count([
-            0usize, 2usize, 2usize, 0usize, 0usize, 0usize,
-        ]),
-        accelerations: ::lagrangian::__private::operation_count([
-            3usize, 5usize, 0usize, 0usize, 0usize, 2usize,
-        ]),
-        inverse_dynamics: ::lagrangian::__private::operation_count([
-            3usize, 4usize, 0usize, 0usize, 0usize, 2usize,
-        ]),
-        linearize: ::lagrangian::__private::operation_count([
-            5usize, 11usize, 2usize, 0usize, 0usize, 3usize,
-        ]),
-    };
+    pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
+        [1, 5, 0, 0, 0, 0],
+        [1, 5, 0, 0, 0, 0],
+        [0, 1, 0, 0, 0, 0],
+        [0, 0, 0, 0, 0, 0],
+        [3, 3, 1, 0, 0, 2],
+        [2, 2, 1, 0, 0, 2],
+        [0, 2, 2, 0, 0, 0],
+        [3, 5, 0, 0, 0, 2],
+        [3, 4, 0, 0, 0, 2],
+        [5, 11, 2, 0, 0, 3],
+    ]);
     #[doc(hidden)]
     fn __mentions(&self) {
         let friction = ();
@@ -120,11 +100,11 @@ for Slider {
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 8usize],
     ) -> __S {
+        let [m, k, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let k: __S = ::lagrangian::__private::parameter(self.k);
         __S::from_f64(0.5) * (-k).mul_add(x * x, m * (x_dot * x_dot))
     }
     fn energy(
@@ -141,28 +121,29 @@ for Slider {
     fn momenta(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let x_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let m: __S = prepared[0];
         ::lagrangian::__private::vector([m * x_dot])
     }
     fn mass_matrix(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let m: __S = prepared[0];
         ::lagrangian::__private::matrix([[m]])
     }
     fn forcing(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [_, k, weight, width, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        let k: __S = ::lagrangian::__private::parameter(self.k);
-        let weight: __S = ::lagrangian::__private::parameter(self.weight);
-        let width: __S = ::lagrangian::__private::parameter(self.width);
         let x0 = -k
             .mul_add(
                 x,
@@ -191,13 +172,17 @@ for Slider {
                 ),
         ])
     }
-    type Prepared = [__S; 4usize];
-    fn prepare(&self) -> [__S; 4usize] {
+    type Prepared = [__S; 8usize];
+    fn prepare(&self) -> [__S; 8usize] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
         [
+            m,
+            k,
+            weight,
+            width,
             __S::from_f64(1.0) / width,
             k * __S::from_f64(10.0),
             __S::ratio(1.0, 10.0) / m,
@@ -209,14 +194,11 @@ for Slider {
         &self,
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 4usize],
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [_, _, weight, _, c0, c1, c2, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        let weight: __S = ::lagrangian::__private::parameter(self.weight);
-        let c0: __S = prepared[0];
-        let c1: __S = prepared[1];
-        let c2: __S = prepared[2];
         let x0 = -(__S::from_f64(10.0)
             .mul_add(
                 self.__value_of_friction::<__S>(x_dot * c0, weight),
@@ -229,16 +211,12 @@ for Slider {
         state: &::lagrangian::State<__S, 1usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 4usize],
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [m, k, weight, _, c0, _, _, c3] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let x_ddot: __S = accelerations[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let k: __S = ::lagrangian::__private::parameter(self.k);
-        let weight: __S = ::lagrangian::__private::parameter(self.weight);
-        let c0: __S = prepared[0];
-        let c3: __S = prepared[3];
         ::lagrangian::__private::vector([
             m
                 .mul_add(
@@ -288,8 +266,9 @@ for Slider {
     fn relative_pivots(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let m: __S = prepared[0];
         ::lagrangian::__private::by_coordinate(
             [::lagrangian::__private::relative_pivot(m, m.abs())],
             [&[0]],
@@ -303,6 +282,8 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
         self
     }
 }
+#[automatically_derived]
+impl ::lagrangian::quantities::MembersInLanes for Slider {}
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
 for Slider {

@@ -28,7 +28,7 @@ use block::{Block, Form};
 use constant::constant;
 use fragment::{Fragment, Precedence, infix};
 use pieces::Read;
-pub(crate) use symbols::{Element, SymbolReader};
+pub(crate) use symbols::{Array, Element, SymbolReader};
 use variables::Variables;
 
 /// Writes the groups of one program, one after the other.

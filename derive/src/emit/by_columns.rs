@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::writer::Writer;
 use crate::limits::DIRECTIONS_AT_ONCE;
-use crate::plan::Columns;
+use crate::plan::{Columns, EmittedMethod};
 
 impl Writer<'_> {
     /// The body of such a method.
@@ -19,17 +19,13 @@ impl Writer<'_> {
 
     fn mass_matrix_by_columns(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
-        let (n, scalar) = (self.emitter.coordinates(), &self.emitter.scalar);
-        quote! {
-            #root::__private::mass_matrix_by_columns(state, |state| {
-                #root::quantities::Quantities::<#n, #scalar>::momenta(self, state)
-            })
-        }
+        let momenta = self.call(EmittedMethod::Momenta);
+        quote!(#root::__private::mass_matrix_by_columns(state, |state| #momenta))
     }
 
     fn linearization_by_columns(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
-        let accelerations = self.emitter.accelerations();
+        let accelerations = self.call(EmittedMethod::Accelerations);
         let (factors, prepared) = (self.factors_of_mass_matrix(), self.prepared_on_duals());
         let function = self.inverse_dynamics_on_duals();
         quote! {

@@ -2,14 +2,13 @@
 
 use lagrangian_symbolic::{Listing, OperationCount};
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::documentation;
 use super::editor;
 use super::emitter::Emitter;
 use crate::syntax::coordinate::indices;
 use crate::syntax::names::{constant_name, hygienic_ident};
-use crate::syntax::root::Root;
 
 impl Emitter<'_> {
     /// What is known of the model at compile time, as constants of its type.
@@ -63,12 +62,9 @@ impl Emitter<'_> {
 
     fn operations(&self) -> TokenStream {
         let root = &self.declaration.root;
-        let counts = self.methods.counted().map(|(name, method)| {
-            let name = format_ident!("{name}");
-            let count = operation_count(&method.count, root);
-            quote!(#name: #count)
-        });
-        quote!(#root::Operations { #(#counts),* })
+        let counts = self.methods.counted();
+        let counts = counts.map(|(_, method)| operation_count(&method.count));
+        quote!(#root::__private::operations([#(#counts),*]))
     }
 
     pub(super) fn system(&self) -> TokenStream {
@@ -109,7 +105,7 @@ impl Emitter<'_> {
     }
 }
 
-fn operation_count(count: &OperationCount, root: &Root) -> TokenStream {
+fn operation_count(count: &OperationCount) -> TokenStream {
     let OperationCount {
         additions,
         multiplications,
@@ -118,9 +114,14 @@ fn operation_count(count: &OperationCount, root: &Root) -> TokenStream {
         sines_and_cosines,
         functions,
     } = *count;
-    quote! {
-        #root::__private::operation_count([
-            #additions, #multiplications, #divisions, #square_roots, #sines_and_cosines, #functions,
-        ])
-    }
+    let counts = [
+        additions,
+        multiplications,
+        divisions,
+        square_roots,
+        sines_and_cosines,
+        functions,
+    ];
+    let counts = counts.map(Literal::usize_unsuffixed);
+    quote!([#(#counts),*])
 }

@@ -8,7 +8,7 @@ use super::signatures::Signatures;
 use crate::limits::MethodLimits;
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
-use crate::plan::{EmittedMethod, Interface, Methods, SeriesMethods};
+use crate::plan::{EmittedMethod, Methods, ParameterSource, PreparedArray, SeriesMethods};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::scalar::Scalar;
 
@@ -25,6 +25,7 @@ pub(crate) struct Emitter<'a> {
     pub(crate) series: Option<&'a SeriesMethods>,
     /// The coordinates of a reduced model at whose poles it has no value.
     pub(crate) poles: Vec<u32>,
+    pub(crate) prepared: PreparedArray,
     pub(crate) scalar: Scalar<'a>,
     pub(crate) limits: MethodLimits,
 }
@@ -48,6 +49,7 @@ impl<'a> Emitter<'a> {
             listing,
             series,
             poles: Vec::new(),
+            prepared: PreparedArray::of(methods, series),
             scalar: Scalar::of(declaration),
             limits,
         }
@@ -104,12 +106,6 @@ impl<'a> Emitter<'a> {
         self.scalar.read(&place, &component.element)
     }
 
-    /// How many invariants are prepared.
-    pub(super) fn invariants(&self) -> usize {
-        let groups = &self.methods.prepare.program.groups;
-        groups.first().map_or(0, |group| group.outputs.len())
-    }
-
     /// What the types in signatures are made of.
     pub(super) fn signatures(&self) -> Signatures<'_> {
         let scalar = &self.scalar;
@@ -118,7 +114,7 @@ impl<'a> Emitter<'a> {
             .regressor
             .as_ref()
             .map_or(0, |found| found.values.len());
-        let invariants = self.invariants();
+        let length = self.prepared.len();
         Signatures {
             root: &self.declaration.root,
             scalar,
@@ -129,22 +125,20 @@ impl<'a> Emitter<'a> {
                 .as_ref()
                 .map_or(0, |found| found.parameters.len()),
             base_parameters: base_parameters.to_token_stream(),
-            prepared: quote!([#scalar; #invariants]),
+            prepared: quote!([#scalar; #length]),
         }
     }
 
-    /// A call of a method of the state at the same inputs.
-    pub(super) fn call(&self, method: EmittedMethod) -> TokenStream {
+    /// A call of a method of the state at the same inputs, in a method that has the parameters from there.
+    pub(super) fn call(&self, method: EmittedMethod, source: ParameterSource) -> TokenStream {
         let row = method.row();
         let interface = self.signatures().interface(row.interface);
         let name = format_ident!("{}", row.name);
         let inputs = row.takes_inputs.then(|| quote!(, inputs));
-        quote!(#interface::#name(self, state #inputs))
-    }
-
-    /// The accelerations at the same state and inputs.
-    pub(super) fn accelerations(&self) -> TokenStream {
-        let interface = self.signatures().interface(Interface::Quantities);
-        quote!(#interface::accelerations(self, state, inputs, &#interface::prepare(self)))
+        let prepared = row.takes_prepared().then(|| match source {
+            ParameterSource::Prepared => quote!(, prepared),
+            ParameterSource::Fields => quote!(, &#interface::prepare(self)),
+        });
+        quote!(#interface::#name(self, state #inputs #prepared))
     }
 }

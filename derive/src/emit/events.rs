@@ -6,9 +6,9 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::emitter::Emitter;
-use super::parameters::mentions;
+use super::parameters::{marked_if_unused, mentions};
 use super::taylor_series::indices_of;
-use crate::plan::{EventSeries, Interface, ValueSeries};
+use crate::plan::{EventSeries, Interface, ParameterSource, ValueSeries};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 use crate::syntax::shape::Shape;
@@ -62,9 +62,10 @@ impl Emitter<'_> {
     ) -> TokenStream {
         let (state, others) = (self.signatures().state(), self.parameters_of_series());
         let (inputs, orders) = self.series_of_inputs(body);
+        let prepared = self.prepared_parameter(body);
         let result = result.map(|ty| quote!(-> #ty));
         quote! {
-            fn #name<const HALF: usize>(&self, state: #state, #inputs #others #more) #result {
+            fn #name<const HALF: usize>(&self, state: #state, #inputs #prepared #others #more) #result {
                 #orders
                 #body
             }
@@ -89,6 +90,12 @@ impl Emitter<'_> {
         (quote!(series_of_inputs: &[#vector],), Some(orders))
     }
 
+    /// The parameter for the prepared array, for a body.
+    pub(super) fn prepared_parameter(&self, body: &TokenStream) -> TokenStream {
+        let prepared = self.signatures().prepared;
+        marked_if_unused(quote!(prepared: &#prepared,), body)
+    }
+
     pub(super) fn parameters_of_series(&self) -> TokenStream {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         quote! {
@@ -105,7 +112,7 @@ impl Emitter<'_> {
     pub(super) fn body_of_series(&self, series: &ValueSeries) -> TokenStream {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         let next_inputs = self.next_inputs();
-        self.with_writer(&series.initial, &[], |writer| {
+        self.with_writer(&series.initial, ParameterSource::Prepared, &[], |writer| {
             let (statements, values) = writer.compute(&series.values);
             let (more, invariants) = writer.compute(&series.invariants);
             let [(of_terms, terms), (of_factors, factors)] = self.recurrence(&series.program);

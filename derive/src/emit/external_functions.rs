@@ -9,6 +9,7 @@ use syn::Expr;
 use super::emitter::Emitter;
 use super::item_names::{derivative_name, value_name};
 use super::parameters::marked_if_unused;
+use crate::plan::ParameterSource;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::external_function::FunctionDeclaration;
 use crate::syntax::names::unraw;
@@ -44,7 +45,7 @@ impl Emitter<'_> {
             let count = function.arguments.len();
             let parameters = parameters(scalar, &quote!(#scalar), self.declaration);
             let (method, names) = (&derivative.method, &function.arguments);
-            let body = self.body(method, names);
+            let body = self.body(method, ParameterSource::Fields, names);
             let arguments = quote!(arguments: [#scalar; #count]);
             let arguments = marked_if_unused(arguments, &body);
             quote! {

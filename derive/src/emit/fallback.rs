@@ -18,6 +18,7 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::editor;
 use super::inputs::{Indices, input_indices};
+use super::methods::members_in_lanes;
 use super::signatures::Signatures;
 use crate::lower::Lowered;
 use crate::plan::constants::{
@@ -232,9 +233,9 @@ impl<'a> Fallback<'a> {
         let inputs = self.signatures().inputs();
         let items = quote! {
             type Inputs = #inputs;
-            type Prepared = ();
+            type Prepared = [#scalar; 0];
             fn inputs(&self) -> #inputs { ::core::unreachable!() }
-            fn prepare(&self) {}
+            fn prepare(&self) -> [#scalar; 0] { [] }
         };
         let quantities = self.interface(Interface::Quantities, &items);
         let lagrangian = self.implement(
@@ -245,7 +246,8 @@ impl<'a> Fallback<'a> {
                 fn model(&self) -> &Self { ::core::unreachable!() }
             },
         );
-        quote!(#quantities #lagrangian)
+        let members = members_in_lanes(self.declaration, scalar);
+        quote!(#quantities #lagrangian #members)
     }
 
     /// The impl of a trait of the table: these items, and its methods.
@@ -262,14 +264,15 @@ impl<'a> Fallback<'a> {
 
     /// What the types in signatures are made of.
     fn signatures(&self) -> Signatures<'_> {
+        let scalar = &self.scalar;
         Signatures {
             root: &self.declaration.root,
-            scalar: &self.scalar,
+            scalar,
             dimension: self.dimension.clone(),
             inputs: self.lowered.quantities.inputs.len(),
             parameters: self.parameters().len(),
             base_parameters: requested::base_parameters().into_token_stream(),
-            prepared: quote!(()),
+            prepared: quote!([#scalar; 0]),
         }
     }
 

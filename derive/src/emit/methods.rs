@@ -1,12 +1,14 @@
 //! The methods of the table: their bodies, and the impls of `Quantities`, `Lagrangian` and `Energies`.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use quote::{ToTokens as _, format_ident, quote};
 
 use super::emitter::Emitter;
-use super::parameters::marked_if_unused;
+use super::parameters::{marked_if_unused, mentions};
 use crate::limits::COSTLIEST_INLINED_ACCELERATIONS;
-use crate::plan::{Interface, Method, MethodRow, ResultType};
+use crate::plan::{Interface, Method, MethodOutputs, MethodRow, ResultType};
+use crate::syntax::declaration::Declaration;
+use crate::syntax::scalar::Scalar;
 
 impl Emitter<'_> {
     /// The impls of `Quantities`, and of `Lagrangian`, whose methods evaluate them.
@@ -29,7 +31,8 @@ impl Emitter<'_> {
                 fn model(&self) -> &Self { self }
             },
         );
-        quote!(#quantities #lagrangian)
+        let members = members_in_lanes(self.declaration, &self.scalar);
+        quote!(#quantities #lagrangian #members)
     }
 
     pub(super) fn energies(&self) -> TokenStream {
@@ -44,7 +47,11 @@ impl Emitter<'_> {
         let methods = self.methods.all();
         let methods = methods.map(|(emitted, method)| (emitted.row(), method));
         for (row, method) in methods.filter(|(row, _)| row.interface == interface) {
-            items.extend(self.method(row, method));
+            if row.result == ResultType::Prepared {
+                items.extend(self.method(row, &self.prepared.method(method)));
+            } else {
+                items.extend(self.method(row, method));
+            }
         }
         self.implement(&self.signatures().interface(interface), &items)
     }
@@ -52,7 +59,7 @@ impl Emitter<'_> {
     /// The emitted function of one row, with its body.
     fn method(&self, row: MethodRow, method: &Method) -> TokenStream {
         let signatures = self.signatures();
-        let body = self.body(method, &[]);
+        let body = self.body(method, row.parameters, &[]);
         let (name, state) = (format_ident!("{}", row.name), signatures.state());
         let output = signatures.result(row.result);
         let state = row.takes_state().then(|| quote!(state: #state,));
@@ -60,15 +67,37 @@ impl Emitter<'_> {
         let others = others.iter().map(|(name, ty)| quote!(#name: #ty,));
         let parameters = marked_if_unused(quote!(#state #(#others)*), &body);
         // Steppers evaluate the accelerations in a loop, in which their results are best kept in registers.
-        let is_inlined = row.is_prepared()
-            && !row.takes_accelerations()
+        let is_inlined = matches!(method.outputs, MethodOutputs::Accelerations(_))
             && method.count.cost() <= COSTLIEST_INLINED_ACCELERATIONS;
         let inline = is_inlined.then(|| quote!(#[inline(always)]));
         let prepared =
-            (row.result == ResultType::Invariants).then(|| quote!(type Prepared = #output;));
+            (row.result == ResultType::Prepared).then(|| quote!(type Prepared = #output;));
         let signature = quote!(#prepared #inline fn #name(&self, #parameters) -> #output);
         with_body(signature, body)
     }
+}
+
+/// The impl of `MembersInLanes`, for a model on every scalar whose external functions do not read the fields of one member.
+pub(super) fn members_in_lanes(
+    declaration: &Declaration,
+    scalar: &Scalar<'_>,
+) -> Option<TokenStream> {
+    let Declaration {
+        root,
+        name,
+        generics,
+        clauses,
+        ..
+    } = declaration;
+    let mut functions = clauses.functions.iter();
+    let reads_self = functions.any(|function| mentions(&function.value.to_token_stream(), "self"));
+    let (generics, arguments, conditions) = generics.split_for_impl();
+    (scalar.is_generic() && !reads_self).then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #generics #root::quantities::MembersInLanes for #name #arguments #conditions {}
+        }
+    })
 }
 
 /// A function with its body, which is moved: `quote` would copy it, token by token.

@@ -4,17 +4,36 @@ use lagrangian_symbolic::Symbol;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use super::body::{Element, SymbolReader};
+use super::body::{Array, Element, SymbolReader};
 use super::emitter::Emitter;
 use crate::lower::quantities::Component;
+use crate::plan::ParameterSource;
 
 /// Reads the symbols of a model.
 pub(super) struct ModelSymbols<'a> {
     pub(super) emitter: &'a Emitter<'a>,
+    /// Where parameters are.
+    pub(super) parameters: ParameterSource,
+}
+
+impl ModelSymbols<'_> {
+    /// The index of a symbol in the prepared array, if it is read there.
+    fn prepared(&self, symbol: Symbol) -> Option<usize> {
+        match (symbol, self.parameters) {
+            (Symbol::Invariant(_), _) | (Symbol::Parameter(_), ParameterSource::Prepared) => {
+                self.emitter.prepared.index(symbol)
+            }
+            _ => None,
+        }
+    }
 }
 
 impl SymbolReader for ModelSymbols<'_> {
     fn read(&self, symbol: Symbol) -> TokenStream {
+        if let Some(index) = self.prepared(symbol) {
+            let index = Literal::usize_unsuffixed(index);
+            return quote!(prepared[#index]);
+        }
         let quantities = &self.emitter.lowered.quantities;
         let field = |components: &[Component], i: u32| self.emitter.read(&components[i as usize]);
         match symbol {
@@ -25,12 +44,12 @@ impl SymbolReader for ModelSymbols<'_> {
             Symbol::RightHandSide(i) => element(&quote!(momenta), i),
             Symbol::Parameter(i) => field(&quantities.parameters, i),
             Symbol::Input(i) => element(&quote!(inputs), i),
-            Symbol::Invariant(i) => element(&quote!(prepared), i),
             Symbol::Variation(i) => element(&quote!(variation), i),
             Symbol::Argument(i) => element(&quote!(arguments), i),
-            // Symbols of recurrences, which are read from their terms, of equations before they are solved, and of vectors
+            // Invariants are in the prepared array. Symbols of recurrences, which are read from their terms, of equations before they are solved, and of vectors
             // before they are resolved.
-            Symbol::Order
+            Symbol::Invariant(_)
+            | Symbol::Order
             | Symbol::ReciprocalOrder
             | Symbol::Convolution(_)
             | Symbol::QuasiVelocity(_)
@@ -41,12 +60,33 @@ impl SymbolReader for ModelSymbols<'_> {
     }
 
     fn element(&self, symbol: Symbol) -> Option<Element> {
-        let Symbol::Invariant(index) = symbol else {
-            return None;
-        };
         Some(Element {
             array: Ident::new("prepared", Span::call_site()),
-            length: self.emitter.invariants(),
+            length: self.emitter.prepared.len(),
+            index: self.prepared(symbol)?,
+        })
+    }
+
+    fn array(&self, symbol: Symbol) -> Option<Array> {
+        if let Some(index) = self.prepared(symbol) {
+            return Some(Array {
+                value: quote!(*prepared),
+                length: self.emitter.prepared.len(),
+                index,
+            });
+        }
+        let n = self.emitter.coordinates();
+        let (vector, length, index) = match symbol {
+            Symbol::Coordinate(i) => (quote!(state.x.q), n, i),
+            Symbol::Velocity(i) => (quote!(state.x.v), n, i),
+            Symbol::Acceleration(i) => (quote!(accelerations), n, i),
+            Symbol::RightHandSide(i) => (quote!(momenta), n, i),
+            Symbol::Input(i) => (quote!(inputs), self.emitter.model.inputs as usize, i),
+            _ => return None,
+        };
+        Some(Array {
+            value: quote!(#vector.data.0[0]),
+            length,
             index: index as usize,
         })
     }

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::emitter::Emitter;
 use super::parameters::{marked_if_unused, mentions};
-use crate::plan::ReducedMethods;
+use crate::plan::{ParameterSource, ReducedMethods};
 use crate::reduce::{ReducedDeclaration, Split};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
@@ -131,10 +131,14 @@ impl Emitter<'_> {
         let constants = self.lowered.quantities.parameters.iter();
         let constants = constants.skip(full.lowered.quantities.parameters.len());
         let constants = constants.map(|constant| self.read(constant));
-        let [potential, velocities] = [&methods.effective_potential, &methods.ignorable_velocities]
-            .map(|method| self.at_own_inputs(self.body(method, &[])));
+        let potential = self.body(&methods.effective_potential, ParameterSource::Fields, &[]);
+        let potential = self.at_own_inputs(potential);
         let of_potential = marked_if_unused(quote!(state: #state), &potential);
-        let of_velocities = marked_if_unused(quote!(state: #state), &velocities);
+        let velocities = &methods.ignorable_velocities;
+        let velocities = self.body(velocities, ParameterSource::Prepared, &[]);
+        let prepared = signatures.prepared;
+        let of_velocities = quote!(state: #state, prepared: &#prepared);
+        let of_velocities = marked_if_unused(of_velocities, &velocities);
         let [places, rates] = [
             [quote!(ignorable), quote!(state.q)],
             [quote!(velocities), quote!(state.v)],
@@ -148,7 +152,7 @@ impl Emitter<'_> {
                 #root::__private::vector(constants)
             }
             fn effective_potential(&self, #of_potential) -> #scalar { #potential }
-            fn ignorable_velocities(&self, #of_velocities) -> #vector { #velocities }
+            fn eliminated_velocities(&self, #of_velocities) -> #vector { #velocities }
             fn full_state(
                 &self,
                 state: #state,
@@ -191,19 +195,20 @@ impl Emitter<'_> {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
         let (state, signature) = (self.signatures().state(), self.parameters_of_series());
         let body = self.body_of_series(series);
-        let held = self.has_inputs().then(|| {
-            quote! {
-                let held = [#root::quantities::Quantities::<#n, #scalar>::inputs(self)];
-                let (inputs, mut higher_inputs) = #root::__private::orders(&held);
-            }
-        });
+        let prepared = self.prepared_parameter(&body);
+        // Momenta contain no input.
+        let u = self.model.inputs as usize;
+        let none = self.has_inputs().then(
+            || quote!(let (_, mut higher_inputs) = #root::__private::orders::<#scalar, #u>(&[]);),
+        );
         let items = quote! {
             fn ignorable_velocity_series<const HALF: usize>(
                 &self,
                 state: #state,
+                #prepared
                 #signature
             ) -> #root::TaylorCoefficients<[#scalar; #k], HALF> {
-                #held
+                #none
                 #body
             }
         };

@@ -19,7 +19,7 @@ pub(crate) struct Signatures<'a> {
     pub(crate) parameters: usize,
     /// How many base parameters there are.
     pub(crate) base_parameters: TokenStream,
-    /// The type of the hoisted invariants.
+    /// The type of the prepared array.
     pub(crate) prepared: TokenStream,
 }
 
@@ -73,7 +73,7 @@ impl Signatures<'_> {
             ResultType::SquareMatrix => quote!(#root::__private::SMatrix<#scalar, #n, #n>),
             ResultType::InputMatrix => quote!(#root::__private::SMatrix<#scalar, #n, #u>),
             ResultType::Linearization => quote!(#root::Linearization<#scalar, #n>),
-            ResultType::Invariants => prepared.clone(),
+            ResultType::Prepared => prepared.clone(),
             ResultType::Outputs => quote!(Self::Outputs),
             ResultType::EventValues => quote!(Self::EventValues),
             ResultType::ParameterMatrix => quote!(#root::__private::SMatrix<#scalar, #n, #p>),
@@ -91,7 +91,7 @@ impl Signatures<'_> {
             Argument::StateOnly | Argument::Parameters => None,
         };
         let prepared = row
-            .is_prepared()
+            .takes_prepared()
             .then(|| ("prepared", self.prepared.clone()));
         let all = inputs.into_iter().chain(vector).chain(prepared);
         all.map(|(name, ty)| (format_ident!("{name}"), quote!(&#ty)))

@@ -14,7 +14,7 @@ use super::model_symbols::element;
 use super::printed_names::printed_names;
 use super::writer::Writer;
 use crate::limits::MAX_SWITCHING_FUNCTION_LENGTH;
-use crate::plan::{AccelerationOutputs, BranchSeries, Rates, TaylorMethod};
+use crate::plan::{AccelerationOutputs, BranchSeries, ParameterSource, Rates, TaylorMethod};
 
 /// The `f64` in a vector register of 256 bits.
 const REGISTER: usize = 4;
@@ -57,9 +57,10 @@ impl Emitter<'_> {
             return TokenStream::new();
         };
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let (state, prepared) = (self.signatures().state(), self.signatures().prepared);
+        let state = self.signatures().state();
         let body = self.series(&series.motion);
         let (inputs, orders) = self.series_of_inputs(&body);
+        let prepared = self.prepared_parameter(&body);
         let branches = self.branches();
         let names = self.switching_functions();
         let items = quote! {
@@ -68,7 +69,7 @@ impl Emitter<'_> {
                 &self,
                 state: #state,
                 #inputs
-                prepared: &#prepared,
+                #prepared
                 unit: #scalar,
                 coefficients: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
             ) {
@@ -116,7 +117,7 @@ impl Emitter<'_> {
 
     fn series(&self, method: &TaylorMethod) -> TokenStream {
         let (root, scalar) = (&self.declaration.root, &self.scalar);
-        self.with_writer(&method.initial, &[], |writer| {
+        self.with_writer(&method.initial, ParameterSource::Prepared, &[], |writer| {
             let (statements, rates) = match &method.rates {
                 Rates::Accelerations(outputs) => writer.accelerations(outputs),
                 Rates::QuasiVelocities(rates) => {

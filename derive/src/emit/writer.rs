@@ -11,7 +11,7 @@ use super::locals::Locals;
 use super::model_symbols::ModelSymbols;
 use crate::plan::{
     AccelerationOutputs, EmittedMethod, LowerTriangle, Method, MethodOutputs, OutputSlice,
-    PivotOutputs,
+    ParameterSource, PivotOutputs,
 };
 use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
@@ -28,6 +28,8 @@ pub(super) fn joined(parts: impl IntoIterator<Item = TokenStream>) -> TokenStrea
 pub(super) struct Writer<'a> {
     pub(super) emitter: &'a Emitter<'a>,
     pub(super) method: &'a Method,
+    /// Where the method reads parameters.
+    pub(super) parameters: ParameterSource,
     pub(super) body: Body<'a>,
     /// The outputs of the groups that are written.
     pub(super) computed: Vec<Vec<TokenStream>>,
@@ -36,20 +38,29 @@ pub(super) struct Writer<'a> {
 impl Emitter<'_> {
     /// The body of a method, with variables of its own; in that of a function's derivative its arguments have
     /// these names.
-    pub(super) fn body(&self, method: &Method, arguments: &[Ident]) -> TokenStream {
+    pub(super) fn body(
+        &self,
+        method: &Method,
+        parameters: ParameterSource,
+        arguments: &[Ident],
+    ) -> TokenStream {
         #[allow(clippy::redundant_closure_for_method_calls)]
         // The path has one lifetime, the closure any.
-        self.with_writer(method, arguments, |writer| writer.write())
+        self.with_writer(method, parameters, arguments, |writer| writer.write())
     }
 
     /// What is written with a writer of the body of a method.
     pub(super) fn with_writer(
         &self,
         method: &Method,
+        parameters: ParameterSource,
         arguments: &[Ident],
         write: impl FnOnce(&mut Writer<'_>) -> TokenStream,
     ) -> TokenStream {
-        let symbols = ModelSymbols { emitter: self };
+        let symbols = ModelSymbols {
+            emitter: self,
+            parameters,
+        };
         let graph = &self.model.graph;
         let functions = self.declaration.clauses.functions.iter();
         let functions = functions.map(value_name).collect();
@@ -58,6 +69,7 @@ impl Emitter<'_> {
         let mut writer = Writer {
             emitter: self,
             method,
+            parameters,
             body: Body::new(
                 &method.program,
                 graph.passes,
@@ -174,7 +186,7 @@ impl Writer<'_> {
             return accelerations;
         }
         let factors = self.factors_of_mass_matrix();
-        let forcing = self.emitter.call(EmittedMethod::Forcing);
+        let forcing = self.call(EmittedMethod::Forcing);
         quote! {
             #root::__private::if_positive([#(#pivots),*], #accelerations, || {
                 #factors.solve(&#forcing)
@@ -184,18 +196,13 @@ impl Writer<'_> {
 
     pub(super) fn factors_of_mass_matrix(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
-        let mass = self.mass_matrix();
+        let mass = self.call(EmittedMethod::MassMatrix);
         quote!(#root::Factorization::new(#mass))
     }
 
-    fn mass_matrix(&self) -> TokenStream {
-        let Emitter {
-            declaration,
-            scalar,
-            ..
-        } = self.emitter;
-        let (root, n) = (&declaration.root, self.emitter.coordinates());
-        quote!(#root::quantities::Quantities::<#n, #scalar>::mass_matrix(self, state))
+    /// A call of another method at the same state and inputs.
+    pub(super) fn call(&self, method: EmittedMethod) -> TokenStream {
+        self.emitter.call(method, self.parameters)
     }
 
     /// Whether the program reads accelerations.
@@ -259,7 +266,7 @@ impl Writer<'_> {
     /// The struct of the declared outputs.
     fn declared_outputs(&mut self, outputs: &[(Shape, OutputSlice)]) -> TokenStream {
         let accelerations = self.reads_accelerations().then(|| {
-            let accelerations = self.emitter.accelerations();
+            let accelerations = self.call(EmittedMethod::Accelerations);
             quote!(let accelerations = #accelerations;)
         });
         let mut statements = TokenStream::new();

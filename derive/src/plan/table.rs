@@ -30,8 +30,8 @@ pub(crate) enum ResultType {
     InputMatrix,
     /// The derivatives of the accelerations by q, q̇ and t.
     Linearization,
-    /// The invariants of an integration: what depends on the parameters alone.
-    Invariants,
+    /// What the methods of an integration's loop read: parameters, and what depends on them alone.
+    Prepared,
     /// The struct of the declared outputs.
     Outputs,
     /// One value for each event.
@@ -44,7 +44,7 @@ pub(crate) enum ResultType {
     BaseParameters,
 }
 
-/// What a method takes besides the inputs and the hoisted invariants.
+/// What a method takes besides the inputs and the prepared array.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Argument {
     /// The state.
@@ -57,12 +57,13 @@ pub(crate) enum Argument {
     Parameters,
 }
 
-/// Whether what depends on the parameters alone is computed within a method.
+/// Where a method reads the parameters, and what depends on them alone.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Invariants {
-    Within,
-    /// The method takes them: they are hoisted out of loops.
-    Hoisted,
+pub(crate) enum ParameterSource {
+    /// In the fields of the model.
+    Fields,
+    /// In the array that `prepare` returns, as do all methods of an integration's loop.
+    Prepared,
 }
 
 /// A row of the table.
@@ -73,7 +74,7 @@ pub(crate) struct MethodRow {
     pub(crate) interface: Interface,
     pub(crate) result: ResultType,
     pub(crate) argument: Argument,
-    pub(crate) invariants: Invariants,
+    pub(crate) parameters: ParameterSource,
     /// Whether inputs act on it: then it takes them.
     pub(crate) takes_inputs: bool,
     /// Whether its operations are counted in the constant `OPERATIONS` and in the documentation.
@@ -81,7 +82,7 @@ pub(crate) struct MethodRow {
 }
 
 macro_rules! table {
-    ($($method:ident: $name:literal, $interface:ident, $result:ident, $argument:ident, $invariants:ident, $inputs:literal, $counted:literal;)*) => {
+    ($($method:ident: $name:literal, $interface:ident, $result:ident, $argument:ident, $parameters:ident, $inputs:literal, $counted:literal;)*) => {
         /// A method that is emitted for a model.
         #[derive(Clone, Copy, PartialEq, Eq, Debug)]
         pub(crate) enum EmittedMethod {
@@ -100,7 +101,7 @@ macro_rules! table {
                         interface: Interface::$interface,
                         result: ResultType::$result,
                         argument: Argument::$argument,
-                        invariants: Invariants::$invariants,
+                        parameters: ParameterSource::$parameters,
                         takes_inputs: $inputs,
                         is_counted: $counted,
                     },)*
@@ -111,30 +112,30 @@ macro_rules! table {
 }
 
 table! {
-    // method            name                  trait       result         argument       invariants  inputs counted
-    Lagrangian:        "lagrangian",         Quantities, Scalar,        StateOnly,     Within,    true,  true;
-    Energy:            "energy",             Quantities, Scalar,        StateOnly,     Within,    true,  true;
-    Momenta:           "momenta",            Quantities, Vector,        StateOnly,     Within,    false, true;
-    MassMatrix:        "mass_matrix",        Quantities, SquareMatrix,  StateOnly,     Within,    false, true;
-    Forcing:           "forcing",            Quantities, Vector,        StateOnly,     Within,    true,  true;
-    GeneralizedForces: "generalized_forces", Quantities, Vector,        StateOnly,     Within,    true,  true;
-    Prepare:           "prepare",            Quantities, Invariants,    Parameters,    Within,    false, true;
-    Accelerations:     "accelerations",      Quantities, Vector,        StateOnly,     Hoisted,   true,  true;
-    InverseDynamics:   "inverse_dynamics",   Quantities, Vector,        Accelerations, Hoisted,   true,  true;
-    Linearize:         "linearize",          Quantities, Linearization, StateOnly,     Within,    true,  true;
-    RelativePivots:    "relative_pivots",    Quantities, Vector,        StateOnly,     Within,    false, false;
-    KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        StateOnly,     Within,    true,  false;
-    PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     Within,    true,  false;
-    InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     Within,    true,  false;
-    Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     Within,    true,  false;
-    EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     Within,    true,  false;
-    MomentumRates:     "momentum_rates",     Hamiltonian, Vector,       StateOnly,     Within,    true,  false;
-    SolvedVelocities:  "solved_velocities",  Hamiltonian, Vector,       Momenta,       Within,    false, false;
-    EnergyRate:        "energy_rate",        EnergyBalance, Scalar,     StateOnly,     Within,    true,  false;
-    Sensitivities:     "sensitivities",      Sensitivities, ParameterMatrix, StateOnly, Within,   true,  false;
-    Regressor:         "regressor",          Regressor,  Regressor,     Accelerations, Within,    true,  false;
-    KnownTerms:        "known_terms",        Regressor,  Vector,        Accelerations, Within,    true,  false;
-    BaseParameters:    "base_parameters",    Regressor,  BaseParameters, Parameters,   Within,    false, false;
+    // method            name                  trait       result         argument       parameters inputs counted
+    Lagrangian:        "lagrangian",         Quantities, Scalar,        StateOnly,     Prepared,  true,  true;
+    Energy:            "energy",             Quantities, Scalar,        StateOnly,     Fields,    true,  true;
+    Momenta:           "momenta",            Quantities, Vector,        StateOnly,     Prepared,  false, true;
+    MassMatrix:        "mass_matrix",        Quantities, SquareMatrix,  StateOnly,     Prepared,  false, true;
+    Forcing:           "forcing",            Quantities, Vector,        StateOnly,     Prepared,  true,  true;
+    GeneralizedForces: "generalized_forces", Quantities, Vector,        StateOnly,     Fields,    true,  true;
+    Prepare:           "prepare",            Quantities, Prepared,      Parameters,    Fields,    false, true;
+    Accelerations:     "accelerations",      Quantities, Vector,        StateOnly,     Prepared,  true,  true;
+    InverseDynamics:   "inverse_dynamics",   Quantities, Vector,        Accelerations, Prepared,  true,  true;
+    Linearize:         "linearize",          Quantities, Linearization, StateOnly,     Fields,    true,  true;
+    RelativePivots:    "relative_pivots",    Quantities, Vector,        StateOnly,     Prepared,  false, false;
+    KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        StateOnly,     Fields,    true,  false;
+    PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     Fields,    true,  false;
+    InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     Fields,    true,  false;
+    Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     Fields,    true,  false;
+    EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     Prepared,  true,  false;
+    MomentumRates:     "momentum_rates",     Hamiltonian, Vector,       StateOnly,     Prepared,  true,  false;
+    SolvedVelocities:  "solved_velocities",  Hamiltonian, Vector,       Momenta,       Prepared,  false, false;
+    EnergyRate:        "energy_rate",        EnergyBalance, Scalar,     StateOnly,     Fields,    true,  false;
+    Sensitivities:     "sensitivities",      Sensitivities, ParameterMatrix, StateOnly, Fields,    true,  false;
+    Regressor:         "regressor",          Regressor,  Regressor,     Accelerations, Fields,    true,  false;
+    KnownTerms:        "known_terms",        Regressor,  Vector,        Accelerations, Fields,    true,  false;
+    BaseParameters:    "base_parameters",    Regressor,  BaseParameters, Parameters,   Fields,    false, false;
 }
 
 /// The methods that the traits of the runtime have besides.
@@ -171,13 +172,8 @@ impl MethodRow {
         self.argument != Argument::Parameters
     }
 
-    /// Whether it takes what does not depend on the state.
-    pub(crate) fn is_prepared(self) -> bool {
-        self.invariants == Invariants::Hoisted
-    }
-
-    /// Whether it takes the accelerations.
-    pub(crate) fn takes_accelerations(self) -> bool {
-        self.argument == Argument::Accelerations
+    /// Whether it takes the prepared array.
+    pub(crate) fn takes_prepared(self) -> bool {
+        self.parameters == ParameterSource::Prepared
     }
 }

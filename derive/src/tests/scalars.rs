@@ -17,8 +17,14 @@ fn generic(declaration: &str, name: &str, parameter: &str) -> String {
     )
 }
 
-/// The expansion without what converts plain numbers.
+/// The expansion without what converts plain numbers, and without what members in lanes have, which are of plain numbers.
 fn without_conversions(expansion: &str) -> String {
+    let mut impls = expansion.split("# [automatically_derived] ");
+    let first = impls.next().unwrap_or_default().to_owned();
+    let impls = impls.filter(|item| !item.contains("MembersInLanes"));
+    let expansion = impls.fold(first, |text, item| {
+        text + "# [automatically_derived] " + item
+    });
     let mut parts = expansion.split(":: lagrangian :: __private :: parameter (");
     let first = parts.next().unwrap_or_default().to_owned();
     parts.fold(first, |text, part| text + &part.replacen(')', "", 1))

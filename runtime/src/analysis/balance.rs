@@ -106,19 +106,19 @@ where
     }
 
     fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.0.momenta(state)
+        self.0.momenta(state, &self.0.prepare())
     }
 
     fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N> {
-        self.0.mass_matrix(state)
+        self.0.mass_matrix(state, &self.0.prepare())
     }
 
     fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N> {
-        self.0.forcing(state, inputs)
+        self.0.forcing(state, inputs, &self.0.prepare())
     }
 
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.0.relative_pivots(state)
+        self.0.relative_pivots(state, &self.0.prepare())
     }
 }
 

@@ -23,6 +23,7 @@ where
 {
     model: &'a M,
     inputs: M::Inputs,
+    prepared: M::Prepared,
 }
 
 impl<'a, M, S, const N: usize> CanonicalEquations<'a, M, S, N>
@@ -30,8 +31,12 @@ where
     M: Hamiltonian<N, S>,
     S: Scalar,
 {
-    pub(super) const fn new(model: &'a M, inputs: M::Inputs) -> Self {
-        Self { model, inputs }
+    pub(super) fn new(model: &'a M, inputs: M::Inputs) -> Self {
+        Self {
+            model,
+            inputs,
+            prepared: model.prepare(),
+        }
     }
 
     /// The coordinates and momenta of a state, at its time: an initial value.
@@ -42,7 +47,7 @@ where
             t: if least < most { f64::NAN } else { least },
             x: CanonicalPhase {
                 q: state.q,
-                p: self.model.momenta(state),
+                p: self.model.momenta(state, &self.prepared),
             },
         }
     }
@@ -54,7 +59,7 @@ where
     /// [`NoVelocities`] where there are none.
     pub fn state(&self, t: f64, phase: &CanonicalPhase<S, N>) -> Result<State<S, N>, NoVelocities> {
         let t = S::from_f64(t);
-        let v = legendre::velocities(self.model, t, phase)?;
+        let v = legendre::velocities(self.model, &self.prepared, t, phase)?;
         Ok(State::new(t, phase.q, v))
     }
 }
@@ -68,11 +73,13 @@ where
 
     fn derivative(&self, t: S, x: &Self::State) -> Self::State {
         let not_a_number = |_| SVector::repeat(S::from_f64(f64::NAN));
-        let v = legendre::velocities(self.model, t, x).unwrap_or_else(not_a_number);
+        let v = legendre::velocities(self.model, &self.prepared, t, x).unwrap_or_else(not_a_number);
         let state = State::new(t, x.q, v);
         CanonicalPhase {
             q: v,
-            p: self.model.momentum_rates(&state, &self.inputs),
+            p: self
+                .model
+                .momentum_rates(&state, &self.inputs, &self.prepared),
         }
     }
 

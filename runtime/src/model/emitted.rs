@@ -7,7 +7,7 @@ pub use super::by_columns::{
     constant_state, constants, input_jacobian_by_columns, linearization_by_columns,
     mass_matrix_by_columns,
 };
-pub use super::operations::operation_count;
+pub use super::operations::operations;
 
 mod series;
 

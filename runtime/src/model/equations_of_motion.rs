@@ -245,12 +245,17 @@ where
 
     #[inline]
     fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singular_configuration::singularity(self.model.model(), &x.at(t), min_pivot)
+        singular_configuration::singularity(self.model.model(), &self.prepared, &x.at(t), min_pivot)
     }
 
     #[inline]
     fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singular_configuration::singularity_in_motion(self.model.model(), &x.at(t), min_pivot)
+        singular_configuration::singularity_in_motion(
+            self.model.model(),
+            &self.prepared,
+            &x.at(t),
+            min_pivot,
+        )
     }
 
     #[inline]
@@ -271,15 +276,26 @@ where
         x: &Self::State,
         min_pivot: f64,
     ) -> Option<Singularity> {
-        singular_configuration::singularity_in_lane(self.model.model(), lane, &x.at(t), min_pivot)
+        singular_configuration::singularity_in_lane(
+            self.model.model(),
+            &self.prepared,
+            lane,
+            &x.at(t),
+            min_pivot,
+        )
     }
 
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
-        singular_configuration::vanishing_inertia(self.model.model(), &x.at(t))
+        singular_configuration::vanishing_inertia(self.model.model(), &self.prepared, &x.at(t))
     }
 
     fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
-        singular_configuration::vanishing_inertia_in_lane(self.model.model(), lane, &x.at(t))
+        singular_configuration::vanishing_inertia_in_lane(
+            self.model.model(),
+            &self.prepared,
+            lane,
+            &x.at(t),
+        )
     }
 
     fn next_update(&self, x: &Self::State) -> Option<f64> {

@@ -30,7 +30,12 @@ pub trait Events<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     type EventValues: AsRef<[S]> + Copy + core::fmt::Debug;
 
     /// [`Lagrangian::event_functions`](crate::Lagrangian::event_functions) under these inputs.
-    fn event_functions(&self, state: &State<S, N>, inputs: &Self::Inputs) -> Self::EventValues;
+    fn event_functions(
+        &self,
+        state: &State<S, N>,
+        inputs: &Self::Inputs,
+        prepared: &Self::Prepared,
+    ) -> Self::EventValues;
 
     /// The Taylor coefficients of the event functions along a motion through a state, given those of the motion, in their
     /// unit of time; its coefficients of order 0 are not read. The inputs are u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has
@@ -40,10 +45,11 @@ pub trait Events<const N: usize, S: Scalar = f64>: Quantities<N, S> {
         &self,
         state: &State<S, N>,
         inputs: &[Self::Inputs],
+        prepared: &Self::Prepared,
         unit: S,
         motion: &TaylorCoefficients<Phase<S, N>, HALF>,
     ) -> Option<TaylorCoefficients<Self::EventValues, HALF>> {
-        let _ = (state, inputs, unit, motion);
+        let _ = (state, inputs, prepared, unit, motion);
         None
     }
 }
@@ -70,7 +76,8 @@ where
     #[inline]
     fn event_functions(&self, t: S, x: &Self::State) -> Self::Values {
         let (inputs, _) = self.law.evaluate(&self.inputs, t, x);
-        self.model.model().event_functions(&x.at(t), &inputs)
+        let model = self.model.model();
+        model.event_functions(&x.at(t), &inputs, &self.prepared)
     }
 
     #[inline]
@@ -85,7 +92,7 @@ where
         self.law
             .series::<HALF, _>(&self.inputs, (t, x), unit, |inputs, _| {
                 L::States::of_motion(motion, |motion| {
-                    model.event_series(&state, inputs, unit, motion)
+                    model.event_series(&state, inputs, &self.prepared, unit, motion)
                 })
             })
             .flatten()

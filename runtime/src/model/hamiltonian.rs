@@ -45,14 +45,24 @@ use crate::scalar::Scalar;
 )]
 pub trait Hamiltonian<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     /// [`Lagrangian::momentum_rates`](crate::Lagrangian::momentum_rates) under these inputs.
-    fn momentum_rates(&self, state: &State<S, N>, inputs: &Self::Inputs) -> SVector<S, N>;
+    fn momentum_rates(
+        &self,
+        state: &State<S, N>,
+        inputs: &Self::Inputs,
+        prepared: &Self::Prepared,
+    ) -> SVector<S, N>;
 
     /// The velocities that have these momenta at the coordinates and the time of a state, where L is quadratic in the
     /// velocities: M(q, t) q̇ = p − p(q, 0, t), by the factors that the accelerations are solved for with.
     /// Not numbers where L is not quadratic, where M is factored
     /// numerically, and where a pivot is not positive; [`velocities`](crate::Lagrangian::velocities) then goes another way.
-    fn solved_velocities(&self, state: &State<S, N>, momenta: &SVector<S, N>) -> SVector<S, N> {
-        let _ = (state, momenta);
+    fn solved_velocities(
+        &self,
+        state: &State<S, N>,
+        momenta: &SVector<S, N>,
+        prepared: &Self::Prepared,
+    ) -> SVector<S, N> {
+        let _ = (state, momenta, prepared);
         no_velocities()
     }
 }

@@ -41,7 +41,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// The Lagrangian function L = T − V.
     #[inline]
     fn lagrangian(&self, state: &State<S, N>) -> S {
-        self.model().lagrangian(state, &self.inputs())
+        let model = self.model();
+        model.lagrangian(state, &self.inputs(), &model.prepare())
     }
 
     /// The energy function h = Σ pᵢ q̇ᵢ − L: conserved where L does not contain the time and no
@@ -73,19 +74,22 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// The generalized momenta p = ∂L/∂q̇.
     #[inline]
     fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.model().momenta(state)
+        let model = self.model();
+        model.momenta(state, &model.prepare())
     }
 
     /// The mass matrix M = ∂²L/∂q̇².
     #[inline]
     fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N> {
-        self.model().mass_matrix(state)
+        let model = self.model();
+        model.mass_matrix(state, &model.prepare())
     }
 
     /// The forcing f in M q̈ = f: all terms of the equations of motion but M q̈.
     #[inline]
     fn forcing(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.model().forcing(state, &self.inputs())
+        let model = self.model();
+        model.forcing(state, &self.inputs(), &model.prepare())
     }
 
     /// The generalized forces Q, from the clauses `force` and `dissipation`.
@@ -140,7 +144,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// ẋ ẏ, and is factored numerically, it is the reciprocal of (|M⁻¹| |M|)ᵢᵢ.
     #[inline]
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.model().relative_pivots(state)
+        let model = self.model();
+        model.relative_pivots(state, &model.prepare())
     }
 
     /// The derivatives ∂q̈ᵢ/∂uⱼ by the inputs in row i, column j.
@@ -168,7 +173,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     where
         Self::Model: Events<N, S>,
     {
-        self.model().event_functions(state, &self.inputs())
+        let model = self.model();
+        model.event_functions(state, &self.inputs(), &model.prepare())
     }
 
     /// The regressor Y(q, q̇, q̈, t) in M q̈ − f = Y π + r, whose columns belong to the base parameters π, if the declaration
@@ -241,7 +247,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     where
         Self::Model: Hamiltonian<N, S>,
     {
-        self.model().momentum_rates(state, &self.inputs())
+        let model = self.model();
+        model.momentum_rates(state, &self.inputs(), &model.prepare())
     }
 
     /// The velocities that have these momenta at a time, p = ∂L/∂q̇ solved for q̇ (the Legendre transformation), if the
@@ -260,7 +267,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     where
         Self::Model: Hamiltonian<N, S>,
     {
-        legendre::velocities(self.model(), t, phase)
+        let model = self.model();
+        legendre::velocities(model, &model.prepare(), t, phase)
     }
 
     /// The Hamiltonian function H(q, p, t) = Σ pᵢ q̇ᵢ − L, if the declaration has the clause `hamiltonian`.

@@ -23,6 +23,7 @@ use crate::scalar::Scalar;
 /// The velocities that have the momenta of a phase at a time.
 pub(super) fn velocities<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     t: S,
     phase: &CanonicalPhase<S, N>,
 ) -> Result<SVector<S, N>, NoVelocities>
@@ -31,16 +32,17 @@ where
     S: Scalar,
 {
     let state = State::new(t, phase.q, SVector::zeros());
-    let solved = model.solved_velocities(&state, &phase.p);
+    let solved = model.solved_velocities(&state, &phase.p, prepared);
     if solved.iter().all(|v| v.is_finite()) {
         return Ok(solved);
     }
-    searched(model, &state, &phase.p)
+    searched(model, prepared, &state, &phase.p)
 }
 
 /// The velocities with which the state has these momenta; those of `state` are where the search begins.
 fn searched<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     state: &State<S, N>,
     momenta: &SVector<S, N>,
 ) -> Result<SVector<S, N>, NoVelocities>
@@ -52,7 +54,7 @@ where
         return Err(NoVelocities::NotFound { change: f64::NAN });
     }
     let mut state = *state;
-    let mut found = newton(model, &mut state, momenta);
+    let mut found = newton(model, prepared, &mut state, momenta);
     for _ in 0..LEGENDRE_SWEEPS {
         match found {
             Err(NoVelocities::NotFound { .. }) => {}
@@ -63,21 +65,21 @@ where
         }
         let negligible = HELD_MOMENTUM * S::machine_epsilon() * largest(momenta);
         for i in 0..N {
-            let missing = momenta - model.momenta(&state);
+            let missing = momenta - model.momenta(&state, prepared);
             let size = missing[i].abs().largest();
             if size.is_nan() || size > negligible {
-                state.v[i] = zero_of_momentum(model, &state, momenta, i);
+                state.v[i] = zero_of_momentum(model, prepared, &state, momenta, i);
             }
         }
-        let missing = largest(&(momenta - model.momenta(&state)));
+        let missing = largest(&(momenta - model.momenta(&state, prepared)));
         if !missing.is_finite() {
             break;
         }
         let next = if missing == 0.0 {
-            unique(model, &state)
+            unique(model, prepared, &state)
         } else {
-            descend(model, &mut state, momenta);
-            newton(model, &mut state, momenta)
+            descend(model, prepared, &mut state, momenta);
+            newton(model, prepared, &mut state, momenta)
         };
         match next {
             Err(NoVelocities::NotConvex) if missing == 0.0 => break,
@@ -92,6 +94,7 @@ where
 /// Newton's method from the velocities of a state, which go where it leads.
 fn newton<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     state: &mut State<S, N>,
     momenta: &SVector<S, N>,
 ) -> Result<SVector<S, N>, NoVelocities>
@@ -99,10 +102,10 @@ where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
-    let mut missing = momenta - model.momenta(state);
+    let mut missing = momenta - model.momenta(state, prepared);
     let mut change = f64::NAN;
     for _ in 0..LEGENDRE_ITERATIONS {
-        let (mass, is_regular) = without_infinite(&model.mass_matrix(state));
+        let (mass, is_regular) = without_infinite(&model.mass_matrix(state, prepared));
         let step = Factorization::new(mass).solve(&missing.component_mul(&is_regular));
         change = largest(&step);
         if !change.is_finite() {
@@ -112,7 +115,7 @@ where
         let (mut factor, least) = (1.0, largest(&missing));
         let reached = loop {
             state.v = before + step * S::from_f64(factor);
-            missing = momenta - model.momenta(state);
+            missing = momenta - model.momenta(state, prepared);
             if largest(&missing) < least || least == 0.0 {
                 break true;
             }
@@ -136,7 +139,7 @@ where
         let held = missing.component_mul(&is_regular.map(|regular| S::one() - regular));
         let negligible = HELD_MOMENTUM * S::machine_epsilon() * largest(momenta);
         if (is_still || is_small) && largest(&held) <= negligible {
-            return unique(model, state);
+            return unique(model, prepared, state);
         }
         if is_still || !reached {
             break;
@@ -147,15 +150,19 @@ where
 
 /// Newton's directions, each as far as L − p q̇ decreases along it: by bisection of its slope, which increases with the distance where L
 /// is convex, in each lane apart.
-fn descend<M, S, const N: usize>(model: &M, state: &mut State<S, N>, momenta: &SVector<S, N>)
-where
+fn descend<M, S, const N: usize>(
+    model: &M,
+    prepared: &M::Prepared,
+    state: &mut State<S, N>,
+    momenta: &SVector<S, N>,
+) where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let (zero, one) = (S::zero(), S::one());
     for _ in 0..LEGENDRE_ITERATIONS {
-        let missing = momenta - model.momenta(state);
-        let (mass, is_regular) = without_infinite(&model.mass_matrix(state));
+        let missing = momenta - model.momenta(state, prepared);
+        let (mass, is_regular) = without_infinite(&model.mass_matrix(state, prepared));
         let step = Factorization::new(mass).solve(&missing.component_mul(&is_regular));
         let before = state.v;
         let change = largest(&step);
@@ -164,7 +171,7 @@ where
         }
         let mut decreases = |factor: S| {
             state.v = before + step * factor;
-            let missing = momenta - model.momenta(state);
+            let missing = momenta - model.momenta(state, prepared);
             greater(missing.dot(&step), zero)
         };
         let mut near = decreases(one);
@@ -205,6 +212,7 @@ fn without_infinite<S: Scalar, const N: usize>(
 /// in each lane apart. Where there is no momentum, the velocity is too large.
 fn zero_of_momentum<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     state: &State<S, N>,
     momenta: &SVector<S, N>,
     coordinate: usize,
@@ -216,7 +224,7 @@ where
     let missing = |velocity: S| {
         let mut state = *state;
         state.v[coordinate] = velocity;
-        momenta[coordinate] - model.momenta(&state)[coordinate]
+        momenta[coordinate] - model.momenta(&state, prepared)[coordinate]
     };
     let zero = S::zero();
     let at_rest = missing(zero);
@@ -235,17 +243,18 @@ where
 /// The velocities of a state, unless L is not quadratic in the velocities and not convex there.
 fn unique<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     state: &State<S, N>,
 ) -> Result<SVector<S, N>, NoVelocities>
 where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
-    let mass = model.mass_matrix(state);
+    let mass = model.mass_matrix(state, prepared);
     // Of all velocities other ones, also where some or all of these are zero.
     let v = state.v.map(|v| S::from_f64(0.5) * v + S::from_f64(0.618));
-    let is_quadratic = mass == model.mass_matrix(&State::new(state.t, state.q, v));
-    if is_quadratic || is_positive_definite(mass) || is_convex_beside(model, state) {
+    let is_quadratic = mass == model.mass_matrix(&State::new(state.t, state.q, v), prepared);
+    if is_quadratic || is_positive_definite(mass) || is_convex_beside(model, prepared, state) {
         Ok(state.v)
     } else {
         Err(NoVelocities::NotConvex)
@@ -253,7 +262,11 @@ where
 }
 
 /// Whether M is positive definite at other velocities on all sides: L = q̇⁴ is convex at q̇ = 0 though M vanishes there.
-fn is_convex_beside<M, S, const N: usize>(model: &M, state: &State<S, N>) -> bool
+fn is_convex_beside<M, S, const N: usize>(
+    model: &M,
+    prepared: &M::Prepared,
+    state: &State<S, N>,
+) -> bool
 where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
@@ -267,7 +280,7 @@ where
             for (i, v) in beside.v.iter_mut().enumerate() {
                 *v += if i % period == 0 { distance } else { -distance };
             }
-            is_positive_definite(model.mass_matrix(&beside))
+            is_positive_definite(model.mass_matrix(&beside, prepared))
         })
     })
 }

@@ -18,9 +18,8 @@ use crate::scalar::Scalar;
     note = "write the clause `taylor` in its declaration, `#[lagrangian(taylor, …)]`, or integrate by `Dop853`"
 )]
 pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
-    /// The Taylor polynomial of the motion through a state, in this unit of time, given the result of
-    /// [`prepare`](Quantities::prepare) for the same parameters, under the inputs u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has
-    /// the coefficients of order 0, 1, …. Those that it does not have are 0: a single one is held.
+    /// The Taylor polynomial of the motion through a state, in this unit of time, under the inputs u(t + τ·unit) = Σ uₖ τᵏ, of
+    /// which `inputs` has the coefficients of order 0, 1, …. Those that it does not have are 0: a single one is held.
     fn taylor_series<const HALF: usize>(
         &self,
         state: &State<S, N>,
@@ -39,11 +38,12 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
         &self,
         state: &State<S, N>,
         inputs: &[Self::Inputs],
+        prepared: &Self::Prepared,
         unit: S,
         motion: &TaylorCoefficients<Phase<S, N>, HALF>,
         visit: &mut BranchVisitor<'_, S>,
     ) {
-        let _ = (state, inputs, unit, motion, visit);
+        let _ = (state, inputs, prepared, unit, motion, visit);
     }
 }
 
@@ -82,7 +82,7 @@ where
         self.law
             .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, _| {
                 L::States::of_motion(motion, |motion| {
-                    model.branch_series(&state, inputs, unit, motion, visit);
+                    model.branch_series(&state, inputs, &self.prepared, unit, motion, visit);
                 });
             });
     }

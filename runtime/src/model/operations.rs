@@ -85,7 +85,7 @@ impl OperationCount {
 /// Additions, multiplications, divisions, square roots, sines and cosines, functions.
 #[doc(hidden)]
 #[must_use]
-pub const fn operation_count(counts: [usize; 6]) -> OperationCount {
+const fn operation_count(counts: [usize; 6]) -> OperationCount {
     let [
         additions,
         multiplications,
@@ -101,5 +101,34 @@ pub const fn operation_count(counts: [usize; 6]) -> OperationCount {
         square_roots,
         sines_and_cosines,
         functions,
+    }
+}
+
+/// The counts of all methods, in the order of the fields.
+#[must_use]
+pub const fn operations(counts: [[usize; 6]; 10]) -> Operations {
+    let [
+        lagrangian,
+        energy,
+        momenta,
+        mass_matrix,
+        forcing,
+        generalized_forces,
+        prepare,
+        accelerations,
+        inverse_dynamics,
+        linearize,
+    ] = counts;
+    Operations {
+        lagrangian: operation_count(lagrangian),
+        energy: operation_count(energy),
+        momenta: operation_count(momenta),
+        mass_matrix: operation_count(mass_matrix),
+        forcing: operation_count(forcing),
+        generalized_forces: operation_count(generalized_forces),
+        prepare: operation_count(prepare),
+        accelerations: operation_count(accelerations),
+        inverse_dynamics: operation_count(inverse_dynamics),
+        linearize: operation_count(linearize),
     }
 }

@@ -17,35 +17,47 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// The values of the inputs: an `SVector<S, U>`, which has no components for a model without inputs.
     type Inputs: Clone + core::fmt::Debug;
 
-    /// Quantities that depend on parameters alone; `()` for a model written by hand that has none.
-    type Prepared: Clone + core::fmt::Debug;
+    /// One array of all that the methods of an integration's loop read beside the state and the inputs. The derive puts the
+    /// parameters there that these methods read, in the order of the fields, and a vector or matrix column by column; behind
+    /// them stand quantities that depend on parameters alone. `[S; 0]` for a model written by hand that reads its fields.
+    type Prepared: AsRef<[S]> + AsMut<[S]> + Clone + core::fmt::Debug;
 
     /// The values of the fields that are inputs.
     fn inputs(&self) -> Self::Inputs;
 
-    /// Computes the quantities that depend on parameters alone: invariants of the integration.
+    /// Computes what the methods of an integration's loop read: parameters, and quantities that depend on them alone. The
+    /// methods that take the result get it for the same parameters.
     fn prepare(&self) -> Self::Prepared;
 
     /// [`Lagrangian::lagrangian`](crate::Lagrangian::lagrangian) under these inputs.
-    fn lagrangian(&self, state: &State<S, N>, inputs: &Self::Inputs) -> S;
+    fn lagrangian(
+        &self,
+        state: &State<S, N>,
+        inputs: &Self::Inputs,
+        prepared: &Self::Prepared,
+    ) -> S;
 
     /// [`Lagrangian::energy`](crate::Lagrangian::energy) under these inputs.
     fn energy(&self, state: &State<S, N>, inputs: &Self::Inputs) -> S;
 
     /// [`Lagrangian::momenta`](crate::Lagrangian::momenta), on which no input acts.
-    fn momenta(&self, state: &State<S, N>) -> SVector<S, N>;
+    fn momenta(&self, state: &State<S, N>, prepared: &Self::Prepared) -> SVector<S, N>;
 
     /// [`Lagrangian::mass_matrix`](crate::Lagrangian::mass_matrix), on which no input acts.
-    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
+    fn mass_matrix(&self, state: &State<S, N>, prepared: &Self::Prepared) -> SMatrix<S, N, N>;
 
     /// [`Lagrangian::forcing`](crate::Lagrangian::forcing) under these inputs.
-    fn forcing(&self, state: &State<S, N>, inputs: &Self::Inputs) -> SVector<S, N>;
+    fn forcing(
+        &self,
+        state: &State<S, N>,
+        inputs: &Self::Inputs,
+        prepared: &Self::Prepared,
+    ) -> SVector<S, N>;
 
     /// [`Lagrangian::generalized_forces`](crate::Lagrangian::generalized_forces) under these inputs.
     fn generalized_forces(&self, state: &State<S, N>, inputs: &Self::Inputs) -> SVector<S, N>;
 
-    /// [`Lagrangian::accelerations`](crate::Lagrangian::accelerations) under these inputs, given the result of
-    /// [`prepare`](Self::prepare) for the same parameters.
+    /// [`Lagrangian::accelerations`](crate::Lagrangian::accelerations) under these inputs.
     fn accelerations(
         &self,
         state: &State<S, N>,
@@ -53,8 +65,7 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         prepared: &Self::Prepared,
     ) -> SVector<S, N>;
 
-    /// [`Lagrangian::inverse_dynamics`](crate::Lagrangian::inverse_dynamics) under these inputs, given the result of
-    /// [`prepare`](Self::prepare) for the same parameters.
+    /// [`Lagrangian::inverse_dynamics`](crate::Lagrangian::inverse_dynamics) under these inputs.
     fn inverse_dynamics(
         &self,
         state: &State<S, N>,
@@ -67,8 +78,8 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     fn linearize(&self, state: &State<S, N>, inputs: &Self::Inputs) -> Linearization<S, N>;
 
     /// [`Lagrangian::relative_pivots`](crate::Lagrangian::relative_pivots).
-    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
-        Factorization::new(self.mass_matrix(state)).relative_pivots()
+    fn relative_pivots(&self, state: &State<S, N>, prepared: &Self::Prepared) -> SVector<S, N> {
+        Factorization::new(self.mass_matrix(state, prepared)).relative_pivots()
     }
 }
 

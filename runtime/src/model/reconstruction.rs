@@ -56,7 +56,8 @@ where
 
     #[inline]
     fn derivative(&self, t: S, x: &Self::State) -> Self::State {
-        let velocities = self.reduced.model.ignorable_velocities(&x.at(t));
+        let model = self.reduced.model;
+        let velocities = model.eliminated_velocities(&x.at(t), &self.reduced.prepared);
         self.reduced.derivative(t, &x.motion()).with(velocities)
     }
 
@@ -141,7 +142,8 @@ where
         let mut motion = TaylorCoefficients::<Phase<S, N>, HALF>::new(x.motion());
         self.reduced.series(t, &x.motion(), unit, &mut motion);
         let model = self.reduced.model;
-        let rates = model.ignorable_velocity_series(&state, unit, &motion);
+        let prepared = &self.reduced.prepared;
+        let rates = model.ignorable_velocity_series(&state, prepared, unit, &motion);
         *coefficients.initial_mut() = motion.initial().with(x.z);
         // ∫ Σ uₖ τᵏ unit dτ = Σ unit uₖ₋₁/k τᵏ.
         let rates = core::iter::once(rates.initial()).chain(rates.higher());

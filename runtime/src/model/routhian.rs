@@ -5,6 +5,7 @@ use nalgebra::SVector;
 
 use super::lagrangian::Lagrangian;
 use super::phase::Phase;
+use super::quantities::Quantities;
 use super::reconstruction::Reconstruction;
 use super::state::State;
 use crate::integrate::TaylorCoefficients;
@@ -61,7 +62,16 @@ pub trait Routhian<const N: usize, const K: usize, S: Scalar = f64>: Lagrangian<
     fn effective_potential(&self, state: &State<S, N>) -> S;
 
     /// The velocities of the ignorable coordinates, from p = ∂L/∂q̇ = C.
-    fn ignorable_velocities(&self, state: &State<S, N>) -> SVector<S, K>;
+    fn ignorable_velocities(&self, state: &State<S, N>) -> SVector<S, K> {
+        self.eliminated_velocities(state, &self.model().prepare())
+    }
+
+    /// [`ignorable_velocities`](Self::ignorable_velocities), given the result of [`prepare`](Quantities::prepare).
+    fn eliminated_velocities(
+        &self,
+        state: &State<S, N>,
+        prepared: &<Self::Model as Quantities<N, S>>::Prepared,
+    ) -> SVector<S, K>;
 
     /// The state of the full model, at these values of the ignorable coordinates.
     fn full_state(&self, state: &State<S, N>, ignorable: &SVector<S, K>) -> Self::FullState;
@@ -89,6 +99,7 @@ pub trait RouthianSeries<const N: usize, const K: usize, S: Scalar = f64>:
     fn ignorable_velocity_series<const HALF: usize>(
         &self,
         state: &State<S, N>,
+        prepared: &<Self::Model as Quantities<N, S>>::Prepared,
         unit: S,
         motion: &TaylorCoefficients<Phase<S, N>, HALF>,
     ) -> TaylorCoefficients<[S; K], HALF>;

@@ -16,6 +16,7 @@ use crate::scalar::Scalar;
 #[inline]
 pub(crate) fn singularity<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     state: &State<S, N>,
     min_pivot: f64,
 ) -> Option<Singularity>
@@ -23,7 +24,7 @@ where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
-    let pivots = model.relative_pivots(state);
+    let pivots = model.relative_pivots(state, prepared);
     let regular = pivots
         .iter()
         .all(|pivot| pivot.abs().smallest() >= min_pivot);
@@ -31,7 +32,7 @@ where
         at_pole::<M, S, N>(state, min_pivot, Scalar::smallest)
     } else {
         let found = report::<M, S, N>(&pivots, state);
-        let value = model.lagrangian(state, &model.inputs());
+        let value = model.lagrangian(state, &model.inputs(), prepared);
         let is_outside = value.smallest().is_nan();
         Some(if is_outside {
             found.outside_domain()
@@ -45,6 +46,7 @@ where
 #[inline]
 pub(crate) fn singularity_in_motion<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     state: &State<S, N>,
     min_pivot: f64,
 ) -> Option<Singularity>
@@ -55,7 +57,7 @@ where
     if M::STAYS_REGULAR {
         at_pole::<M, S, N>(state, min_pivot, Scalar::smallest)
     } else {
-        singularity(model, state, min_pivot)
+        singularity(model, prepared, state, min_pivot)
     }
 }
 
@@ -79,6 +81,7 @@ where
 /// The coordinate with the smallest relative pivot in one lane, if that is below `min_pivot`.
 pub(super) fn singularity_in_lane<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     lane: usize,
     state: &State<S, N>,
     min_pivot: f64,
@@ -87,7 +90,7 @@ where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
-    let pivots = model.relative_pivots(state);
+    let pivots = model.relative_pivots(state, prepared);
     let pivots = pivots.map(|pivot| pivot.in_lane(lane));
     let regular = pivots.iter().all(|pivot| pivot.abs() >= min_pivot);
     if regular {
@@ -121,13 +124,14 @@ where
 #[cold]
 pub(crate) fn vanishing_inertia<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     state: &State<S, N>,
 ) -> Option<Singularity>
 where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
-    let (coordinate, ratio) = least_inertia(model, state, Scalar::smallest)?;
+    let (coordinate, ratio) = least_inertia(model, prepared, state, Scalar::smallest)?;
     Some(named::<M, S, N>(coordinate, ratio, state))
 }
 
@@ -135,6 +139,7 @@ where
 #[cold]
 pub(super) fn vanishing_inertia_in_lane<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     lane: usize,
     state: &State<S, N>,
 ) -> Option<Singularity>
@@ -142,13 +147,15 @@ where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
-    let (coordinate, ratio) = least_inertia(model, state, |inertia| inertia.in_lane(lane))?;
+    let (coordinate, ratio) =
+        least_inertia(model, prepared, state, |inertia| inertia.in_lane(lane))?;
     Some(named::<M, f64, N>(coordinate, ratio, &in_lane(lane, state)))
 }
 
 /// That coordinate, and its inertia relative to that elsewhere.
 fn least_inertia<M, S, const N: usize>(
     model: &M,
+    prepared: &M::Prepared,
     state: &State<S, N>,
     read: impl Fn(S) -> f64,
 ) -> Option<(usize, f64)>
@@ -156,14 +163,14 @@ where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
-    let here = inertias(model, state);
+    let here = inertias(model, prepared, state);
     let ratios = (0..N).map(|i| {
         let elsewhere = REFERENCE_OFFSETS.map(|distance| {
             let mut moved = *state;
             for j in M::SINGULARITIES[i] {
                 moved.q[*j] += S::from_f64(distance);
             }
-            read(inertias(model, &moved)[i])
+            read(inertias(model, prepared, &moved)[i])
         });
         let most = elsewhere.into_iter().fold(0.0, f64::max);
         (i, read(here[i]) / most)
@@ -184,12 +191,16 @@ fn in_lane<S: Scalar, const N: usize>(lane: usize, state: &State<S, N>) -> State
 }
 
 /// The magnitude of the effective inertia of each coordinate, with the others free: 1 / (M⁻¹)ᵢᵢ.
-fn inertias<M, S, const N: usize>(model: &M, state: &State<S, N>) -> SVector<S, N>
+fn inertias<M, S, const N: usize>(
+    model: &M,
+    prepared: &M::Prepared,
+    state: &State<S, N>,
+) -> SVector<S, N>
 where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     let unit = SMatrix::<S, N, N>::from_fn(|i, j| if i == j { S::one() } else { S::zero() });
-    let inverse = Factorization::new(model.mass_matrix(state)).solve(&unit);
+    let inverse = Factorization::new(model.mass_matrix(state, prepared)).solve(&unit);
     SVector::from_fn(|i, _| S::one() / inverse[(i, i)].abs())
 }

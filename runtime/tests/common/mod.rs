@@ -47,12 +47,14 @@ macro_rules! written_model {
 
         impl<S: Scalar> lagrangian::quantities::Quantities<$n, S> for $model {
             type Inputs = SVector<S, 0>;
-            type Prepared = ();
+            type Prepared = [S; 0];
             fn inputs(&self) -> SVector<S, 0> {
                 SVector::zeros()
             }
-            fn prepare(&self) {}
-            fn lagrangian(&self, state: &State<S, $n>, _: &SVector<S, 0>) -> S {
+            fn prepare(&self) -> [S; 0] {
+                []
+            }
+            fn lagrangian(&self, state: &State<S, $n>, _: &SVector<S, 0>, _: &[S; 0]) -> S {
                 // h = T + V and L = T − V.
                 $crate::common::dot(&Lagrangian::momenta(self, state), &state.v)
                     - Written::energy(self, state)
@@ -60,13 +62,18 @@ macro_rules! written_model {
             fn energy(&self, state: &State<S, $n>, _: &SVector<S, 0>) -> S {
                 Written::energy(self, state)
             }
-            fn momenta(&self, state: &State<S, $n>) -> SVector<S, $n> {
+            fn momenta(&self, state: &State<S, $n>, _: &[S; 0]) -> SVector<S, $n> {
                 $crate::common::apply(&Written::mass_matrix(self, state), &state.v)
             }
-            fn mass_matrix(&self, state: &State<S, $n>) -> SMatrix<S, $n, $n> {
+            fn mass_matrix(&self, state: &State<S, $n>, _: &[S; 0]) -> SMatrix<S, $n, $n> {
                 Written::mass_matrix(self, state)
             }
-            fn forcing(&self, state: &State<S, $n>, _: &SVector<S, 0>) -> SVector<S, $n> {
+            fn forcing(
+                &self,
+                state: &State<S, $n>,
+                _: &SVector<S, 0>,
+                _: &[S; 0],
+            ) -> SVector<S, $n> {
                 Written::forcing(self, state)
             }
             fn generalized_forces(&self, _: &State<S, $n>, _: &SVector<S, 0>) -> SVector<S, $n> {
@@ -76,7 +83,7 @@ macro_rules! written_model {
                 &self,
                 state: &State<S, $n>,
                 _: &SVector<S, 0>,
-                (): &(),
+                _: &[S; 0],
             ) -> SVector<S, $n> {
                 let mass = Written::mass_matrix(self, state);
                 lagrangian::Factorization::new(mass).solve(&Written::forcing(self, state))
@@ -86,7 +93,7 @@ macro_rules! written_model {
                 state: &State<S, $n>,
                 _: &SVector<S, 0>,
                 accelerations: &SVector<S, $n>,
-                (): &(),
+                _: &[S; 0],
             ) -> SVector<S, $n> {
                 $crate::common::apply(&Written::mass_matrix(self, state), accelerations)
                     - Written::forcing(self, state)

@@ -3,6 +3,7 @@
 mod models;
 mod single_precision;
 mod lanes;
+mod members_in_lanes;
 mod double_double;
 mod sensitivities;
 mod dual_expressions;

@@ -60,6 +60,20 @@ impl Block {
         }
     }
 
+    /// Gives the variables of a pattern the values of the elements of an array.
+    pub(super) fn read_array(
+        &mut self,
+        names: Vec<Ident>,
+        pattern: TokenStream,
+        array: TokenStream,
+        scalar: &Scalar<'_>,
+    ) {
+        match self.form {
+            Form::Assigned => self.assign(names, pattern, array, scalar),
+            Form::Nested | Form::Pieces => set(&mut self.written, quote!(let #pattern), array),
+        }
+    }
+
     /// Gives the variables of a pattern, which hold these values, what is computed from `reads`.
     pub(super) fn define(
         &mut self,

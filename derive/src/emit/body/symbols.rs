@@ -2,8 +2,12 @@
 
 use lagrangian_symbolic::{Operand, OutputGroup, Symbol};
 use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens as _, quote};
 
 use super::Body;
+
+/// So many characters of a pattern fit in a line.
+const MAX_PATTERN_WIDTH: usize = 64;
 
 /// Where the emitted code finds a symbol's value.
 pub(crate) trait SymbolReader {
@@ -14,6 +18,18 @@ pub(crate) trait SymbolReader {
     fn element(&self, _symbol: Symbol) -> Option<Element> {
         None
     }
+
+    /// The array that has the value of `symbol`, as an expression, from which a pattern reads several values at once.
+    fn array(&self, _symbol: Symbol) -> Option<Array> {
+        None
+    }
+}
+
+/// An array of values, and the index of one of them.
+pub(crate) struct Array {
+    pub(crate) value: TokenStream,
+    pub(crate) length: usize,
+    pub(crate) index: usize,
 }
 
 /// An element of an array.
@@ -28,6 +44,7 @@ impl Body<'_> {
     /// Names the symbols that no group before has read, and reads those of a short group.
     pub(super) fn load_symbols(&mut self, group: &OutputGroup) {
         let in_pieces = self.block.is_in_pieces();
+        let mut needed = Vec::new();
         for symbol in group.symbols() {
             let is_new = !self.symbols.contains_key(&symbol);
             if is_new {
@@ -41,9 +58,60 @@ impl Body<'_> {
                 is_new && !self.is_long
             };
             if is_needed {
-                self.load(symbol);
+                needed.push(symbol);
             }
         }
+        if !in_pieces {
+            self.load_by_patterns(&needed);
+        }
+        for symbol in needed {
+            self.load(symbol);
+        }
+    }
+
+    /// Reads symbols that stand in one array by one pattern, where that fits in a line.
+    fn load_by_patterns(&mut self, symbols: &[Symbol]) {
+        let mut arrays: Vec<(Array, Vec<(usize, Symbol)>)> = Vec::new();
+        for symbol in symbols {
+            let Some(array) = self.source.array(*symbol) else {
+                continue;
+            };
+            let (text, element) = (array.value.to_string(), (array.index, *symbol));
+            let known = arrays.iter_mut();
+            let mut known = known.filter(|(other, _)| other.value.to_string() == text);
+            match known.next() {
+                Some((_, elements)) => elements.push(element),
+                None => arrays.push((array, vec![element])),
+            }
+        }
+        for (array, mut elements) in arrays {
+            elements.sort_unstable();
+            let Some(pattern) = self.pattern(array.length, &elements) else {
+                continue;
+            };
+            let symbols = elements.into_iter().map(|(_, symbol)| symbol);
+            let mut names = Vec::new();
+            for symbol in symbols {
+                self.read_before.insert(symbol);
+                names.extend(self.symbols.get(&symbol).cloned());
+            }
+            self.block
+                .read_array(names, pattern, array.value, self.scalar);
+        }
+    }
+
+    /// The pattern for elements of an array, in order, if it is shorter than reading them one by one.
+    fn pattern(&self, length: usize, elements: &[(usize, Symbol)]) -> Option<TokenStream> {
+        let (last, _) = elements.last()?;
+        let mut places = vec![quote!(_); last + 1];
+        let mut width = 3 * (last + 1);
+        for (index, symbol) in elements {
+            let name = self.symbols.get(symbol)?;
+            width += name.to_string().len();
+            *places.get_mut(*index)? = name.to_token_stream();
+        }
+        let rest = (last + 1 < length).then(|| quote!(, ..));
+        (elements.len() > 1 && width <= MAX_PATTERN_WIDTH).then(|| quote!([#(#places),* #rest]))
     }
 
     /// Reads the symbols among operands of a long group that have not been read: where they are needed first, so that they do not

@@ -93,7 +93,7 @@ impl Fallback<'_> {
             const ELIMINATED: [&'static str; #k] = [""; #k];
             fn constants(&self) -> #vector { ::core::unreachable!() }
             fn effective_potential(&self, _: #state) -> #scalar { ::core::unreachable!() }
-            fn ignorable_velocities(&self, _: #state) -> #vector { ::core::unreachable!() }
+            fn eliminated_velocities(&self, _: #state, _: &[#scalar; 0]) -> #vector { ::core::unreachable!() }
             fn full_state(&self, _: #state, _: &#vector) -> #full { ::core::unreachable!() }
         };
         let interface = quote!(#root::Routhian<#n, #k, #scalar>);
@@ -102,7 +102,7 @@ impl Fallback<'_> {
             let motion = quote!(#root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>);
             let items = quote! {
                 fn ignorable_velocity_series<const HALF: usize>(
-                    &self, _: #state, _: #scalar, _: &#motion,
+                    &self, _: #state, _: &[#scalar; 0], _: #scalar, _: &#motion,
                 ) -> #root::TaylorCoefficients<[#scalar; #k], HALF> {
                     ::core::unreachable!()
                 }

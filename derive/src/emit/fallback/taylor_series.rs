@@ -18,7 +18,7 @@ impl Fallback<'_> {
                 &self,
                 _: #state,
                 _: &[#inputs],
-                _: &(),
+                _: &[#scalar; 0],
                 _: #scalar,
                 _: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
             ) {

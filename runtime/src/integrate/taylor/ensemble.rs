@@ -50,7 +50,35 @@ use crate::scalar::{Lanes, Scalar};
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
-/// A thousand lengths, with [`run_with_parameters`](Self::run_with_parameters):
+/// A thousand lengths, with [`run_members`](Self::run_members):
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     taylor,
+///     coordinates(theta),
+///     kinetic = 0.5 * l.powi(2) * dot(theta).powi(2),
+///     potential = -g * l * cos(theta),
+/// )]
+/// struct Pendulum { l: f64, g: f64 }
+///
+/// let lengths = (0..1000).map(|i| 0.5 + 1e-3 * f64::from(i));
+/// let start = State::new(0.0, [1.0], [0.0]);
+/// let mut highest = 0.0_f64;
+/// Taylor::new().ensemble::<8>().run_members(
+///     lengths.map(|l| (Pendulum { l, g: 9.81 }, start, 10.0)),
+///     |_, result| {
+///         let end = result.expect("a pendulum has no singularities");
+///         highest = highest.max(end.q[0]);
+///     },
+/// );
+/// assert!(highest > 0.99 && highest < 1.0 + 1e-13);
+/// ```
+///
+/// A struct that is generic over its scalar has parameters that are lanes, with
+/// [`run_with_parameters`](Self::run_with_parameters):
 ///
 /// ```
 /// use lagrangian::Lanes;

@@ -1,0 +1,208 @@
+//! Members with different parameters in the lanes of one model of plain numbers, against each of them alone, bit by bit.
+
+use lagrangian::prelude::*;
+use lagrangian::quantities::{Events, MembersInLanes, MotionSeries, Quantities};
+use lagrangian::{EventDynamics, Lanes, Series, TaylorCoefficients};
+
+use crate::models::{between, state};
+
+const LANES: usize = 4;
+
+/// A pendulum on a cart, with an input, damping and events.
+#[derive(Lagrangian, Clone, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x, theta),
+    kinetic = 0.5 * mass * dot(x).powi(2)
+        + 0.5 * m * (dot(x).powi(2) + 2.0 * l * cos(theta) * dot(x) * dot(theta) + (l * dot(theta)).powi(2)),
+    potential = -m * g * l * cos(theta),
+    dissipation = 0.5 * c * dot(theta).powi(2),
+    force(x = push - wall * max(x - reach, 0.0)),
+    event(gap = x - reach, bottom = sin(theta)),
+)]
+struct Cart {
+    mass: f64,
+    m: f32,
+    g: f64,
+    l: f64,
+    c: f64,
+    reach: f64,
+    wall: f64,
+    #[lagrangian(input)]
+    push: f64,
+}
+
+impl Cart {
+    fn numbered(index: usize) -> Self {
+        let number = |least, most, offset| between(least, most, 8 * index + offset);
+        Self {
+            mass: number(0.5, 3.0, 0),
+            m: 0.25 + 0.125 * (index % 7) as f32,
+            g: number(1.0, 20.0, 1),
+            l: number(0.25, 2.0, 2),
+            c: number(0.0, 0.5, 3),
+            reach: number(-0.5, 1.5, 4),
+            wall: number(0.5, 4.0, 5),
+            push: number(-2.0, 2.0, 6),
+        }
+    }
+}
+
+/// Masses in a line between springs, with families of parameters, a vector and an external function.
+#[derive(Lagrangian, Clone, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(y[3], r: Vector3),
+    function(stiffening(u) = cubed(u), derivative(u) = 3.0 * u.powi(2)),
+    kinetic = (0..3).map(|i| 0.5 * m[i] * dot(y[i]).powi(2)).sum() + 0.5 * m[0] * dot(r).dot(dot(r)),
+    potential = (0..2).map(|i| 0.5 * k[i] * (y[i + 1] - y[i]).powi(2)).sum() + hardness * stiffening(y[0]) * y[0]
+        + 0.5 * k[0] * (r - rest).dot(r - rest) + m[1] * pull.dot(r),
+    event(near = r.x - rest.x),
+)]
+struct Chain {
+    m: [f64; 3],
+    k: [f64; 2],
+    hardness: f64,
+    rest: Vector3<f64>,
+    pull: Vector3<f64>,
+}
+
+fn cubed<S: Scalar>(u: S) -> S {
+    u * u * u
+}
+
+impl Chain {
+    fn numbered(index: usize) -> Self {
+        let number = |least, most, offset| between(least, most, 16 * index + offset);
+        Self {
+            m: std::array::from_fn(|i| number(0.5, 2.0, i)),
+            k: std::array::from_fn(|i| number(1.0, 9.0, 3 + i)),
+            hardness: number(0.1, 0.5, 5),
+            rest: Vector3::from_fn(|i, _| number(-1.0, 1.0, 6 + i)),
+            pull: Vector3::from_fn(|i, _| number(-1.0, 1.0, 9 + i)),
+        }
+    }
+}
+
+/// The coefficients of a polynomial, order by order.
+fn orders<X: Copy, const HALF: usize>(series: &TaylorCoefficients<X, HALF>) -> Vec<&X> {
+    let initial = core::iter::once(series.initial());
+    initial.chain(series.higher()).collect()
+}
+
+/// What the equations of a motion compute, in one lane: all that an integration evaluates.
+fn evaluated<M, const N: usize>(
+    equations: &lagrangian::EquationsOfMotion<M, Lanes<LANES>, N>,
+    (t, x): (Lanes<LANES>, &Phase<Lanes<LANES>, N>),
+    lane: usize,
+) -> Vec<u64>
+where
+    M: MotionSeries<N, Lanes<LANES>>
+        + Events<N, Lanes<LANES>>
+        + Lagrangian<N, Lanes<LANES>, Model = M>,
+{
+    let unit = Lanes([0.25; LANES]);
+    let mut found = Vec::new();
+    let mut add = |value: Lanes<LANES>| found.push(value.lane(lane).to_bits());
+    let mut motion = TaylorCoefficients::<Phase<Lanes<LANES>, N>, 8>::new(*x);
+    equations.series(t, x, unit, &mut motion);
+    for Phase { q, v, .. } in [&equations.derivative(t, x)]
+        .into_iter()
+        .chain(orders(&motion))
+    {
+        q.iter().chain(v).for_each(|value| add(*value));
+    }
+    let values = equations.event_functions(t, x);
+    values.as_ref().iter().for_each(|value| add(*value));
+    let events = equations.event_series(t, x, unit, &motion);
+    for values in orders(&events.expect("the events have series")) {
+        values.as_ref().iter().for_each(|value| add(*value));
+    }
+    Series::branches(equations, t, x, unit, &motion, &mut |coefficients| {
+        coefficients.for_each(&mut add)
+    });
+    let singularity = equations.singularity_in_lane(lane, t, x, 1e9);
+    found.extend(singularity.map(|found| found.relative_pivot().to_bits()));
+    found
+}
+
+/// Members in lanes, whose last lanes are set again, evaluate to what each does alone.
+fn assert_same<M, const N: usize, const U: usize>(member: impl Fn(usize) -> M)
+where
+    M: MembersInLanes
+        + Quantities<N, f64, Inputs = SVector<f64, U>>
+        + Lagrangian<N, f64, Model = M>
+        + MotionSeries<N, Lanes<LANES>, Inputs = SVector<Lanes<LANES>, U>>
+        + Events<N, Lanes<LANES>>
+        + Lagrangian<N, Lanes<LANES>, Model = M>,
+{
+    let mut equations = Lagrangian::<N, Lanes<LANES>>::into_dynamics(member(1000));
+    for round in 0..50 {
+        let members: [usize; LANES] = core::array::from_fn(|lane| LANES * round + lane);
+        for (lane, index) in members.into_iter().enumerate() {
+            equations.set_lane(lane, &member(index));
+        }
+        equations.set_lane(LANES, &member(0));
+        let states = members.map(state::<N>);
+        let (t, x) = (
+            Lanes(states.map(|state| state.t)),
+            Phase::<Lanes<LANES>, N>::new(
+                SVector::from_fn(|i, _| Lanes(states.map(|state| state.q[i]))),
+                SVector::from_fn(|i, _| Lanes(states.map(|state| state.v[i]))),
+            ),
+        );
+        for (lane, (index, state)) in members.into_iter().zip(states).enumerate() {
+            // All lanes have the parameters of its fields.
+            let alone = Lagrangian::<N, Lanes<LANES>>::into_dynamics(member(index));
+            let expected = evaluated(&alone, (t, &x), lane);
+            assert_eq!(evaluated(&equations, (t, &x), lane), expected, "{index}");
+            // On plain numbers, too.
+            let plain = Lagrangian::<N, f64>::accelerations(&member(index), &state);
+            for (found, plain) in equations.derivative(t, &x).v.iter().zip(&plain) {
+                assert_eq!(found.lane(lane).to_bits(), plain.to_bits());
+            }
+        }
+    }
+}
+
+#[test]
+fn members_compute_in_lanes_what_they_compute_alone() {
+    assert_same::<Cart, 2, 1>(Cart::numbered);
+    assert_same::<Chain, 6, 0>(Chain::numbered);
+}
+
+#[test]
+fn an_ensemble_of_members_has_the_motions_of_each_alone() {
+    let starts = |index: usize| State::new(0.0, state::<2>(index).q, state::<2>(index).v);
+    let motions = || {
+        (0..30).map(|index| {
+            (
+                Cart::numbered(index),
+                starts(index),
+                1.0 + 0.1 * index as f64,
+            )
+        })
+    };
+    let mut found = vec![None; 30];
+    let ensemble = Taylor::new().ensemble::<LANES>();
+    ensemble.run_members(motions(), |index, result| found[index] = Some(result));
+    for (found, (member, start, end)) in found.into_iter().zip(motions()) {
+        let found = found
+            .expect("each motion is reported")
+            .expect("it is regular");
+        // All lanes have the parameters of its fields.
+        let dynamics = Lagrangian::<2, Lanes<LANES>>::dynamics(&member);
+        let alone = ensemble.collect(&dynamics, [(start, end)]);
+        assert_eq!(&found, alone[0].as_ref().expect("it is regular"));
+        let plain = Problem::new(&member, start).solve(end, Taylor::new());
+        let plain = plain.expect("it is regular");
+        assert!((found.q - plain.q).norm() < 1e-10 && (found.v - plain.v).norm() < 1e-10);
+    }
+}
+
+#[test]
+fn an_ensemble_without_members_reports_nothing() {
+    let none = core::iter::empty::<(Cart, State<f64, 2>, f64)>();
+    let ensemble = Taylor::new().ensemble::<LANES>();
+    ensemble.run_members(none, |_, _| unreachable!("there is no motion"));
+}
