@@ -37,7 +37,7 @@ impl Cart {
         let number = |least, most, offset| between(least, most, 8 * index + offset);
         Self {
             mass: number(0.5, 3.0, 0),
-            m: 0.25 + 0.125 * (index % 7) as f32,
+            m: [0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0][index % 7],
             g: number(1.0, 20.0, 1),
             l: number(0.25, 2.0, 2),
             c: number(0.0, 0.5, 3),
@@ -119,7 +119,7 @@ where
         values.as_ref().iter().for_each(|value| add(*value));
     }
     Series::branches(equations, t, x, unit, &motion, &mut |coefficients| {
-        coefficients.for_each(&mut add)
+        coefficients.for_each(&mut add);
     });
     let singularity = equations.singularity_in_lane(lane, t, x, 1e9);
     found.extend(singularity.map(|found| found.relative_pivot().to_bits()));
@@ -179,7 +179,7 @@ fn an_ensemble_of_members_has_the_motions_of_each_alone() {
             (
                 Cart::numbered(index),
                 starts(index),
-                1.0 + 0.1 * index as f64,
+                between(0.5, 4.0, index),
             )
         })
     };
