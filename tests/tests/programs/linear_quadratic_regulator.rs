@@ -9,12 +9,10 @@ use lagrangian::prelude::*;
 use crate::models::{CART_POLE, CartPole};
 
 pub(crate) fn program() -> Result<f64, Box<dyn Error>> {
-    let upright = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
-    let plant = StateSpace::<f64, 4, 1, 4>::of(&CART_POLE, &upright);
+    let plant = StateSpace::<f64, 4, 1, 4>::of(&CART_POLE, &State::new(0.0, [0.0; 2], [0.0; 2]));
     let regulator = plant.regulator(&Matrix4::identity(), &Matrix1::new(0.1))?;
     let caught = Problem::new(&CART_POLE, State::new(0.0, [0.0, 0.5], [0.0, 0.0])).feedback(|x| {
-        let x = Vector4::new(x.q[0], x.q[1], x.v[0], x.v[1]);
-        (-regulator.gain * x)[0].clamp(-20.0, 20.0)
+        (-regulator.gain * Vector4::new(x.q[0], x.q[1], x.v[0], x.v[1]))[0].clamp(-20.0, 20.0)
     });
     Ok(caught.solve(20.0, Dop853::new())?.q[CartPole::THETA])
 }
