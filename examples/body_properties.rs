@@ -12,7 +12,7 @@ use lagrangian::rigid_body::{
     BodyError, CadReport, InertiaTensor, ProductSign, ProductsOfInertia, Solid, TriangleMesh,
     UrdfInertial,
 };
-use lagrangian_examples::{Anchor, Panel, Svg};
+use lagrangian_examples::{Panel, Svg};
 
 /// Sizes of the hammer in m: the handle along x, the head along y at its end.
 const HANDLE: [f64; 2] = [0.015, 0.3];
@@ -180,18 +180,11 @@ fn scientific(numbers: [f64; 3]) -> String {
 
 /// The outline of the hammer in its face, with what was computed.
 fn figure(body: &RigidBody) -> String {
-    let mut svg = Svg::new(1000.0, 560.0);
-    svg.text(
-        "title",
-        Anchor::Start,
-        [24.0, 36.0],
-        "Mass properties of a hammer",
-    );
     let subtitle = format!(
         "{:.3} kg; the ellipse has the radii of gyration about the principal axes.",
         body.mass()
     );
-    svg.text("subtitle", Anchor::Start, [24.0, 62.0], &subtitle);
+    let mut svg = Svg::titled(1000.0, 560.0, "Mass properties of a hammer", &subtitle);
     // One centimetre is as long on both axes.
     let panel = Panel::new(
         [84.0, 972.0, 112.0, 482.0],

@@ -1,8 +1,9 @@
-//! The double pendulum: declare its energies, sample its motion, look at its energy.
+//! The double pendulum: declare its energies, read its equations, sample its motion, look at its energy.
 //!
 //! `cargo run --release --example double_pendulum`
 
 use lagrangian::prelude::*;
+use lagrangian_examples::wrapped;
 
 /// Two point masses on massless rods; the angles are measured from the vertical.
 #[derive(Lagrangian)]
@@ -35,8 +36,9 @@ fn main() -> Result<(), IntegrationError> {
         l2: 0.8,
         g: 9.81,
     };
-    let start = State::new(0.0, [2.0, 2.5], [0.0, 0.0]);
+    println!("{}", wrapped(DoublePendulum::EQUATIONS));
 
+    let start = State::new(0.0, [2.0, 2.5], [0.0, 0.0]);
     let motion = Problem::new(&model, start)
         .save(Every(1.0))
         .solve(10.0, Dop853::new())?;

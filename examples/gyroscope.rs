@@ -249,14 +249,12 @@ impl Panels {
 
 /// The path of the axis, inclination against azimuth, and the inclination against time.
 fn figure(model: &Gyroscope, theta: f64, slow: f64, motions: &[Motion]) -> String {
-    let mut svg = Svg::new(1100.0, 690.0);
     let title = "A gyroscope in gimbals under a weight";
-    svg.text("title", Anchor::Start, [24.0, 36.0], title);
     let subtitle = format!(
         "Steady precession {slow:.3} rad/s at θ = {:.1}°.",
         theta.to_degrees()
     );
-    svg.text("subtitle", Anchor::Start, [24.0, 62.0], &subtitle);
+    let mut svg = Svg::titled(1100.0, 690.0, title, &subtitle);
     let panels = Panels::draw(&mut svg, motions);
     panels.draw_steady(&mut svg, theta);
     let mut y = 490.0;

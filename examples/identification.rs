@@ -5,9 +5,9 @@
 
 use std::{error::Error, fs};
 
-use lagrangian::identification::Identification;
+use lagrangian::identification::{Identification, Identified};
 use lagrangian::prelude::*;
-use lagrangian_examples::{Anchor, Panel, Svg, extent};
+use lagrangian_examples::{Panel, Svg, extent};
 
 /// Two links in a vertical plane, each with its mass, the distance of its centre of mass from its joint, and its moment of
 /// inertia about that centre; viscous friction in the joints.
@@ -73,8 +73,9 @@ fn law(state: &State<f64, 2>) -> Vector2<f64> {
     80.0 * (path - state.q) - 12.0 * state.v
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let real = Arm {
+/// The arm whose parameters are identified.
+fn arm() -> Arm {
+    Arm {
         i1: 0.12,
         m1: 4.0,
         c1: 0.25,
@@ -86,7 +87,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         l: 0.5,
         g: 9.81,
         torque: Vector2::zeros(),
-    };
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let real = arm();
     let times: Vec<f64> = (1..=400).map(|k| 0.025 * f64::from(k)).collect();
     let start = State::new(0.0, [0.5, 1.2], [0.0, 0.0]);
     let motion = Problem::new(&real, start)
@@ -114,7 +119,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         measured.push((state, accelerations, torque));
     }
     let found = identification.solve()?;
+    report(&found, &real);
 
+    let predicted = measured.iter().map(|(state, accelerations, _)| {
+        // The torque that the identified parameters ask for: the inputs of the fields are zero.
+        let forces = real.regressor(state, accelerations) * found.parameters;
+        (state.t, forces)
+    });
+    let predicted: Vec<_> = predicted.collect();
+    let measured: Vec<_> = measured
+        .iter()
+        .map(|(state, _, torque)| (state.t, *torque))
+        .collect();
+    fs::write("identification.svg", figure(&measured, &predicted))?;
+    println!("torques, measured and by the identified parameters: identification.svg");
+    Ok(())
+}
+
+/// Prints the identified parameters beside the real ones.
+fn report(found: &Identified<6>, real: &Arm) {
     println!(
         "{:>28} {:>10} {:>10} {:>9}",
         "base parameter", "identified", "± σ", "real"
@@ -133,29 +156,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         found.condition_number,
         found.variance.sqrt()
     );
-
-    let predicted = measured.iter().map(|(state, accelerations, _)| {
-        // The torque that the identified parameters ask for: the inputs of the fields are zero.
-        let forces = real.regressor(state, accelerations) * found.parameters;
-        (state.t, forces)
-    });
-    let predicted: Vec<_> = predicted.collect();
-    let measured: Vec<_> = measured
-        .iter()
-        .map(|(state, _, torque)| (state.t, *torque))
-        .collect();
-    fs::write("identification.svg", figure(&measured, &predicted))?;
-    println!("torques, measured and by the identified parameters: identification.svg");
-    Ok(())
 }
 
 /// The measured torques as dots, and those of the identified parameters as lines.
 fn figure(measured: &[(f64, Vector2<f64>)], predicted: &[(f64, Vector2<f64>)]) -> String {
-    let mut svg = Svg::new(1000.0, 470.0);
     let title = "Parameters of an arm, identified";
-    svg.text("title", Anchor::Start, [24.0, 36.0], title);
     let subtitle = "Dots are measured torques, lines those of the identified base parameters.";
-    svg.text("subtitle", Anchor::Start, [24.0, 62.0], subtitle);
+    let mut svg = Svg::titled(1000.0, 470.0, title, subtitle);
     let torques = measured.iter().flat_map(|(_, torque)| [torque.x, torque.y]);
     let [least, most] = extent(torques);
     let margin = 0.05 * (most - least);
@@ -180,9 +187,7 @@ fn figure(measured: &[(f64, Vector2<f64>)], predicted: &[(f64, Vector2<f64>)]) -
         let points = predicted.iter().map(|(t, torque)| [*t, torque[joint]]);
         panel.curve(&mut svg, class, points);
         let y = if joint == 0 { 130.0 } else { 152.0 };
-        svg.line(class, [874.0, y - 5.0], [904.0, y - 5.0]);
-        let label = format!("joint {}", joint + 1);
-        svg.text("tick", Anchor::Start, [910.0, y], &label);
+        svg.entry(class, [874.0, y], &format!("joint {}", joint + 1));
     }
     svg.finish()
 }

@@ -7,7 +7,7 @@
 use std::error::Error;
 
 use lagrangian::prelude::*;
-use lagrangian_examples::{Anchor, Panel, Svg, extent};
+use lagrangian_examples::{Panel, Svg, extent};
 
 /// A symmetric top about its fixed point, and its motion without the ignorable angles.
 #[derive(Lagrangian, Clone, Debug)]
@@ -114,12 +114,10 @@ type Curve = (&'static str, f64, Vec<[f64; 2]>);
 
 /// The effective potential above that of the upright top, and the inclination in time.
 fn figure(least: f64, curves: &[Curve]) -> String {
-    let mut svg = Svg::new(1100.0, 470.0);
     let title = "A top that spins upright";
-    svg.text("title", Anchor::Start, [24.0, 36.0], title);
     let subtitle =
         format!("It sleeps from ω₃ = {least:.1} rad/s on: V_eff is least at θ = 0 then.");
-    svg.text("subtitle", Anchor::Start, [24.0, 62.0], &subtitle);
+    let mut svg = Svg::titled(1100.0, 470.0, title, &subtitle);
     let potential = |ratio: f64| {
         let motion = upright(ratio * least);
         let ground = motion.effective_potential(&at(0.0));
@@ -166,13 +164,7 @@ fn figure(least: f64, curves: &[Curve]) -> String {
     let mut y = 130.0;
     for (class, ratio, points) in curves {
         fall.curve(&mut svg, class, points.iter().copied());
-        svg.line(class, [970.0, y - 5.0], [1000.0, y - 5.0]);
-        svg.text(
-            "tick",
-            Anchor::Start,
-            [1006.0, y],
-            &format!("{ratio:.2} of it"),
-        );
+        svg.entry(class, [970.0, y], &format!("{ratio:.2} of it"));
         y += 22.0;
     }
     svg.finish()

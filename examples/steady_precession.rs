@@ -8,7 +8,7 @@ use std::error::Error;
 
 use lagrangian::prelude::*;
 use lagrangian::rigid_body::SteadyPrecession;
-use lagrangian_examples::{Anchor, Panel, Svg};
+use lagrangian_examples::{Panel, Svg};
 
 /// A symmetric top about its fixed point, and its motion without the ignorable angles.
 #[derive(Lagrangian, Clone, Debug)]
@@ -105,18 +105,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The rates against the spin, and the effective potentials of a slow and a fast precession.
 fn figure(least: f64) -> Result<String, Box<dyn Error>> {
-    let mut svg = Svg::new(1100.0, 470.0);
-    svg.text(
-        "title",
-        Anchor::Start,
-        [24.0, 36.0],
-        "Steady precession of a top",
-    );
     let subtitle = format!(
         "At θ = {:.1}°, from ω₃ = {least:.1} rad/s on.",
         THETA.to_degrees()
     );
-    svg.text("subtitle", Anchor::Start, [24.0, 62.0], &subtitle);
+    let mut svg = Svg::titled(1100.0, 470.0, "Steady precession of a top", &subtitle);
     let rates = Panel::new(
         [84.0, 470.0, 112.0, 400.0],
         ([30.0, 160.0], [0.0, 60.0]),
@@ -161,8 +154,7 @@ fn figure(least: f64) -> Result<String, Box<dyn Error>> {
             [degrees, 1e3 * (motion.effective_potential(&state) - ground)]
         });
         valleys.curve(&mut svg, class, points.filter(|x| x[1] < 40.0));
-        svg.line(class, [970.0, y - 5.0], [1000.0, y - 5.0]);
-        svg.text("tick", Anchor::Start, [1006.0, y], name);
+        svg.entry(class, [970.0, y], name);
         y += 22.0;
     }
     Ok(svg.finish())

@@ -12,7 +12,7 @@ use lagrangian::rigid_body::{
     BodyError, EulerEquations, FreeRotation, RotationState, Solid, SteadyRotation,
 };
 use lagrangian::rotation::{EulerAngles, EulerSequence};
-use lagrangian_examples::{Anchor, Panel, Svg, extent};
+use lagrangian_examples::{Panel, Svg, extent};
 
 /// A free body along its principal axes, in angles that are regular while it flips: the first is that about the middle axis.
 #[derive(Lagrangian)]
@@ -59,23 +59,8 @@ where
 fn main() -> Result<(), Box<dyn Error>> {
     let whole = racket()?;
     let body = PrincipalBody::of(&whole);
-    let [i1, i2, i3] = body.moments();
-    println!(
-        "A racket of {:.3} kg; principal moments of inertia in kg m²:",
-        body.mass()
-    );
-    println!(
-        "  I₁ = {i1:.6} about the handle\n  I₂ = {i2:.6} across the handle, in the face\n  I₃ = {i3:.6} normal to the face"
-    );
-
     let speed = 12.0;
-    println!("\nSteady rotations at {speed} rad/s, (3.8):");
-    for (k, steady) in SteadyRotation::about_axes(body.moments(), speed)
-        .iter()
-        .enumerate()
-    {
-        println!("  about axis {}: {steady:?}", k + 1);
-    }
+    describe(&body, speed);
 
     // A hundredth of the angular velocity is about another axis.
     let omega = Vector3::new(0.12, speed, 0.0);
@@ -122,6 +107,26 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Prints the moments of inertia, and the steady rotations about their axes.
+fn describe(body: &PrincipalBody, speed: f64) {
+    let [i1, i2, i3] = body.moments();
+    println!(
+        "A racket of {:.3} kg; principal moments of inertia in kg m²:",
+        body.mass()
+    );
+    println!(
+        "  I₁ = {i1:.6} about the handle\n  I₂ = {i2:.6} across the handle, in the face\n  I₃ = {i3:.6} normal to the face"
+    );
+
+    println!("\nSteady rotations at {speed} rad/s, (3.8):");
+    for (k, steady) in SteadyRotation::about_axes(body.moments(), speed)
+        .iter()
+        .enumerate()
+    {
+        println!("  about axis {}: {steady:?}", k + 1);
+    }
+}
+
 /// Where a sample lies in a panel.
 type Place = fn(&Sample) -> [f64; 2];
 
@@ -151,16 +156,9 @@ impl Sample {
 
 /// The components of ω against time, the path of ω in the body, and that of the end of the handle in space.
 fn figure(samples: &[Sample], flip: f64) -> String {
-    let mut svg = Svg::new(1100.0, 620.0);
-    svg.text(
-        "title",
-        Anchor::Start,
-        [24.0, 36.0],
-        "A tennis racket turns over",
-    );
     let subtitle =
         format!("Thrown with 12 rad/s about its middle axis; it flips every {flip:.3} s.");
-    svg.text("subtitle", Anchor::Start, [24.0, 62.0], &subtitle);
+    let mut svg = Svg::titled(1100.0, 620.0, "A tennis racket turns over", &subtitle);
 
     let times = extent(samples.iter().map(|sample| sample.time));
     let panel = Panel::new(
@@ -178,11 +176,15 @@ fn figure(samples: &[Sample], flip: f64) -> String {
         let values = samples.iter().map(|sample| [sample.time, sample.omega[k]]);
         panel.curve(&mut svg, class, values);
         let left = 700.0 + 130.0 * f64::from(u8::try_from(k).unwrap_or(0));
-        svg.line(class, [left, 96.0], [left + 30.0, 96.0]);
         let name = ["ω₁, handle", "ω₂, middle", "ω₃, face"][k];
-        svg.text("tick", Anchor::Start, [left + 36.0, 101.0], name);
+        svg.entry(class, [left, 101.0], name);
     }
+    paths(&mut svg, samples);
+    svg.finish()
+}
 
+/// The paths of ω in the body, from two sides, and that of the end of the handle.
+fn paths(svg: &mut Svg, samples: &[Sample]) {
     let panels: [(_, _, _, _, Place, _); 3] = [
         (
             [84.0, 324.0, 360.0, 560.0],
@@ -211,11 +213,10 @@ fn figure(samples: &[Sample], flip: f64) -> String {
     ];
     for (pixels, heading, x, y, point, most) in panels {
         let panel = Panel::new(pixels, ([-most, most], [-most, most]), [5.0, 5.0]);
-        panel.draw(&mut svg, heading, x, y);
-        panel.curve(&mut svg, "curve", samples.iter().map(point));
+        panel.draw(svg, heading, x, y);
+        panel.curve(svg, "curve", samples.iter().map(point));
         if let Some([x, y]) = samples.first().map(point) {
             svg.circle("start", panel.at(x, y), 4.0);
         }
     }
-    svg.finish()
 }

@@ -2,14 +2,11 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use lagrangian_examples::{Anchor, Panel, Point, Svg, extent};
+use lagrangian::rigid_body::Nutation;
+use lagrangian_examples::{Anchor, Panel, Svg, extent};
 
 use crate::model::HeavyTop;
-use crate::motion::Sample;
-use crate::nutation::Nutation;
-
-/// The most points of a curve; more would only make the file larger.
-const MAX_POINTS: usize = 20_000;
+use crate::motion::{Cycle, Sample};
 
 /// Left, right, top and bottom of the three panels in pixels.
 const TILT: [f64; 4] = [84.0, 620.0, 112.0, 322.0];
@@ -18,58 +15,48 @@ const PATH: [f64; 4] = [712.0, 1072.0, 112.0, 472.0];
 
 /// The figure of a motion, with the limits of its tilt where they are known in closed form.
 pub(crate) fn figure(parameters: &str, samples: &[Sample], nutation: Option<&Nutation>) -> String {
-    let (title, mut svg) = ("Motion of a heavy top", Svg::new(1100.0, 632.0));
-    svg.text("title", Anchor::Start, [24.0, 36.0], title);
-    svg.text("subtitle", Anchor::Start, [24.0, 62.0], parameters);
-    let limits: Vec<f64> = nutation
-        .map(Nutation::cycle)
-        .map_or_else(Vec::new, |cycle| {
-            vec![cycle.least_tilt, cycle.greatest_tilt]
-        });
-    let every = samples.len().div_ceil(MAX_POINTS).max(1);
-    let samples: Vec<Sample> = samples.iter().step_by(every).copied().collect();
-    tilt_panel(&mut svg, &samples, &limits);
-    energy_panel(&mut svg, &samples);
-    path_panel(&mut svg, &samples, &limits);
+    let mut svg = Svg::titled(1100.0, 632.0, "Motion of a heavy top", parameters);
+    let limits = nutation.map(|closed| Cycle::from(closed).tilts);
+    tilt_panel(&mut svg, samples, limits);
+    energy_panel(&mut svg, samples);
+    path_panel(&mut svg, samples, limits);
     svg.finish()
 }
 
 /// θ(t) in degrees.
-fn tilt_panel(svg: &mut Svg, samples: &[Sample], limits: &[f64]) {
-    let tilts = samples.iter().map(Sample::tilt).map(f64::to_degrees);
-    let limits = limits.iter().map(|limit| limit.to_degrees());
-    let [low, high] = extent(tilts.clone().chain(limits.clone()));
+fn tilt_panel(svg: &mut Svg, samples: &[Sample], limits: Option<[f64; 2]>) {
+    let tilts = samples.iter().map(|x| [x.state.t, x.tilt().to_degrees()]);
+    let limits = limits.into_iter().flatten().map(f64::to_degrees);
+    let [low, high] = extent(tilts.clone().map(|[_, tilt]| tilt).chain(limits.clone()));
     // A steady precession is a straight line, and not a magnified rounding error.
     let margin = (0.06 * (high - low)).max(0.05);
     let panel = panel_of_time(TILT, samples, [low - margin, high + margin]);
     panel.draw(svg, "Tilt of the axis", "time t / s", "tilt θ / degrees");
-    let [from, to] = panel.x.range;
     for limit in limits {
-        svg.line("limit", panel.at(from, limit), panel.at(to, limit));
+        panel.level(svg, "limit", limit);
     }
-    panel.curve(svg, "curve", against_time(samples, tilts));
+    panel.curve(svg, "curve", tilts);
 }
 
 /// The relative energy error on a scale that is symmetric about 0.
 fn energy_panel(svg: &mut Svg, samples: &[Sample]) {
-    let errors = samples.iter().map(|sample| sample.errors[0]);
-    let most = errors.clone().map(f64::abs).fold(1e-17, f64::max);
+    let errors = samples.iter().map(|x| x.errors[0].abs());
+    let most = errors.fold(1e-17, f64::max);
     let exponent = most.log10().floor();
     let unit = 10_f64.powf(exponent);
     let bound = 1.1 * most / unit;
     let panel = panel_of_time(ENERGY, samples, [-bound, bound]);
     let label = format!("error / 10{}", superscript(exponent));
     panel.draw(svg, "Relative error of the energy", "time t / s", &label);
-    let [from, to] = panel.x.range;
-    svg.line("zero", panel.at(from, 0.0), panel.at(to, 0.0));
-    let errors = errors.map(|error| error / unit);
-    panel.curve(svg, "curve", against_time(samples, errors));
+    panel.level(svg, "zero", 0.0);
+    let errors = samples.iter().map(|x| [x.state.t, x.errors[0] / unit]);
+    panel.curve(svg, "curve", errors);
 }
 
 /// The path of a point of the axis at distance 1 from the pivot, seen from above.
-fn path_panel(svg: &mut Svg, samples: &[Sample], limits: &[f64]) {
+fn path_panel(svg: &mut Svg, samples: &[Sample], limits: Option<[f64; 2]>) {
     let tilts = samples.iter().map(Sample::tilt);
-    let [least, greatest] = extent(tilts.chain(limits.iter().copied()));
+    let [least, greatest] = extent(tilts.chain(limits.into_iter().flatten()));
     let horizon = least < FRAC_PI_2 && greatest > FRAC_PI_2;
     let widest = least.sin().max(greatest.sin());
     let reach = if horizon { 1.08 } else { 1.08 * widest };
@@ -78,7 +65,7 @@ fn path_panel(svg: &mut Svg, samples: &[Sample], limits: &[f64]) {
     panel.draw(svg, heading, "x = sin θ sin φ", "y = −sin θ cos φ");
     let centre = panel.at(0.0, 0.0);
     let radius = |sine: f64| panel.x.at(sine) - centre[0];
-    for limit in limits {
+    for limit in limits.into_iter().flatten() {
         svg.circle("limit", centre, radius(limit.sin()));
     }
     if horizon {
@@ -97,7 +84,7 @@ fn path_panel(svg: &mut Svg, samples: &[Sample], limits: &[f64]) {
 }
 
 /// What the lines of the path mean.
-fn legend(svg: &mut Svg, limits: &[f64], horizon: bool) {
+fn legend(svg: &mut Svg, limits: Option<[f64; 2]>, horizon: bool) {
     let (left, mut y) = (PATH[0], PATH[3] + 72.0);
     svg.circle("start", [left + 16.0, y - 5.0], 4.0);
     svg.text("tick", Anchor::Start, [left + 42.0, y], "start");
@@ -106,8 +93,8 @@ fn legend(svg: &mut Svg, limits: &[f64], horizon: bool) {
         svg.line(class, [left, y - 5.0], [left + 32.0, y - 5.0]);
         svg.text("tick", Anchor::Start, [left + 42.0, y], text);
     };
-    if let [least, greatest] = limits {
-        let (least, greatest) = (least.to_degrees(), greatest.to_degrees());
+    if let Some(limits) = limits {
+        let [least, greatest] = limits.map(f64::to_degrees);
         let text = format!("closed form: θ from {least:.2}° to {greatest:.2}°");
         row("limit", &text);
     }
@@ -120,15 +107,6 @@ fn legend(svg: &mut Svg, limits: &[f64], horizon: bool) {
 fn panel_of_time(pixels: [f64; 4], samples: &[Sample], range: [f64; 2]) -> Panel {
     let times = extent(samples.iter().map(|sample| sample.state.t));
     Panel::new(pixels, (times, range), [8.0, 5.0])
-}
-
-/// The points of a quantity against time.
-fn against_time(
-    samples: &[Sample],
-    values: impl Iterator<Item = f64>,
-) -> impl Iterator<Item = Point> {
-    let times = samples.iter().map(|sample| sample.state.t);
-    times.zip(values).map(|(t, value)| [t, value])
 }
 
 /// A whole number in superscript digits.

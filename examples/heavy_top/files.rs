@@ -26,7 +26,7 @@ impl Files {
             .map_err(|error| format!("the output folder {name} cannot be created: {error}"))?;
         let create = |name: &str| {
             let path = folder.join(name);
-            let file = File::create(&path).map_err(|error| refused(&path, &error))?;
+            let file = written(&path, File::create(&path))?;
             Ok::<_, String>((path, file))
         };
         Ok(Self {
@@ -38,10 +38,9 @@ impl Files {
     /// Writes both files, and says so in a sentence.
     pub(crate) fn write(self, samples: &[Sample], figure: &str) -> Result<String, String> {
         let (path, file) = &self.table;
-        write_table(BufWriter::new(file), samples).map_err(|error| refused(path, &error))?;
+        written(path, write_table(BufWriter::new(file), samples))?;
         let (path, mut file) = self.figure;
-        let written = file.write_all(figure.as_bytes());
-        written.map_err(|error| refused(&path, &error))?;
+        written(&path, file.write_all(figure.as_bytes()))?;
         let (table, figure) = (self.table.0.display(), path.display());
         let count = samples.len();
         Ok(format!("Wrote {table} ({count} samples) and {figure}.\n"))
@@ -64,9 +63,9 @@ fn write_table(mut file: impl Write, samples: &[Sample]) -> io::Result<()> {
     file.flush()
 }
 
-/// Why there is no file.
-fn refused(path: &Path, error: &io::Error) -> String {
-    format!("{} cannot be written: {error}", path.display())
+/// What came of writing a file, or why there is none.
+fn written<T>(path: &Path, result: io::Result<T>) -> Result<T, String> {
+    result.map_err(|error| format!("{} cannot be written: {error}", path.display()))
 }
 
 #[cfg(test)]

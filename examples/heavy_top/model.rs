@@ -1,7 +1,7 @@
 //! The model: a rigid body that turns about a fixed pivot under its weight.
 
 use lagrangian::prelude::*;
-use lagrangian::rigid_body::SteadyPrecession;
+use lagrangian::rigid_body::{Nutation, SteadyPrecession};
 
 /// A heavy top, pinned at a fixed point, in z-x-z Euler angles; its centre of mass lies on the third
 /// principal axis.
@@ -41,6 +41,13 @@ impl HeavyTop {
         self.i1.total_cmp(&self.i2).is_eq()
     }
 
+    /// The nutation from a state in closed form, if the top is symmetric and its tilt has a period.
+    pub(crate) fn nutation(&self, start: &State<f64, 3>) -> Option<Nutation> {
+        let (weight, tilt) = (self.m * self.g * self.l, start.q[Self::THETA]);
+        let nutation = Nutation::of_top(self.i1, self.i3, weight, tilt, start.v.into());
+        nutation.filter(|_| self.is_symmetric())
+    }
+
     /// The precession rates at which a symmetric top keeps its tilt (4.11), with `axial_rate` ω₃.
     pub(crate) fn steady_precession(&self, tilt: f64, axial_rate: f64) -> SteadyPrecession {
         let slope = -self.m * self.g * self.l * tilt.sin();
@@ -59,7 +66,19 @@ mod tests {
     use lagrangian::rigid_body::SteadyPrecession;
 
     use super::HeavyTop;
-    use crate::{close, symmetric};
+    use crate::tests::close;
+
+    /// The symmetric top with the moments of inertia I and `I_s` and the moment m g l of its weight.
+    fn symmetric(transverse: f64, axial: f64, moment: f64) -> HeavyTop {
+        HeavyTop {
+            i1: transverse,
+            i2: transverse,
+            i3: axial,
+            m: moment,
+            g: 1.0,
+            l: 1.0,
+        }
+    }
 
     /// The slow and the fast precession.
     fn rates(top: &HeavyTop, tilt: f64, axial_rate: f64) -> [f64; 2] {

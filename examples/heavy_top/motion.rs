@@ -4,9 +4,10 @@ use std::time::{Duration, Instant};
 
 use lagrangian::Partial;
 use lagrangian::prelude::*;
+use lagrangian::rigid_body::Nutation;
+use lagrangian_examples::extent;
 
 use crate::model::HeavyTop;
-use crate::nutation::Cycle;
 use crate::options::{Method, Options};
 use crate::progress::ProgressBar;
 
@@ -33,7 +34,7 @@ impl Sample {
 /// A motion.
 #[derive(Clone, Debug)]
 pub(crate) struct Motion {
-    /// The samples, as far as the integration came.
+    /// The samples, as far as the integration came; the first one is the start.
     pub(crate) samples: Vec<Sample>,
     /// The states in which the tilt turns, θ̇ = 0.
     turns: Vec<State<f64, 3>>,
@@ -45,8 +46,30 @@ pub(crate) struct Motion {
     pub(crate) duration: Duration,
 }
 
-/// Integrates the motion that the options ask for.
-pub(crate) fn integrate(top: &HeavyTop, options: &Options) -> Motion {
+/// What a whole nutation does.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cycle {
+    /// The least and the greatest tilt in rad.
+    pub(crate) tilts: [f64; 2],
+    /// The angle in rad by which φ grows.
+    pub(crate) precession: f64,
+    /// The period in s.
+    pub(crate) period: f64,
+}
+
+impl From<&Nutation> for Cycle {
+    fn from(closed: &Nutation) -> Self {
+        Self {
+            tilts: [closed.least_inclination(), closed.greatest_inclination()],
+            precession: closed.precession(),
+            period: closed.period(),
+        }
+    }
+}
+
+/// Integrates the motion that the options ask for. One that fails is kept as far as it came, if it came further than the
+/// start.
+pub(crate) fn integrate(top: &HeavyTop, options: &Options) -> Result<Motion, IntegrationError> {
     let began = Instant::now();
     let (start, asked) = (options.start.state(), &options.integration);
     let mut bar = ProgressBar::new();
@@ -69,67 +92,56 @@ pub(crate) fn integrate(top: &HeavyTop, options: &Options) -> Motion {
     };
     let failure = result.as_ref().err().map(Partial::error);
     let solution = result.unwrap_or_else(Partial::into_solution);
-    let events = solution.events().iter().map(|event| At {
-        t: event.t,
-        x: event.x,
-    });
+    if let (Some(error), []) = (failure, solution.samples()) {
+        return Err(error);
+    }
     // A turning point at the start is not crossed.
     let first = (start.v[HeavyTop::THETA] == 0.0).then_some(start);
-    let turns = events.filter(|turn| turn.t > 0.0);
-    Motion {
-        samples: samples(top, solution.samples()),
-        turns: first.into_iter().chain(turns).collect(),
+    let crossed = solution.events().iter().filter(|turn| turn.t > 0.0);
+    let crossed = crossed.map(|turn| At::from((turn.t, turn.x)));
+    Ok(Motion {
+        samples: samples(top, &start, solution.samples()),
+        turns: first.into_iter().chain(crossed).collect(),
         failure,
         statistics: solution.statistics,
         duration: began.elapsed(),
-    }
+    })
 }
 
 /// The states with their constants.
-fn samples(top: &HeavyTop, states: &[State<f64, 3>]) -> Vec<Sample> {
-    let Some(first) = states.first() else {
-        return Vec::new();
-    };
+fn samples(top: &HeavyTop, start: &State<f64, 3>, states: &[State<f64, 3>]) -> Vec<Sample> {
     let constants = |state: &State<f64, 3>| {
         let momenta = top.momenta(state);
-        let [c_phi, c_psi] = [HeavyTop::PHI, HeavyTop::PSI].map(|i| momenta[i]);
+        let [c_phi, c_psi] = [momenta[HeavyTop::PHI], momenta[HeavyTop::PSI]];
         [top.energy(state), c_phi, c_psi]
     };
-    let initial = constants(first);
-    let energy = top.kinetic_energy(first) + top.potential_energy(first).abs();
+    let initial = constants(start);
+    let energy = top.kinetic_energy(start) + top.potential_energy(start).abs();
     let momentum = initial[1].abs().max(initial[2].abs());
     // 1 where nothing moves and nothing weighs.
     let scales = [energy, momentum, momentum].map(|scale| if scale > 0.0 { scale } else { 1.0 });
-    let sample = |state: &State<f64, 3>, constants: [f64; 3]| Sample {
-        state: *state,
-        constants,
-        errors: std::array::from_fn(|i| (constants[i] - initial[i]) / scales[i]),
+    let sample = |state: &State<f64, 3>| {
+        let constants = constants(state);
+        Sample {
+            state: *state,
+            constants,
+            errors: std::array::from_fn(|i| (constants[i] - initial[i]) / scales[i]),
+        }
     };
-    let states = states.iter();
-    states
-        .map(|state| sample(state, constants(state)))
-        .collect()
+    states.iter().map(sample).collect()
 }
 
 impl Motion {
-    /// The largest magnitudes of the errors of energy, `C_φ` and `C_ψ`.
-    pub(crate) fn largest_errors(&self) -> [f64; 3] {
-        self.samples.iter().fold([0.0; 3], |most, sample| {
-            std::array::from_fn(|i| most[i].max(sample.errors[i].abs()))
-        })
-    }
-
     /// The number of whole nutations, with their extremes and means; none if the motion does not contain any.
     pub(crate) fn nutation(&self) -> Option<(usize, Cycle)> {
         let periods = self.turns.len().checked_sub(1)? / 2;
         let (first, last) = (self.turns.first()?, self.turns.get(2 * periods)?);
-        let tilts = || self.turns.iter().map(|state| state.q[HeavyTop::THETA]);
+        let tilts = self.turns.iter().map(|state| state.q[HeavyTop::THETA]);
         // The counts of a motion that fits into memory are exact in f64.
         #[allow(clippy::cast_precision_loss)]
         let count = periods as f64;
         let cycle = Cycle {
-            least_tilt: tilts().fold(f64::INFINITY, f64::min),
-            greatest_tilt: tilts().fold(f64::NEG_INFINITY, f64::max),
+            tilts: extent(tilts),
             precession: (last.q[HeavyTop::PHI] - first.q[HeavyTop::PHI]) / count,
             period: (last.t - first.t) / count,
         };
@@ -142,16 +154,15 @@ mod tests {
     use clap::Parser;
     use lagrangian::IntegrationError;
 
-    use super::{Motion, integrate};
-    use crate::close;
+    use super::{Cycle, Motion, integrate};
     use crate::model::HeavyTop;
-    use crate::nutation::{Cycle, Nutation};
     use crate::options::Options;
+    use crate::tests::close;
 
     /// The motion of a command line.
     fn motion(line: &str) -> (Options, Motion) {
         let options = Options::parse_from(line.split(' '));
-        let motion = integrate(&options.body.top(), &options);
+        let motion = integrate(&options.body.top(), &options).expect("a start");
         (options, motion)
     }
 
@@ -159,8 +170,8 @@ mod tests {
     fn cycles(line: &str) -> [Cycle; 2] {
         let (options, motion) = motion(line);
         let (_, integrated) = motion.nutation().expect("several periods");
-        let closed = Nutation::through(&options.body.top(), &options.start.state());
-        [integrated, closed.expect("a closed form").cycle()]
+        let closed = options.body.top().nutation(&options.start.state());
+        [integrated, Cycle::from(&closed.expect("a closed form"))]
     }
 
     #[test]
@@ -210,8 +221,9 @@ mod tests {
                 "heavy_top --tilt=100 --spin=-5 --samples=101",
             ] {
                 let [integrated, closed] = cycles(&format!("{line} --method={method}"));
-                close(integrated.least_tilt, closed.least_tilt, tolerance);
-                close(integrated.greatest_tilt, closed.greatest_tilt, tolerance);
+                for (integrated, closed) in integrated.tilts.into_iter().zip(closed.tilts) {
+                    close(integrated, closed, tolerance);
+                }
                 close(integrated.period, closed.period, tolerance);
                 close(integrated.precession, closed.precession, tolerance);
             }
@@ -224,9 +236,15 @@ mod tests {
         for method in ["taylor", "dop853"] {
             let line = "heavy_top --i1=1.5 --tilt=60 --spin=16 --precession=4.01 --method=";
             let [integrated, closed] = cycles(&format!("{line}{method}"));
-            close(integrated.least_tilt, closed.least_tilt, 1e-10);
+            close(integrated.tilts[0], closed.tilts[0], 1e-10);
             close(integrated.period, closed.period, 1e-10);
         }
+    }
+
+    #[test]
+    fn a_motion_that_cannot_begin_is_an_error() {
+        let options = Options::parse_from(["heavy_top", "--tilt=1e-320"]);
+        assert!(integrate(&options.body.top(), &options).is_err());
     }
 
     #[test]

@@ -24,10 +24,8 @@ impl ProgressBar {
     /// Begins to wait.
     pub(crate) fn new() -> Self {
         let began = Instant::now();
-        Self {
-            began,
-            due: io::stderr().is_terminal().then_some(began + PATIENCE),
-        }
+        let due = io::stderr().is_terminal().then_some(began + PATIENCE);
+        Self { began, due }
     }
 
     /// Shows that a part between 0 and 1 is done.

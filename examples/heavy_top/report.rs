@@ -3,28 +3,23 @@
 use std::fmt::Write;
 
 use lagrangian::State;
-use lagrangian::rigid_body::SteadyPrecession;
+use lagrangian::rigid_body::{Nutation, SteadyPrecession};
+use lagrangian_examples::wrapped;
 
 use crate::model::HeavyTop;
-use crate::motion::Motion;
-use crate::nutation::{Cycle, Nutation};
+use crate::motion::{Cycle, Motion, Sample};
 use crate::options::{Integration, Method};
-
-/// The length of a line of text.
-const LINE: usize = 96;
 
 /// Below this amplitude in rad a nutation is rounding error: the precession is steady.
 const STEADY: f64 = 1e-9;
 
 /// The equations of motion and what an evaluation of them costs.
 pub(crate) fn equations() -> String {
-    let mut text = String::from(
+    let equations = wrapped(HeavyTop::EQUATIONS);
+    let mut text = format!(
         "Heavy top: a rigid body about a fixed pivot, in z-x-z Euler angles φ, θ, ψ.\n\n\
-         Equations of motion, derived from T and V when this program was compiled:\n\n",
+         Equations of motion, derived from T and V when this program was compiled:\n\n{equations}"
     );
-    for line in HeavyTop::EQUATIONS.lines() {
-        text.push_str(&wrapped(line));
-    }
     let heading = "Operations of one evaluation     + −     ×     ÷     √  sin, cos  other";
     let _ = writeln!(text, "\n{heading}");
     let operations = HeavyTop::OPERATIONS;
@@ -45,14 +40,14 @@ pub(crate) fn equations() -> String {
 
 /// What the integration has cost.
 pub(crate) fn cost(motion: &Motion, asked: &Integration) -> String {
-    let method = match asked.method {
-        Method::Taylor => "Taylor series of order 28",
-        Method::Dop853 => "Dormand and Prince's method of order 8",
-        Method::RungeKutta => "the classical Runge–Kutta method of order 4",
-    };
-    let accuracy = match asked.method {
-        Method::RungeKutta => format!("in steps of at most {} s", asked.step),
-        _ => format!("with tolerance {:.1e}", asked.tolerance()),
+    let tolerance = format!("with tolerance {:.1e}", asked.tolerance());
+    let (method, accuracy) = match asked.method {
+        Method::Taylor => ("Taylor series of order 28", tolerance),
+        Method::Dop853 => ("Dormand and Prince's method of order 8", tolerance),
+        Method::RungeKutta => {
+            let steps = format!("in steps of at most {} s", asked.step);
+            ("the classical Runge–Kutta method of order 4", steps)
+        }
     };
     let (steps, rejected) = (motion.statistics.steps, motion.statistics.rejected);
     let time = motion.duration;
@@ -63,19 +58,18 @@ pub(crate) fn cost(motion: &Motion, asked: &Integration) -> String {
 
 /// How well the constants of the motion were kept.
 pub(crate) fn constants(top: &HeavyTop, motion: &Motion) -> String {
-    let Some(first) = motion.samples.first() else {
-        return String::new();
-    };
-    let heading = "Constants of the motion                 at the start   largest relative change";
-    let mut text = format!("{heading}\n");
+    let heading =
+        "Constants of the motion                 at the start   largest relative change\n";
+    let mut text = heading.to_string();
     let names = [
         ("energy E", "J"),
         ("C_φ, about the vertical", "kg m²/s"),
         ("C_ψ, about the axis", "kg m²/s"),
     ];
-    let values = first.constants.iter().zip(motion.largest_errors());
-    for ((name, unit), (value, error)) in names.iter().zip(values) {
-        let value = format!("{value:.6} {unit}");
+    for (i, (name, unit)) in names.iter().enumerate() {
+        let value = format!("{:.6} {unit}", motion.samples[0].constants[i]);
+        let errors = motion.samples.iter().map(|sample| sample.errors[i].abs());
+        let error = errors.fold(0.0, f64::max);
         let _ = writeln!(text, "  {name:28}{value:>22}{error:>26.1e}");
     }
     if !top.is_symmetric() {
@@ -86,14 +80,11 @@ pub(crate) fn constants(top: &HeavyTop, motion: &Motion) -> String {
 
 /// The comparison of a motion with what is known in closed form.
 pub(crate) fn comparison(top: &HeavyTop, motion: &Motion, closed: Option<&Nutation>) -> String {
-    let Some(first) = motion.samples.first() else {
-        return "There are no samples to compare.\n".into();
-    };
     if !top.is_symmetric() {
         let reason = "With i1 ≠ i2 the motion has no closed form in general";
         return format!("{reason}: nothing is compared.\n");
     }
-    let steady = steady_precession(top, &first.state);
+    let steady = steady_precession(top, &motion.samples[0].state);
     let Some(closed) = closed else {
         let reason = "The tilt has no period, for the axis reaches the vertical or rests";
         return format!("{reason}: nothing is compared.\n\n{steady}");
@@ -103,8 +94,9 @@ pub(crate) fn comparison(top: &HeavyTop, motion: &Motion, closed: Option<&Nutati
 
 /// How far the integrated nutation is from the closed form, in all and at the samples.
 fn nutation(motion: &Motion, closed: &Nutation) -> String {
-    let cycle = closed.cycle();
-    let text = if cycle.greatest_tilt - cycle.least_tilt < STEADY {
+    let cycle = Cycle::from(closed);
+    let [least, greatest] = cycle.tilts;
+    let text = if greatest - least < STEADY {
         "The precession is steady: the tilt does not change.\n".into()
     } else if let Some((periods, integrated)) = motion.nutation() {
         table(periods, &integrated, &cycle)
@@ -112,10 +104,10 @@ fn nutation(motion: &Motion, closed: &Nutation) -> String {
         let period = cycle.period;
         format!("The motion holds no whole nutation, whose period is {period:.6} s.\n")
     };
-    let samples = motion.samples.iter();
-    let distances = samples.map(|sample| (sample.tilt() - closed.tilt_at(sample.state.t)).abs());
-    let farthest = distances.fold(0.0, f64::max).to_degrees();
-    text + &format!("  At all samples the tilt is within {farthest:.1e}° of the closed form.\n")
+    let error = |sample: &Sample| (sample.tilt() - closed.inclination_at(sample.state.t)).abs();
+    let largest = motion.samples.iter().map(error).fold(0.0, f64::max);
+    let largest = largest.to_degrees();
+    text + &format!("  At all samples the tilt is within {largest:.1e}° of the closed form.\n")
 }
 
 /// The whole nutation, integrated and in closed form.
@@ -123,16 +115,19 @@ fn table(periods: usize, integrated: &Cycle, closed: &Cycle) -> String {
     let heading = format!("Nutation, over {periods} periods");
     let columns = "          integrated         closed form    difference";
     let mut text = format!("{heading:30}{columns}\n");
-    let rows = |cycle: &Cycle| {
-        [
-            ("least tilt", cycle.least_tilt.to_degrees(), "°"),
-            ("greatest tilt", cycle.greatest_tilt.to_degrees(), "°"),
-            ("precession in a period", cycle.precession.to_degrees(), "°"),
-            ("period", cycle.period, " s"),
-        ]
+    let values = |cycle: &Cycle| {
+        let [least, greatest] = cycle.tilts;
+        let [a, b, c] = [least, greatest, cycle.precession].map(f64::to_degrees);
+        [a, b, c, cycle.period]
     };
-    let pairs = rows(integrated).into_iter().zip(rows(closed));
-    for ((name, integrated, unit), (_, closed, _)) in pairs {
+    let names = [
+        ("least tilt", "°"),
+        ("greatest tilt", "°"),
+        ("precession in a period", "°"),
+        ("period", " s"),
+    ];
+    let values = values(integrated).into_iter().zip(values(closed));
+    for ((name, unit), (integrated, closed)) in names.iter().zip(values) {
         let difference = format!("{:.1e}", integrated - closed);
         let [integrated, closed] = [integrated, closed].map(|value| format!("{value:.12}{unit}"));
         let _ = writeln!(
@@ -160,58 +155,4 @@ fn steady_precession(top: &HeavyTop, start: &State<f64, 3>) -> String {
     };
     let tilt = tilt.to_degrees();
     format!("Steady precession at θ = {tilt:.4}° and ω₃ = {axial_rate:.4} rad/s: {found}\n")
-}
-
-/// An equation, indented, and broken before a sign where a line would be too long.
-fn wrapped(equation: &str) -> String {
-    // The dots over a letter take no place of their own.
-    let is_wide = |c: &char| !matches!(c, '\u{307}' | '\u{308}');
-    let (mut text, mut length) = (String::from(" "), 1);
-    for term in terms(equation).split('\n') {
-        let width = term.chars().filter(is_wide).count();
-        if length + 1 + width > LINE {
-            text.push_str("\n        ");
-            length = 8;
-        }
-        length += 1 + width;
-        text.push(' ');
-        text.push_str(term);
-    }
-    text + "\n"
-}
-
-/// The terms of an equation with their signs, each on a line. Signs within brackets part nothing.
-fn terms(equation: &str) -> String {
-    let (mut terms, mut depth) = (String::new(), 0_usize);
-    for word in equation.split(' ') {
-        let is_sign = depth == 0 && matches!(word, "+" | "−");
-        terms.push(if is_sign { '\n' } else { ' ' });
-        terms.push_str(word);
-        depth += word.matches(['(', '[']).count();
-        depth = depth.saturating_sub(word.matches([')', ']']).count());
-    }
-    terms.split_off(1)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{terms, wrapped};
-
-    #[test]
-    fn terms_part_at_signs_outside_of_brackets() {
-        assert_eq!(
-            terms("f[φ] = a − b (c + d) e + f"),
-            "f[φ] = a\n− b (c + d) e\n+ f"
-        );
-    }
-
-    #[test]
-    fn long_equations_are_broken_before_a_sign() {
-        assert_eq!(wrapped("a = b + c"), "  a = b + c\n");
-        let term = "θ̇".repeat(60);
-        assert_eq!(
-            wrapped(&format!("f = {term} − {term}")),
-            format!("  f = {term}\n         − {term}\n")
-        );
-    }
 }

@@ -97,7 +97,7 @@ fn plot(svg: &mut Svg, quantity: &Quantity, curves: &[Curve], [top, bottom]: [f6
         [8.0, 5.0],
     );
     panel.draw(svg, "", "time t / s", quantity.name);
-    svg.line("zero", panel.at(0.0, 0.0), panel.at(SHOWN, 0.0));
+    panel.level(svg, "zero", 0.0);
     for (curve, class) in curves.iter().zip(CLASSES) {
         let shown = curve.motion.iter().filter(is_shown);
         panel.curve(

@@ -1,9 +1,11 @@
-//! What the figures of the examples are drawn with.
+//! What the examples share: figures, and equations on a terminal.
 
 mod axis;
+mod equations;
 mod panel;
 mod svg;
 
 pub use axis::Axis;
+pub use equations::wrapped;
 pub use panel::{Panel, extent};
 pub use svg::{Anchor, Point, Svg};

@@ -38,6 +38,13 @@ impl Panel {
         svg.curve(class, points.map(|[x, y]| self.at(x, y)));
     }
 
+    /// A horizontal line from end to end.
+    pub fn level(&self, svg: &mut Svg, class: &str, value: f64) {
+        let [left, right] = self.x.pixels;
+        let y = self.y.at(value);
+        svg.line(class, [left, y], [right, y]);
+    }
+
     /// Frame, grid, ticks and labels.
     pub fn draw(&self, svg: &mut Svg, heading: &str, x_label: &str, y_label: &str) {
         let ([left, right], [bottom, top]) = (self.x.pixels, self.y.pixels);

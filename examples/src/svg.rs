@@ -27,6 +27,9 @@ text { font-family: Helvetica, Arial, 'DejaVu Sans', sans-serif; font-size: 14px
 .start { fill: #fff; stroke: #222; stroke-width: 1.6 }
 ";
 
+/// The most points of a curve, or about as many; more would only make the file larger.
+const MAX_POINTS: usize = 20_000;
+
 /// A drawing, to which shapes are added from back to front.
 #[derive(Debug)]
 pub struct Svg {
@@ -59,6 +62,15 @@ impl Svg {
         svg
     }
 
+    /// A drawing with a title and a line under it in its upper left corner.
+    #[must_use]
+    pub fn titled(width: f64, height: f64, title: &str, subtitle: &str) -> Self {
+        let mut svg = Self::new(width, height);
+        svg.text("title", Anchor::Start, [24.0, 36.0], title);
+        svg.text("subtitle", Anchor::Start, [24.0, 62.0], subtitle);
+        svg
+    }
+
     /// The finished file.
     #[must_use]
     pub fn finish(mut self) -> String {
@@ -73,10 +85,14 @@ impl Svg {
         ));
     }
 
-    /// A line through points. Points that are not finite are left out, for no viewer takes them.
+    /// A line through points, or through each second or third of very many. Points that are not finite are left out, for no
+    /// viewer takes them.
     pub fn curve(&mut self, class: &str, points: impl Iterator<Item = Point>) {
+        let points: Vec<Point> = points.collect();
+        let every = points.len().div_ceil(MAX_POINTS).max(1);
         let mut path = String::new();
-        for [x, y] in points.filter(|[x, y]| x.is_finite() && y.is_finite()) {
+        let shown = points.iter().step_by(every);
+        for [x, y] in shown.filter(|point| point.iter().all(|x| x.is_finite())) {
             let _ = write!(path, " {x:.2},{y:.2}");
         }
         self.push(format_args!(
@@ -99,6 +115,12 @@ impl Svg {
         self.push(format_args!(
             "<circle class=\"{class}\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\"/>"
         ));
+    }
+
+    /// An entry of a legend: a short line at the height of a text, and the text behind it.
+    pub fn entry(&mut self, class: &str, [x, y]: Point, text: &str) {
+        self.line(class, [x, y - 5.0], [x + 30.0, y - 5.0]);
+        self.text("tick", Anchor::Start, [x + 36.0, y], text);
     }
 
     /// A horizontal text.
@@ -125,5 +147,30 @@ impl Svg {
     fn push(&mut self, line: std::fmt::Arguments<'_>) {
         // Writing to a string does not fail.
         let _ = writeln!(self.text, "{line}");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MAX_POINTS, Svg};
+
+    /// The number of points in the file of a curve through some.
+    fn drawn(points: impl Iterator<Item = f64>) -> usize {
+        let mut svg = Svg::new(100.0, 100.0);
+        svg.curve("curve", points.map(|x| [x, 0.0]));
+        svg.finish().matches(",0.00").count()
+    }
+
+    #[test]
+    fn a_curve_through_very_many_points_is_thinned() {
+        let points = |count: usize| drawn(std::iter::repeat_n(1.0, count));
+        assert_eq!(points(0), 0);
+        assert_eq!(points(MAX_POINTS), MAX_POINTS);
+        assert_eq!(points(MAX_POINTS + 1), MAX_POINTS / 2 + 1);
+    }
+
+    #[test]
+    fn points_without_a_place_are_left_out() {
+        assert_eq!(drawn([1.0, f64::NAN, 2.0, f64::INFINITY].into_iter()), 2);
     }
 }

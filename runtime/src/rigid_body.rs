@@ -43,6 +43,7 @@ mod euler_equations;
 mod steady_rotation;
 mod steady_precession;
 mod free_rotation;
+mod nutation;
 
 pub use body::RigidBody;
 pub use error::BodyError;
@@ -58,6 +59,7 @@ pub use moments::{
 };
 pub use momentum::rate_in_space;
 pub use motion::RigidMotion;
+pub use nutation::Nutation;
 pub use principal_axes::{PrincipalAxes, Symmetry};
 pub use principal_body::PrincipalBody;
 pub use reports::{CadReport, ProductSign, UrdfInertial};

@@ -40,6 +40,14 @@ fn rotation_about(plain: &str) -> Option<char> {
 
 /// What to write for a function of numbers, or of time, whose name in small letters is that of another language.
 fn of_numbers(plain: &str) -> Option<&'static str> {
+    of_powers(plain)
+        .or_else(|| of_angles(plain))
+        .or_else(|| of_pieces(plain))
+        .or_else(|| of_time(plain))
+}
+
+/// Powers, exponentials and logarithms.
+fn of_powers(plain: &str) -> Option<&'static str> {
     let hint = match plain {
         "pow" | "power" => "write `x.powi(2)` or `x.powf(1.5)`",
         "sqr" | "sq" | "square" | "squared" | "pow2" | "abs2" => "write `x.powi(2)`",
@@ -51,6 +59,14 @@ fn of_numbers(plain: &str) -> Option<&'static str> {
         "expm1" => "write `exp(x) - 1.0`",
         "exp2" => "write `exp(x * ln(2.0))`",
         "exp10" => "write `exp(x * ln(10.0))`",
+        _ => return None,
+    };
+    Some(hint)
+}
+
+/// Trigonometric and hyperbolic functions, and their inverses.
+fn of_angles(plain: &str) -> Option<&'static str> {
+    let hint = match plain {
         "arcsin" => "write `asin(x)`",
         "arccos" => "write `acos(x)`",
         "arctan" | "arctg" => "write `atan(x)`",
@@ -74,6 +90,14 @@ fn of_numbers(plain: &str) -> Option<&'static str> {
         "toradians" | "radians" | "deg2rad" => "write `x * PI / 180.0`",
         "todegrees" | "degrees" | "rad2deg" => "write `x * 180.0 / PI`",
         "sincos" => "write `sin(x)` and `cos(x)`; they are computed together",
+        _ => return None,
+    };
+    Some(hint)
+}
+
+/// Functions that are put together from others, most of them in pieces.
+fn of_pieces(plain: &str) -> Option<&'static str> {
+    let hint = match plain {
         "sinc" => "write `sin(x) / x`, which has no value at 0",
         "sign" | "sgn" => "write `signum(x)`",
         "copysign" => "write `abs(x) * signum(y)`",
@@ -103,6 +127,14 @@ fn of_numbers(plain: &str) -> Option<&'static str> {
             "angles need no reduction: write the angle itself, or declare a function of Rust, \
              `function(remainder(x) = x.rem_euclid(1.0), derivative(x) = 1.0)`"
         }
+        _ => return None,
+    };
+    Some(hint)
+}
+
+/// Derivatives, integrals, the time, and conversions.
+fn of_time(plain: &str) -> Option<&'static str> {
+    let hint = match plain {
         "ddt" | "dt" | "diff" | "der" | "deriv" | "derivative" | "velocity" | "vel" | "d" => {
             "the time derivative is `dot(x)`"
         }

@@ -205,19 +205,34 @@ fn some_random_potentials_with_known_signs() {
     decide(100, 4);
 }
 
-/// Decides the stability of so many equilibria, of which there are more than the least number of each kind.
-fn decide(count: i32, least: i32) {
-    let mut seed = 5_u64;
-    let mut below = |count: u64| {
+/// Chooses among numbers, by a linear congruential generator.
+fn picker(mut seed: u64) -> impl FnMut(&[f64]) -> f64 {
+    move |choices| {
         seed = seed
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 33) % count
-    };
+        choices[usize::try_from((seed >> 33) % choices.len() as u64).unwrap()]
+    }
+}
+
+/// The verdict on a potential with these principal curvatures, with damping or without, and its number.
+fn expected(curvatures: [f64; 3], damping: f64) -> (usize, Verdict) {
+    if curvatures.iter().any(|x| *x < 0.0) {
+        (0, Verdict::Unstable)
+    } else if curvatures.contains(&0.0) {
+        (1, Verdict::Undecided)
+    } else if damping > 0.0 {
+        (2, Verdict::AsymptoticallyStable)
+    } else {
+        (3, Verdict::Stable)
+    }
+}
+
+/// Decides the stability of so many equilibria, of which there are more than the least number of each kind.
+fn decide(count: i32, least: i32) {
+    let mut pick = picker(5);
     let mut counts = [0; 4];
     for _ in 0..count {
-        let mut pick =
-            |choices: &[f64]| choices[usize::try_from(below(choices.len() as u64)).unwrap()];
         let unit = pick(&[1.0, 1e-8, 1e8]);
         let kind = pick(&[0.0, 1.0, 2.0]);
         let sizes = [1.0, 2.0, 0.5, 10.0, 0.1];
@@ -257,19 +272,8 @@ fn decide(count: i32, least: i32) {
         };
         let distance = (found.state.q - Vector3::from(place)).norm();
         let stability = stability(&model, found.state.q.into());
-        let verdict = if d.iter().any(|x| *x < 0.0) {
-            counts[0] += 1;
-            Verdict::Unstable
-        } else if d.contains(&0.0) {
-            counts[1] += 1;
-            Verdict::Undecided
-        } else if model.e > 0.0 {
-            counts[2] += 1;
-            Verdict::AsymptoticallyStable
-        } else {
-            counts[3] += 1;
-            Verdict::Stable
-        };
+        let (kind, verdict) = expected(d, model.e);
+        counts[kind] += 1;
         assert!(distance < 1e-2, "{model:?} {found:?}");
         assert_eq!(
             stability.verdict(),

@@ -11,6 +11,7 @@ mod mesh_files;
 mod mesh_parts;
 mod meshes;
 mod momentum;
+mod nutation;
 mod principal_axes;
 mod rotations;
 mod slow_polhodes;

@@ -123,82 +123,88 @@ fn cross_corners(cases: usize) {
         };
         // No zero at a corner: those of the grid have denominators up to 64.
         model.c[3] += 1.0 / 1024.0;
-        let [c0, c1, c2, _] = model.c;
-        let mut corners = vec![c0];
-        for s in [-1.0, 1.0] {
-            corners.push(c0 + s * c1);
-            corners.extend([c0 + s * (c1 + c2), c0 + s * (c1 - c2)]);
-        }
-        let zigzag = changes(|x| model.zigzag(x), corners, 1.0);
-        let mut corners = Vec::new();
-        let lines: Vec<_> = (0..5)
-            .map(|i| (model.a[i], model.b.get(i).copied().unwrap_or(0.0)))
-            .collect();
-        for (i, (a, b)) in lines.iter().enumerate() {
-            for (other, slope) in &lines[..i] {
-                if (slope - b).abs() > 0.0 {
-                    corners.push((a - other) / (slope - b));
-                }
-            }
-        }
-        let tree = changes(|x| model.tree(x), corners, 1.0);
         let steps = [f64::INFINITY, 0.3, 0.0625][case % 3];
         let method = Taylor::new().max_step(steps.min(1e3));
-        for (event, expected, what) in [
-            (Particle::ZIGZAG, zigzag, "zigzag"),
-            (Particle::TREE, tree, "tree"),
-        ] {
-            let at_edge = |t: f64| !(1e-9..=1.0 - 1e-9).contains(&t);
-            let value = if event == Particle::TREE {
-                model.tree(0.0)
-            } else {
-                model.zigzag(0.0)
-            };
-            if value == 0.0 || expected.iter().any(|(t, _)| at_edge(*t)) {
-                continue;
-            }
-            // Zeros of two branches at one place are not told apart.
-            if expected.windows(2).any(|pair| pair[1].0 - pair[0].0 < 1e-6) {
-                continue;
-            }
-            for (direction, wanted) in [
-                (Direction::Rising, Some(true)),
-                (Direction::Falling, Some(false)),
-                (Direction::Either, None),
-            ] {
-                let times = expected
-                    .iter()
-                    .filter(|(_, rises)| wanted.is_none_or(|wanted| wanted == *rises));
-                let times: Vec<f64> = times.map(|(t, _)| *t).collect();
-                let found = found(method, &model, event, direction, 0.0, 1.0);
-                if found.len() > times.len() {
-                    // A zero that is touched at a corner counts as reached; it is no change of sign.
-                    let function = |x: f64| {
-                        if event == Particle::TREE {
-                            model.tree(x)
-                        } else {
-                            model.zigzag(x)
-                        }
-                    };
-                    let more: Vec<_> = found
-                        .iter()
-                        .filter(|t| times.iter().all(|u| (**t - u).abs() > 1e-12))
-                        .collect();
-                    assert!(
-                        more.iter().all(|t| function(**t).abs() < 1e-13),
-                        "case {case}, {what} {direction:?} of {model:?}: {found:?} {times:?}"
-                    );
-                    continue;
-                }
-                compare(
-                    &format!("case {case}, {what}, {direction:?}"),
-                    &model,
-                    &found,
-                    &times,
-                    1e-13,
-                );
+        let [zigzag, tree] = [zigzag_corners(&model), tree_corners(&model)];
+        let what = format!("case {case}, zigzag");
+        cross(
+            &what,
+            method,
+            &model,
+            Particle::ZIGZAG,
+            Particle::zigzag,
+            zigzag,
+        );
+        let what = format!("case {case}, tree");
+        cross(&what, method, &model, Particle::TREE, Particle::tree, tree);
+    }
+}
+
+fn zigzag_corners(model: &Particle) -> Vec<f64> {
+    let [c0, c1, c2, _] = model.c;
+    let mut corners = vec![c0];
+    for s in [-1.0, 1.0] {
+        corners.push(c0 + s * c1);
+        corners.extend([c0 + s * (c1 + c2), c0 + s * (c1 - c2)]);
+    }
+    corners
+}
+
+/// Where two of the lines of the tree meet.
+fn tree_corners(model: &Particle) -> Vec<f64> {
+    let mut corners = Vec::new();
+    let lines: Vec<_> = (0..5)
+        .map(|i| (model.a[i], model.b.get(i).copied().unwrap_or(0.0)))
+        .collect();
+    for (i, (a, b)) in lines.iter().enumerate() {
+        for (other, slope) in &lines[..i] {
+            if (slope - b).abs() > 0.0 {
+                corners.push((a - other) / (slope - b));
             }
         }
+    }
+    corners
+}
+
+/// The zeros of a function with these corners are found in all directions.
+fn cross(
+    what: &str,
+    method: Taylor,
+    model: &Particle,
+    event: DeclaredEvent<Particle>,
+    function: fn(&Particle, f64) -> f64,
+    corners: Vec<f64>,
+) {
+    let function = |x: f64| function(model, x);
+    let expected = changes(function, corners, 1.0);
+    let at_edge = |t: f64| !(1e-9..=1.0 - 1e-9).contains(&t);
+    // Zeros of two branches at one place are not told apart.
+    let are_close = expected.windows(2).any(|pair| pair[1].0 - pair[0].0 < 1e-6);
+    if function(0.0) == 0.0 || expected.iter().any(|(t, _)| at_edge(*t)) || are_close {
+        return;
+    }
+    for (direction, wanted) in [
+        (Direction::Rising, Some(true)),
+        (Direction::Falling, Some(false)),
+        (Direction::Either, None),
+    ] {
+        let times = expected
+            .iter()
+            .filter(|(_, rises)| wanted.is_none_or(|wanted| wanted == *rises));
+        let times: Vec<f64> = times.map(|(t, _)| *t).collect();
+        let found = found(method, model, event, direction, 0.0, 1.0);
+        if found.len() > times.len() {
+            // A zero that is touched at a corner counts as reached; it is no change of sign.
+            let is_more = |t: &f64| times.iter().all(|u| (t - u).abs() > 1e-12);
+            let mut more = found.iter().copied().filter(is_more);
+            assert!(
+                more.all(|t| function(t).abs() < 1e-13),
+                "{what}, {direction:?} of {model:?}: {found:?} {times:?}"
+            );
+            continue;
+        }
+        let what = format!("{what}, {direction:?}");
+        compare(&what, model, &found, &times, 1e-13);
     }
 }
 
@@ -333,6 +339,32 @@ fn some_clusters_of_zeros_are_counted_with_their_multiplicities() {
     count_clusters(15);
 }
 
+/// Where a polynomial with these ascending roots, positive before them, vanishes, where it falls, and where it rises; a double root
+/// is both.
+fn passages(roots: &[f64]) -> [Vec<f64>; 3] {
+    let mut groups: Vec<(f64, usize)> = Vec::new();
+    for &root in roots {
+        match groups.last_mut() {
+            Some((at, count)) if root - *at < 1e-9 => *count += 1,
+            _ => groups.push((root, 1)),
+        }
+    }
+    let mut sign = 1.0;
+    let (mut all, mut falling, mut rising) = (Vec::new(), Vec::new(), Vec::new());
+    for (at, count) in groups {
+        all.push(at);
+        if sign > 0.0 {
+            falling.push(at);
+        } else {
+            rising.push(at);
+        }
+        if count % 2 == 1 {
+            sign = -sign;
+        }
+    }
+    [all, falling, rising]
+}
+
 fn count_clusters(cases: usize) {
     let mut random = Random(99);
     for case in 0..cases {
@@ -361,26 +393,7 @@ fn count_clusters(cases: usize) {
         if width.filter(|gap| *gap > 0.0 && *gap < 1e-3).count() > 1 {
             continue;
         }
-        let mut groups: Vec<(f64, usize)> = Vec::new();
-        for root in roots {
-            match groups.last_mut() {
-                Some((at, count)) if root - *at < 1e-9 => *count += 1,
-                _ => groups.push((root, 1)),
-            }
-        }
-        let mut sign = 1.0;
-        let (mut all, mut falling, mut rising) = (Vec::new(), Vec::new(), Vec::new());
-        for (at, count) in groups {
-            all.push(at);
-            if sign > 0.0 {
-                falling.push(at);
-            } else {
-                rising.push(at);
-            }
-            if count % 2 == 1 {
-                sign = -sign;
-            }
-        }
+        let [all, falling, rising] = passages(&roots);
         let max_step = [10.0, 0.25, 1.0 / 64.0][case % 3];
         let method = Taylor::new().max_step(max_step);
         for (direction, expected) in [

@@ -112,9 +112,9 @@ fn reactions_change_the_state_and_the_model() {
     assert!((end.t - 2.5).abs() < 1e-13);
 }
 
-/// What cannot be is an error with what was set, and nothing is lost of the motion before an error.
+/// What cannot be is an error with what was set.
 #[test]
-fn mistakes_are_errors_and_keep_what_is_known() {
+fn mistakes_in_what_is_saved_are_errors() {
     for interval in [0.0, -1.0, f64::NAN, f64::INFINITY, f64::MIN_POSITIVE] {
         let refused = Problem::new(&STONE, start())
             .save(Every(interval))
@@ -143,6 +143,10 @@ fn mistakes_are_errors_and_keep_what_is_known() {
         matches!(error, IntegrationError::UnorderedTimes { .. }),
         "{error}"
     );
+}
+
+#[test]
+fn an_end_that_is_no_time_is_an_error() {
     for end in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let problem = Problem::new(&STONE, start());
         let errors = [
@@ -165,7 +169,11 @@ fn mistakes_are_errors_and_keep_what_is_known() {
             );
         }
     }
-    // ẋ = x² reaches infinity at t = 1, but for the error of the integration.
+}
+
+/// ẋ = x² reaches infinity at t = 1, but for the error of the integration.
+#[test]
+fn nothing_is_lost_of_the_motion_before_an_error() {
     let failed = Problem::new(
         Blowup,
         At {

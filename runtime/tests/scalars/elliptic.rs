@@ -269,3 +269,35 @@ fn integrals_between_two_arguments() {
         }
     }
 }
+
+/// K(m), F(φ|m) from the sine of φ, and sn(u|m), by mpmath with 30 digits.
+#[test]
+fn first_kind_and_sine_beside_mpmath() {
+    let modulus = modulus::<f64>;
+    for (m, expected) in [
+        (0.0, core::f64::consts::FRAC_PI_2),
+        (0.3, 1.713_889_448_178_791),
+        (0.75, 2.156_515_647_499_643_2),
+        (0.999, 4.841_132_560_550_297),
+    ] {
+        assert_close(modulus(m).complete_first() / expected, 1.0, 4e-16);
+        assert_close(modulus(m).first(1.0, 0.0) / expected, 1.0, 2e-15);
+    }
+    let first = |sine: f64, m: f64| modulus(m).first(sine, (1.0 - sine * sine).sqrt());
+    assert_close(first(0.6, 0.3), 0.656_418_097_039_575_5, 4e-16);
+    assert_close(first(-0.999, 0.75), -2.067_154_661_955_832_5, 4e-15);
+    for (u, m, expected) in [
+        (0.7, 0.3, 0.632_304_776_310_864_5),
+        (-1.9, 0.75, -0.991_650_867_351_617),
+        (12.5, 0.2, -0.691_223_147_857_439_2),
+        (3.0, 0.999, 0.995_293_128_337_884_4),
+        (1.0, 0.0, 0.841_470_984_807_896_5),
+    ] {
+        assert_close(modulus(m).jacobi(u).0, expected, 1e-14);
+    }
+    for m in [0.0, 0.2, 0.9] {
+        for sine in [-0.9, -0.1, 0.0, 0.4, 0.99] {
+            assert_close(modulus(m).jacobi(first(sine, m)).0, sine, 4e-15);
+        }
+    }
+}

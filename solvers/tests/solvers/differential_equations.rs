@@ -7,7 +7,7 @@ use differential_equations::ode::ODE;
 use differential_equations::prelude::{
     BackwardDifferentiationFormula, ExplicitRungeKutta, IVP, ImplicitRungeKutta, Solution,
 };
-use lagrangian::prelude::{Lagrangian, Plant, Problem, Taylor};
+use lagrangian::prelude::{Lagrangian, Problem, Taylor};
 use lagrangian_solvers::OdeSystem;
 
 use crate::closeness::{assert_close, error};

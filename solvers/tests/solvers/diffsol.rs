@@ -5,7 +5,7 @@ use diffsol::{
     NonLinearOpJacobian, OdeEquationsImplicit, OdeSolverMethod, OdeSolverProblem,
     OdeSolverStopReason, Vector,
 };
-use lagrangian::prelude::{Plant, Problem, Taylor};
+use lagrangian::prelude::{Problem, Taylor};
 use lagrangian_solvers::OdeSystem;
 
 use crate::closeness::assert_close;

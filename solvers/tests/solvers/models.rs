@@ -123,7 +123,7 @@ impl<S: Scalar> Dynamics<S> for Balanced<'_> {
         let state = At { t, x: *x };
         let pushed = self.0.with_inputs(balance(&state));
         let v = pushed.accelerations(&state);
-        Phase { q: x.v, v }
+        Phase::new(x.v, v)
     }
 }
 

@@ -1,7 +1,7 @@
 //! `ode_solvers`. Its dense output extrapolates to the final time where the steps are shorter than the interval of the output: the
 //! ends of steps are exact.
 
-use lagrangian::prelude::{Plant, Problem, Taylor};
+use lagrangian::prelude::{Problem, Taylor};
 use lagrangian_solvers::OdeSystem;
 use ode_solvers::dop_shared::IntegrationError;
 use ode_solvers::{DVector, Dop853, Dopri5, OutputType, SVector};

@@ -249,6 +249,42 @@ const fn repeating(f: f64, slope: f64) -> Derivatives {
     [f, slope, f, slope]
 }
 
+/// Of the inverse sine with the sign 1, and of the inverse cosine with −1.
+fn inverse_sine(f: f64, x: f64, sign: f64) -> Derivatives {
+    let square = 1.0 / ((1.0 - x) * (1.0 + x));
+    let slope = sign * square.sqrt();
+    let third = (1.0 + 2.0 * x * x) * square * square;
+    [f, slope, x * square * slope, third * slope]
+}
+
+/// σ′, σ″ and σ‴ of the logistic function σ at x.
+fn slopes_of_logistic(logistic: f64, x: f64) -> [f64; 3] {
+    let slope = logistic * Unary::Logistic.value(-x);
+    // 1 − 2 σ(x).
+    let difference = -libm::tanh(x / 2.0);
+    [slope, slope * difference, slope * (1.0 - 6.0 * slope)]
+}
+
+fn hyperbolic_tangent(f: f64, x: f64) -> Derivatives {
+    // 1 − f², without its cancellation.
+    let cosh = libm::cosh(x);
+    let slope = 1.0 / (cosh * cosh);
+    [f, slope, -2.0 * f * slope, (6.0 * f * f - 2.0) * slope]
+}
+
+fn hyperbolic_secant(f: f64, tanh: f64) -> Derivatives {
+    let second = f * (1.0 - 2.0 * f * f);
+    [f, -f * tanh, second, f * tanh * (6.0 * f * f - 1.0)]
+}
+
+fn inverse_hyperbolic_cosine(f: f64, x: f64) -> Derivatives {
+    // x² may overflow where the slope does not vanish.
+    let slope = 1.0 / ((x - 1.0).sqrt() * (x + 1.0).sqrt());
+    let (square, ratio) = (slope * slope, x * slope);
+    let third = (2.0 * ratio * ratio + square) * square * slope;
+    [f, slope, -ratio * square, third]
+}
+
 /// f, f′, f″ and f‴ of the elementary functions: Abramowitz and Stegun, Handbook of Mathematical
 /// Functions (1964), 4.3, 4.4, 4.5 and 4.6.
 pub(super) fn derivatives(function: Unary, x: f64) -> Derivatives {
@@ -260,13 +296,8 @@ pub(super) fn derivatives(function: Unary, x: f64) -> Derivatives {
             let slope = 1.0 + f * f;
             [f, slope, 2.0 * f * slope, (2.0 + 6.0 * f * f) * slope]
         }
-        Unary::Asin | Unary::Acos => {
-            let sign = if function == Unary::Asin { 1.0 } else { -1.0 };
-            let square = 1.0 / ((1.0 - x) * (1.0 + x));
-            let slope = sign * square.sqrt();
-            let third = (1.0 + 2.0 * x * x) * square * square;
-            [f, slope, x * square * slope, third * slope]
-        }
+        Unary::Asin => inverse_sine(f, x, 1.0),
+        Unary::Acos => inverse_sine(f, x, -1.0),
         Unary::Atan => {
             let (cos, sin) = unit_circle(x);
             let slope = cos * cos;
@@ -275,34 +306,15 @@ pub(super) fn derivatives(function: Unary, x: f64) -> Derivatives {
         }
         Unary::Sinh => repeating(f, libm::cosh(x)),
         Unary::Cosh => repeating(f, libm::sinh(x)),
-        Unary::Tanh => {
-            // 1 − f², without its cancellation.
-            let cosh = libm::cosh(x);
-            let slope = 1.0 / (cosh * cosh);
-            [f, slope, -2.0 * f * slope, (6.0 * f * f - 2.0) * slope]
-        }
-        Unary::Sech => {
-            let tanh = libm::tanh(x);
-            [
-                f,
-                -f * tanh,
-                f * (1.0 - 2.0 * f * f),
-                f * tanh * (6.0 * f * f - 1.0),
-            ]
-        }
+        Unary::Tanh => hyperbolic_tangent(f, x),
+        Unary::Sech => hyperbolic_secant(f, libm::tanh(x)),
         Unary::Asinh => {
             let (slope, sin) = unit_circle(x);
             let square = slope * slope;
             let third = (2.0 * sin * sin - square) * square * slope;
             [f, slope, -sin * square, third]
         }
-        Unary::Acosh => {
-            // x² may overflow where the slope does not vanish.
-            let slope = 1.0 / ((x - 1.0).sqrt() * (x + 1.0).sqrt());
-            let (square, ratio) = (slope * slope, x * slope);
-            let third = (2.0 * ratio * ratio + square) * square * slope;
-            [f, slope, -ratio * square, third]
-        }
+        Unary::Acosh => inverse_hyperbolic_cosine(f, x),
         Unary::Atanh => {
             let slope = 1.0 / ((1.0 - x) * (1.0 + x));
             let third = (2.0 + 6.0 * x * x) * slope * slope * slope;
@@ -317,16 +329,14 @@ pub(super) fn derivatives(function: Unary, x: f64) -> Derivatives {
             let (tanh, sech) = (libm::tanh(x), Unary::Sech.value(x));
             [f, tanh, sech * sech, -2.0 * tanh * sech * sech]
         }
-        Unary::Logistic | Unary::Softplus => {
+        Unary::Logistic => {
+            let [slope, second, third] = slopes_of_logistic(f, x);
+            [f, slope, second, third]
+        }
+        Unary::Softplus => {
             let logistic = Unary::Logistic.value(x);
-            let slope = logistic * Unary::Logistic.value(-x);
-            // 1 − 2 σ(x).
-            let difference = -libm::tanh(x / 2.0);
-            if function == Unary::Softplus {
-                [f, logistic, slope, slope * difference]
-            } else {
-                [f, slope, slope * difference, slope * (1.0 - 6.0 * slope)]
-            }
+            let [slope, second, _] = slopes_of_logistic(logistic, x);
+            [f, logistic, slope, second]
         }
         Unary::Abs => [f, Unary::Signum.value(x), 0.0, 0.0],
         Unary::Signum => [f, 0.0, 0.0, 0.0],

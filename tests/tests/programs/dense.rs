@@ -2,11 +2,10 @@
 
 use lagrangian::prelude::*;
 
-use crate::models::{TOP, Top};
+use crate::models::TOP;
 
 pub(crate) fn program() -> Result<[f64; 2], IntegrationError> {
     let top = Problem::new(&TOP, State::new(0.0, [0.0, 0.5, 0.0], [0.0, 0.0, 20.0]));
     let motion = top.save(Dense).solve(10.0, Taylor::new())?;
-    let theta = |t| motion.at(t).map(|state| state.q[Top::THETA]);
-    Ok([theta(1.234)?, theta(9.87)?])
+    Ok([motion.at(1.234)?.q[1], motion.at(9.87)?.q[1]])
 }

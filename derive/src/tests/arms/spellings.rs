@@ -58,6 +58,23 @@ fn along_inertial_axes(links: usize) -> TokenStream {
     arm_with(links, by_name, &quote!(angular_velocity_inertial), &each)
 }
 
+/// The homogeneous matrix of a rotation about an axis, and of a place, by its elements.
+fn elements(axis: &str, angle: &TokenStream, place: &[TokenStream; 3]) -> TokenStream {
+    let (s, c) = (quote!(sin(#angle)), quote!(cos(#angle)));
+    let [x, y, z] = place;
+    match axis {
+        "x" => {
+            quote!([[1.0, 0.0, 0.0, #x], [0.0, #c, -#s, #y], [0.0, #s, #c, #z], [0.0, 0.0, 0.0, 1.0]])
+        }
+        "y" => {
+            quote!([[#c, 0.0, #s, #x], [0.0, 1.0, 0.0, #y], [-#s, 0.0, #c, #z], [0.0, 0.0, 0.0, 1.0]])
+        }
+        _ => {
+            quote!([[#c, -#s, 0.0, #x], [#s, #c, 0.0, #y], [0.0, 0.0, 1.0, #z], [0.0, 0.0, 0.0, 1.0]])
+        }
+    }
+}
+
 /// Homogeneous matrices of the links, and homogeneous coordinates of the centres of mass.
 fn homogeneous(links: usize, is_written_out: bool) -> TokenStream {
     let axes = ["z", "y", "x", "y"];
@@ -76,19 +93,7 @@ fn homogeneous(links: usize, is_written_out: bool) -> TokenStream {
                     quote!(link[#before][#k])
                 }
             });
-            let (s, c) = (quote!(sin(#angle)), quote!(cos(#angle)));
-            let [x, y, z] = place;
-            match axis {
-                "x" => {
-                    quote!([[1.0, 0.0, 0.0, #x], [0.0, #c, -#s, #y], [0.0, #s, #c, #z], [0.0, 0.0, 0.0, 1.0]])
-                }
-                "y" => {
-                    quote!([[#c, 0.0, #s, #x], [0.0, 1.0, 0.0, #y], [-#s, 0.0, #c, #z], [0.0, 0.0, 0.0, 1.0]])
-                }
-                _ => {
-                    quote!([[#c, -#s, 0.0, #x], [#s, #c, 0.0, #y], [0.0, 0.0, 1.0, #z], [0.0, 0.0, 0.0, 1.0]])
-                }
-            }
+            elements(axis, &angle, &place)
         } else {
             let turn = by_name(axis, &angle);
             if i == 0 {

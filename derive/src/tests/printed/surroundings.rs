@@ -73,16 +73,7 @@ impl Surroundings {
             Formula::Transposed(x) => self.value(x)?.transposed(),
             Formula::Bars(x) => Ok(Value::Scalar(self.value(x)?.length()?)),
             Formula::Root(x) => Ok(Value::Scalar(self.value(x)?.scalar()?.sqrt())),
-            Formula::List(list) => {
-                let list = list.iter().map(|x| self.value(x));
-                let list: Vec<_> = list.collect::<Reading<_>>()?;
-                if list.iter().any(|row| matches!(row, Value::Vector(_))) {
-                    let rows = list.iter().map(Value::vector);
-                    return Ok(Value::Matrix(rows.collect::<Reading<_>>()?));
-                }
-                let list = list.iter().map(Value::scalar);
-                Ok(Value::Vector(list.collect::<Reading<_>>()?))
-            }
+            Formula::List(list) => self.list(list),
             Formula::Rate(x) => Ok(self.value(x)?.rate()),
             Formula::Component(x, axis) => self.value(x)?.component(*axis),
             Formula::Sum {
@@ -103,16 +94,30 @@ impl Surroundings {
                 let others = (first..=last).filter(move |index| *index != own);
                 self.sum(variable, others, term)
             }
-            Formula::SumOfLinks(variable, term) => {
-                let mut sum = Value::Scalar(Jet::ZERO);
-                for link in self.behind.clone() {
-                    self.indices.insert(variable.clone(), link);
-                    sum = sum.plus(&self.value(term)?)?;
-                }
-                self.indices.remove(variable);
-                Ok(sum)
-            }
+            Formula::SumOfLinks(variable, term) => self.sum_of_links(variable, term),
         }
+    }
+
+    /// A vector, or a matrix by its rows.
+    fn list(&mut self, list: &[Formula]) -> Reading<Value> {
+        let list = list.iter().map(|x| self.value(x));
+        let list: Vec<_> = list.collect::<Reading<_>>()?;
+        if list.iter().any(|row| matches!(row, Value::Vector(_))) {
+            let rows = list.iter().map(Value::vector);
+            return Ok(Value::Matrix(rows.collect::<Reading<_>>()?));
+        }
+        let list = list.iter().map(Value::scalar);
+        Ok(Value::Vector(list.collect::<Reading<_>>()?))
+    }
+
+    fn sum_of_links(&mut self, variable: &String, term: &Formula) -> Reading<Value> {
+        let mut sum = Value::Scalar(Jet::ZERO);
+        for link in self.behind.clone() {
+            self.indices.insert(variable.clone(), link);
+            sum = sum.plus(&self.value(term)?)?;
+        }
+        self.indices.remove(variable);
+        Ok(sum)
     }
 
     fn sum(

@@ -280,25 +280,27 @@ fn velocities_that_are_computed_along_inertial_axes() {
     assert!(matches!(*along.terms, [Term::AngularVelocity(frame, _)] if frame == along.axes));
 }
 
+/// Two homogeneous matrices, their product, and a point that it takes.
+fn homogeneous_matrices(graph: &mut Graph) -> [Matrix; 4] {
+    let turn = rotation(graph, &[Axis::Z, Axis::Y], 0);
+    let place = vector(graph, 0);
+    let first = graph.homogeneous(&turn, &place).unwrap();
+    let turn = rotation(graph, &[Axis::X], 2);
+    let place = vector(graph, 3);
+    let second = graph.homogeneous(&turn, &place).unwrap();
+    let product = graph.matrix_product(&first, &second).unwrap();
+    let mut point = vector(graph, 6).elements().to_vec();
+    point.push(graph.one());
+    let point = graph
+        .matrix_product(&product, &Matrix::vector(point))
+        .unwrap();
+    [first, second, product, point]
+}
+
 #[test]
 fn homogeneous_matrices_are_multiplied_by_blocks() {
-    let make = |graph: &mut Graph| {
-        let turn = rotation(graph, &[Axis::Z, Axis::Y], 0);
-        let place = vector(graph, 0);
-        let first = graph.homogeneous(&turn, &place).unwrap();
-        let turn = rotation(graph, &[Axis::X], 2);
-        let place = vector(graph, 3);
-        let second = graph.homogeneous(&turn, &place).unwrap();
-        let product = graph.matrix_product(&first, &second).unwrap();
-        let mut point = vector(graph, 6).elements().to_vec();
-        point.push(graph.one());
-        let point = graph
-            .matrix_product(&product, &Matrix::vector(point))
-            .unwrap();
-        [first, second, product, point]
-    };
     assert_equal(|graph| {
-        let [first, _, product, point] = make(graph);
+        let [first, _, product, point] = homogeneous_matrices(graph);
         let velocity = graph.matrix_time_derivative(&point, COORDINATES);
         let turn = graph.block(&product, (0, 0), (3, 3)).unwrap();
         let w = graph.angular_velocity(&turn, COORDINATES).unwrap();
@@ -317,9 +319,13 @@ fn homogeneous_matrices_are_multiplied_by_blocks() {
         roots.extend([determinant, square, product]);
         roots
     });
-    // By elements, and an inverse that is one.
+}
+
+/// By elements, and an inverse that is one.
+#[test]
+fn homogeneous_matrices_are_those_of_their_elements() {
     for mut graph in [Graph::new(), Graph::with_unresolved_vectors(COORDINATES)] {
-        let [first, second, product, point] = make(&mut graph);
+        let [first, second, product, point] = homogeneous_matrices(&mut graph);
         let inverse = graph.inverse(&product).unwrap();
         let one = graph.matrix_product(&product, &inverse).unwrap();
         let identity = graph.identity_matrix(4);

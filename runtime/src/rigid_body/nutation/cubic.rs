@@ -1,8 +1,10 @@
 //! The two roots of a cubic between which a motion goes to and fro.
 
+use crate::limits::rigid_bodies::{MAX_BISECTIONS, POLISHING_STEPS};
+
 /// The roots of a cubic on both sides of 0, where it is not negative, within `bounds`, where it is not
 /// positive.
-pub(crate) fn roots_around_zero(coefficients: [f64; 4], bounds: [f64; 2]) -> [f64; 2] {
+pub(super) fn roots_around_zero(coefficients: [f64; 4], bounds: [f64; 2]) -> [f64; 2] {
     let [constant, slope, bend, leading] = coefficients;
     let cubic = |x: f64| constant + x * (slope + x * (bend + x * leading));
     let deflated = |x: f64| slope + x * (bend + x * leading);
@@ -18,10 +20,9 @@ pub(crate) fn roots_around_zero(coefficients: [f64; 4], bounds: [f64; 2]) -> [f6
 }
 
 /// The root of a cubic near `x`, to the last digit also where it is small, by Newton's method.
-pub(crate) fn polished_root(coefficients: [f64; 4], mut x: f64) -> f64 {
+pub(super) fn polished_root(coefficients: [f64; 4], mut x: f64) -> f64 {
     let [constant, slope, bend, leading] = coefficients;
-    // From the first digit on six steps are more than enough, and from none for a small root, too.
-    for _ in 0..6 {
+    for _ in 0..POLISHING_STEPS {
         let value = constant + x * (slope + x * (bend + x * leading));
         x -= value / (slope + x * (2.0 * bend + 3.0 * x * leading));
     }
@@ -31,10 +32,10 @@ pub(crate) fn polished_root(coefficients: [f64; 4], mut x: f64) -> f64 {
 /// The sign change of a function that is positive at 0 and not at `outside`, to the last digit.
 fn bisect(function: impl Fn(f64) -> f64, mut outside: f64) -> f64 {
     let mut inside = 0.0;
-    loop {
+    for _ in 0..MAX_BISECTIONS {
         let middle = 0.5 * (inside + outside);
         if middle - inside == 0.0 || outside - middle == 0.0 {
-            return inside;
+            break;
         }
         if function(middle) > 0.0 {
             inside = middle;
@@ -42,12 +43,21 @@ fn bisect(function: impl Fn(f64) -> f64, mut outside: f64) -> f64 {
             outside = middle;
         }
     }
+    inside
 }
 
 #[cfg(test)]
 mod tests {
     use super::{polished_root, roots_around_zero};
-    use crate::close;
+
+    #[track_caller]
+    fn close(value: f64, expected: f64, tolerance: f64) {
+        let error = (value - expected).abs();
+        assert!(
+            error <= tolerance,
+            "{value} in place of {expected}: {error:e}"
+        );
+    }
 
     #[test]
     fn roots_on_both_sides() {
@@ -80,5 +90,14 @@ mod tests {
         // (x − 10⁻²⁰) (x − 1)² by its leading digits; 1 is a rounding error away from nothing.
         let root = polished_root([-1e-20, 1.0, -2.0, 1.0], 1e-16);
         close(root / 1e-20, 1.0, 1e-15);
+    }
+
+    /// A root at the smallest number, and a function that is never positive.
+    #[test]
+    fn bisection_ends() {
+        let [_, above] = roots_around_zero([0.0, f64::MIN_POSITIVE, -1.0, 0.0], [-1.0, 1.0]);
+        close(above / f64::MIN_POSITIVE, 1.0, 1e-15);
+        let found = roots_around_zero([1.0, f64::NAN, 0.0, 0.0], [-1.0, 1.0]);
+        assert!(found.iter().all(|x| x.is_finite()));
     }
 }
