@@ -6,6 +6,7 @@
 mod dynamics;
 mod singularity;
 mod singularity_check;
+mod projection;
 mod error;
 mod at;
 mod bernstein;
@@ -51,6 +52,7 @@ pub(crate) use problem::NothingWatched;
 #[cfg(feature = "alloc")]
 pub use problem::{Dense, Every, StepEnds};
 pub use problem::{End, EventIndices, Keep, Problem, Reactions, Run, Solution, System, When};
+pub use projection::Projection;
 pub use runge_kutta::{
     ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
 };

@@ -6,6 +6,6 @@
 #[cfg(feature = "alloc")]
 pub use crate::integrate::{Dense, DenseSolution, Every, StepEnds};
 pub use crate::integrate::{
-    End, EventIndices, Flow, Keep, Observer, Reactions, Run, System, Watched, When,
+    End, EventIndices, Flow, Keep, Observer, Projection, Reactions, Run, System, Watched, When,
 };
 pub use crate::model::{SampledFeedback, SampledPhase};
