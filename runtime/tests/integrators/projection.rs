@@ -152,8 +152,8 @@ fn pendulums_in_lanes_stay_on_their_circles() {
     let starts = angles.map(|angle| ROD.released(angle).x);
     let mut stepper =
         TaylorLanes::<SVector<Lanes<3>, 4>, 3, 14>::new(Taylor::new(), 0.0, &starts[0]);
-    for lane in 0..3 {
-        stepper.set_lane(lane, 0.0, &starts[lane]);
+    for (lane, start) in starts.iter().enumerate() {
+        stepper.set_lane(lane, 0.0, start);
     }
     let mut samples = 0;
     while (0..3).any(|lane| stepper.time(lane) < ends[lane]) {
@@ -190,7 +190,7 @@ fn pendulums_in_lanes_stay_on_their_circles() {
 }
 
 /// Fails unless dense output ends at the projected state of each step, where the step is moved by far more than rounding.
-fn check_dense_output<I>(method: I)
+fn check_dense_output<I>(method: &I)
 where
     I: Integrator<f64, Rod, Stepper: DenseOutput<f64, Rod>>,
 {
@@ -213,9 +213,9 @@ where
 
 #[test]
 fn dense_output_ends_where_the_step_was_projected_to() {
-    check_dense_output(Taylor::order_12().relative_tolerance(1e-6));
+    check_dense_output(&Taylor::order_12().relative_tolerance(1e-6));
     check_dense_output(
-        Dop853::new()
+        &Dop853::new()
             .relative_tolerance(1e-6)
             .absolute_tolerance(1e-6),
     );
@@ -230,9 +230,14 @@ fn the_polynomial_of_a_very_short_step_ends_where_it_was_projected_to() {
     run.advance(1.0).unwrap();
     let end = 1.0 + 64.0 * f64::EPSILON;
     let last = run.advance(end).unwrap().last;
-    assert_eq!(run.previous_time(), 1.0);
+    assert_eq!(run.previous_time().to_bits(), 1.0_f64.to_bits());
     for t in [1.0, 1.0 + 32.0 * f64::EPSILON] {
-        assert!((run.at(t).unwrap().x - last.x).amax() <= 1e-13);
+        // The state moves by up to 40 a second.
+        let moved = run.at(t).unwrap().x - last.x;
+        assert!(
+            moved.iter().all(|x| x.abs() <= 40.0 * 64.0 * f64::EPSILON),
+            "{moved}"
+        );
     }
 }
 
@@ -393,5 +398,5 @@ fn how_far_steps_were_projected_is_kept_where_a_method_begins_anew() {
     let moved = run.statistics().projection;
     run.change(|_, _| ()).unwrap();
     assert!(moved > 0.0);
-    assert_eq!(run.statistics().projection, moved);
+    assert_eq!(run.statistics().projection.to_bits(), moved.to_bits());
 }

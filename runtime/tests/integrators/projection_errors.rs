@@ -68,9 +68,8 @@ fn a_start_within_the_tolerance_is_taken_as_it_is() {
         .unwrap();
     assert_eq!(first, Some(start.x));
     assert!(ROD.residuals(&end.x)[0] <= 4.0 * f64::EPSILON);
-    for method in [RungeKutta::classical(0.01)] {
-        assert!(Problem::new(ROD, off(1e-7)).solve(1.0, method).is_ok());
-    }
+    let fixed = Problem::new(ROD, off(1e-7)).solve(1.0, RungeKutta::classical(0.01));
+    assert!(fixed.is_ok());
 }
 
 /// Rounding is no reason, whatever the unit of length and however the numbers were made.
@@ -149,7 +148,7 @@ fn reactions_and_changes_leave_states_on_the_manifold() {
 #[test]
 fn dynamics_stay_changed_where_the_changed_state_is_off_the_manifold() {
     let mut run = Problem::new(ROD, ROD.released(RELEASE))
-        .start(Taylor::new())
+        .start(Dop853::new())
         .unwrap();
     run.advance(0.5).unwrap();
     let here = run.state();
@@ -163,8 +162,8 @@ fn dynamics_stay_changed_where_the_changed_state_is_off_the_manifold() {
         gravity: 2.0 * ROD.gravity,
         ..ROD
     };
-    let expected = Problem::new(heavy, here).solve(2.0, Taylor::new()).unwrap();
-    assert!((end.last.x - expected.last.x).amax() < 1e-12);
+    let expected = Problem::new(heavy, here).solve(2.0, Dop853::new()).unwrap();
+    assert!((end.last.x - expected.last.x).amax() < 1e-9);
 }
 
 /// Equations that leave the circle are an error at the end of the first step.
@@ -209,9 +208,10 @@ fn a_lane_off_the_manifold_ends_alone() {
     let alone = Taylor::new().ensemble::<1>().collect(&ROD, [motions[0]]);
     assert_eq!(found[0], alone[0]);
     assert!(found[0].is_ok());
+    // It takes no step.
     assert!(matches!(
         found[1],
-        Err(IntegrationError::OffManifold { .. })
+        Err(IntegrationError::OffManifold { time: 0.0, .. })
     ));
     assert!(matches!(
         found[2],
@@ -267,7 +267,7 @@ fn samples_and_events_at_which_the_projection_fails_are_errors() {
         .unwrap_err();
     fails(partial.error());
     assert_eq!(partial.solution().samples().len(), 1);
-    assert_eq!(partial.solution().last.t, 0.5);
+    assert_close(partial.solution().last.t, 0.5, 0.0);
     let partial = problem()
         .when(|x| x.t - 0.505)
         .stop()

@@ -255,10 +255,11 @@ where
             self.stepper.restart(&self.dynamics);
             return Err(error);
         }
-        // The state behind the change is another one than that at the end of the step.
-        self.kept.step = None;
         let restarted = self.stepper.restart_at(&self.dynamics, t, here.x);
-        if restarted.is_err() {
+        if restarted.is_ok() {
+            // The state behind the change is another one than that at the end of the step.
+            self.kept.step = None;
+        } else {
             self.stepper.restart(&self.dynamics);
         }
         restarted
