@@ -209,3 +209,40 @@ fn declared_events_at_ends_of_projected_steps_occur_once() {
     }
     assert!(count > 70, "{count}");
 }
+
+/// The pendulum is turned back at each passage of its lowest point: it swings on one side, where a half period lies between two events.
+#[test]
+fn reactions_at_events_of_projected_steps_follow_each_other() {
+    let level = Level(0.0);
+    let back = |x: &mut At<f64, SVector<f64, 4>>| {
+        x[2] = -x[2];
+        x[3] = -x[3];
+    };
+    let half_period = ROD.half_period(RELEASE);
+    let end = 40.0 * half_period;
+    let problem = || Problem::new(&level, ROD.released(RELEASE));
+    for tolerance in [1e-5, 1e-8] {
+        let method = Taylor::order_12().relative_tolerance(tolerance);
+        let declared = problem().on(0).falling().then(back).solve(end, method);
+        let sampled = problem().when(|x| x[0]).falling().then(back);
+        let sampled = sampled.solve(end, method);
+        for motion in [declared.unwrap(), sampled.unwrap()] {
+            assert_eq!(motion.reason, StopReason::Completed);
+            assert_eq!(motion.events().len(), 40);
+            let mut expected = 0.5 * half_period;
+            for event in motion.events() {
+                assert!(
+                    (event.t - expected).abs() < 100.0 * tolerance,
+                    "{}",
+                    event.t - expected
+                );
+                assert!(
+                    ROD.residuals(&event.x)
+                        .into_iter()
+                        .all(|r| r <= 4.0 * f64::EPSILON)
+                );
+                expected += half_period;
+            }
+        }
+    }
+}

@@ -400,3 +400,72 @@ fn how_far_steps_were_projected_is_kept_where_a_method_begins_anew() {
     assert!(moved > 0.0);
     assert_eq!(run.statistics().projection.to_bits(), moved.to_bits());
 }
+
+/// The pendulum under a damper that is set ten times a second: behind (x, y, ẋ, ẏ) are the force along the circle over the distance,
+/// and the time of the next update.
+struct SampledDamper;
+
+impl Dynamics for SampledDamper {
+    type State = SVector<f64, 6>;
+
+    fn derivative(&self, t: f64, x: &Self::State) -> Self::State {
+        let slope = ROD.derivative(t, &x.fixed_rows::<4>(0).into_owned());
+        let force = [-x[4] * x[1], x[4] * x[0]];
+        SVector::from([
+            slope[0],
+            slope[1],
+            slope[2] + force[0],
+            slope[3] + force[1],
+            0.0,
+            0.0,
+        ])
+    }
+
+    fn project(&self, t: f64, x: &Self::State) -> Option<Projection<f64, Self::State>> {
+        let y = ROD
+            .project(t, &x.fixed_rows::<4>(0).into_owned())?
+            .into_state();
+        Some(Projection::new(SVector::from([
+            y[0], y[1], y[2], y[3], x[4], x[5],
+        ])))
+    }
+
+    fn next_update(&self, x: &Self::State) -> Option<f64> {
+        Some(x[5])
+    }
+
+    fn update(&self, _: f64, x: &mut Self::State) {
+        x[4] = -0.5 * (x[0] * x[3] - x[1] * x[2]) / (ROD.length * ROD.length);
+        x[5] += 0.1;
+    }
+}
+
+#[test]
+fn states_that_are_updated_are_projected() {
+    let x = ROD.released(RELEASE).x;
+    let start = At::from((0.0, SVector::from([x[0], x[1], x[2], x[3], 0.0, 0.0])));
+    let mut steps = 0;
+    let problem = Problem::new(&SampledDamper, start);
+    let observed = problem.clone().each_step(|progress| {
+        let residuals = ROD.residuals(&progress.x.fixed_rows::<4>(0).into_owned());
+        assert!(
+            residuals.into_iter().all(|r| r <= ROUNDING),
+            "{residuals:?}"
+        );
+        steps += 1;
+    });
+    let end = observed.solve(20.0, Dop853::new()).unwrap();
+    assert!(steps >= 200 && end.statistics.projection > 0.0);
+    assert_close(end.x[5], 20.0, 0.11);
+    // It comes to rest at the lowest point.
+    assert!(end.x[0].abs() < 0.05);
+    let fixed = problem
+        .clone()
+        .solve(20.0, RungeKutta::classical(0.005))
+        .unwrap();
+    assert!((end.last.x - fixed.last.x).amax() < 1e-6);
+    let mut part = problem.clone().max_steps(57).start(Dop853::new()).unwrap();
+    part.advance(20.0).unwrap();
+    let mut resumed = problem.resume(part.checkpoint(), Dop853::new()).unwrap();
+    assert_eq!(resumed.advance(20.0).unwrap().last, end.last);
+}
