@@ -22,6 +22,7 @@ mod order;
 mod precision;
 mod problem;
 mod problem_settings;
+mod projected_systems;
 mod projection;
 mod projection_errors;
 mod recurrences;
