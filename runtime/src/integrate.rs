@@ -6,6 +6,7 @@
 mod dynamics;
 mod singularity;
 mod singularity_check;
+mod projection;
 mod error;
 mod at;
 mod bernstein;
@@ -53,6 +54,7 @@ pub(crate) use problem::NothingWatched;
 pub use problem::{DeclaredBy, End, Keep, Problem, Reactions, Run, Solution, System, When};
 #[cfg(feature = "alloc")]
 pub use problem::{Dense, Every, StepEnds};
+pub use projection::Projection;
 pub use runge_kutta::{
     ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
 };

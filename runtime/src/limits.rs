@@ -72,6 +72,24 @@ pub(crate) const MAX_TIME_SCALE: f64 = 1e100;
 /// A motion with a longer time scale is at rest.
 pub(crate) const USABLE_TIME_SCALE: f64 = 1e50;
 
+/// The projection of states onto the manifold on which equations hold.
+pub(crate) mod projection {
+    /// How far a projection may move the end of a step, in errors that are allowed. By judgement: an estimate of the error may be too
+    /// small by some.
+    pub(crate) const MAX_CORRECTION: f64 = 10.0;
+
+    /// How far a state is moved to see what rounding makes of its projection, in machine epsilons of its components and of their
+    /// changes in the step.
+    pub(crate) const MOVED_EPSILONS: f64 = 8.0;
+
+    /// By how many of the changes under that movement a projection may move the end of a step. By judgement: the sums of a step have
+    /// some ten terms.
+    pub(crate) const CHANGES: f64 = 8.0;
+
+    /// The relative and the absolute error of a state at which fixed steps begin.
+    pub(crate) const FIXED_STEP_START: f64 = super::FIXED_STEP_SINGULARITY_TOLERANCE;
+}
+
 /// Location of events within a step.
 pub(crate) mod events {
     /// The resolution of time, in machine epsilons of the time and of the

@@ -25,6 +25,6 @@ pub trait DenseOutput<S: Scalar, D: Dynamics<S> + ?Sized>: Advance<S, D> {
     type Interpolant: Interpolant<S, D::State>;
 
     /// The motion within the last step; none before the first. At each time it is what
-    /// [`interpolate`](Advance::interpolate) returns.
+    /// [`interpolate`](Advance::interpolate) returns; it ends where the step was [projected](Dynamics::project) to.
     fn interpolant(&mut self, dynamics: &D) -> Option<Self::Interpolant>;
 }

@@ -157,6 +157,7 @@ impl<I, C, O> Driver<I, C, O> {
                 reacts: R::REACTS,
                 is_visited,
                 pending: None,
+                failure: None,
                 observer: &mut self.observer,
                 collector: &mut *collector,
                 outcome: &mut *outcome,

@@ -1,11 +1,17 @@
 //! The errors of an integration.
 
+mod messages;
+
 use core::fmt;
 
 use super::dynamics::ComponentName;
 use super::singularity::Singularity;
 use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
+use messages::{
+    write_failed_projection, write_no_series, write_off_manifold, write_singular, write_sliding,
+    write_too_small, write_vanishing,
+};
 
 /// Why an integration could not start or could not continue.
 ///
@@ -93,6 +99,28 @@ pub enum IntegrationError {
         time: f64,
         /// The switching function that is zero there, such as ẋ for `signum(dot(x))`.
         function: &'static str,
+    },
+    /// The projection of a state onto the manifold on which the equations hold has failed ([`Dynamics::project`](crate::Dynamics::project)):
+    /// there is no state near that meets the constraints, or none is the nearest.
+    ProjectionFailed {
+        /// The time of the state.
+        time: f64,
+        /// The [name](crate::Dynamics::constraint_name) of the first constraint that is violated.
+        constraint: &'static str,
+        /// Its residual.
+        residual: f64,
+    },
+    /// A state is farther from the manifold on which the equations hold than the error of a step and rounding explain: the start, what
+    /// a reaction has left, or the end of a step if the derivative does not keep the constraints.
+    OffManifold {
+        /// The time of the state.
+        time: f64,
+        /// The first component that the projection moves too far.
+        component: ComponentName,
+        /// By how much it would move it.
+        correction: f64,
+        /// How far it may: ten times the error that is allowed, and what rounding explains.
+        limit: f64,
     },
     /// So many steps were taken before the end that the integration gave up. With a limit that
     /// is set by [`Problem::max_steps`](crate::Problem::max_steps) it stops without an error instead, by
@@ -236,6 +264,17 @@ impl fmt::Display for IntegrationError {
                 singularity,
             } => write_vanishing(f, (time, step), &singularity),
             Self::SlidingMode { time, function } => write_sliding(f, time, function),
+            Self::ProjectionFailed {
+                time,
+                constraint,
+                residual,
+            } => write_failed_projection(f, time, constraint, residual),
+            Self::OffManifold {
+                time,
+                component,
+                correction,
+                limit,
+            } => write_off_manifold(f, time, component, [correction, limit]),
             Self::TooManySteps { time, limit } => {
                 write!(
                     f,
@@ -264,154 +303,6 @@ impl fmt::Display for IntegrationError {
             | Self::UpdatesInLanes => self.write_invalid_setting(f),
         }
     }
-}
-
-impl IntegrationError {
-    /// The message of a setting that is invalid.
-    fn write_invalid_setting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::InvalidStep { step } => {
-                write!(
-                    f,
-                    "a step size must be positive and finite, not {}",
-                    Readable(step)
-                )
-            }
-            Self::InvalidStepRange { min, max } => write!(
-                f,
-                "the smallest step size, {}, must not be larger than the largest, {}",
-                Readable(min),
-                Readable(max)
-            ),
-            Self::InvalidTolerance { relative, absolute } => write!(
-                f,
-                "tolerances must be finite, not negative and not both zero, not {} (relative) and {} \
-                 (absolute)",
-                Readable(relative),
-                Readable(absolute)
-            ),
-            Self::InvalidSize { component, size } => write!(
-                f,
-                "the size of {component} must be a positive number, not {}: its absolute tolerance is that many times the \
-                 method's",
-                Readable(size)
-            ),
-            Self::InvalidSingularityTolerance { tolerance } => {
-                write!(
-                    f,
-                    "the singularity tolerance must be positive, not {tolerance}"
-                )
-            }
-            Self::NoSuchEvent { index, events } => write!(
-                f,
-                "the model has no event {index}: its events are {events:?}, which the constants of the model name"
-            ),
-            Self::UnorderedTimes {
-                index,
-                time,
-                previous,
-            } => write!(
-                f,
-                "sample times must advance from the initial time towards the last: {time} at index \
-                 {index} comes after {previous}"
-            ),
-            Self::OutsideSpan { time, start, end } => write!(
-                f,
-                "a sample is asked for at t = {}, outside of the integration from t = {} to {}",
-                Readable(time),
-                Readable(start),
-                Readable(end)
-            ),
-            Self::InvalidSampleInterval { interval } => write!(
-                f,
-                "the interval between samples is {}: it must be positive, finite, and above the resolution of the times",
-                Readable(interval)
-            ),
-            Self::InvalidUpdate { time, next } => write!(
-                f,
-                "the update of the state at t = {} is followed by one at t = {}: the period of a sampled controller is a positive finite \
-                 number",
-                Readable(time),
-                Readable(next)
-            ),
-            Self::UpdatesInLanes => f.write_str(
-                "states that are updated at given times, as under a sampled controller, are integrated one by one, not in lanes",
-            ),
-            _ => Ok(()),
-        }
-    }
-}
-
-/// The message of a singular configuration.
-fn write_singular(
-    f: &mut fmt::Formatter<'_>,
-    (time, estimated_error): (f64, f64),
-    singularity: &Singularity,
-) -> fmt::Result {
-    write!(f, "at t = {} {singularity}", Readable(time))?;
-    if singularity.has_estimate() {
-        write!(
-            f,
-            "; the estimated relative error of the accelerations is {estimated_error:.1e}"
-        )?;
-    }
-    Ok(())
-}
-
-/// The message of a step size that is too small, with the remedy.
-fn write_too_small(
-    f: &mut fmt::Formatter<'_>,
-    (time, step): (f64, f64),
-    component: Option<ComponentName>,
-    relative_only: bool,
-) -> fmt::Result {
-    let time = Readable(time);
-    write!(f, "the step {step:e} is too small at t = {time}")?;
-    match component {
-        Some(component) => write!(f, ": {component} does not meet the tolerance there")?,
-        None => f.write_str(" to advance the time: set a longer one")?,
-    }
-    if relative_only {
-        f.write_str("; set an absolute tolerance, unless it is far from zero")?;
-    }
-    Ok(())
-}
-
-/// The message of a motion without a Taylor series.
-fn write_no_series(f: &mut fmt::Formatter<'_>, time: f64, component: ComponentName) -> fmt::Result {
-    let time = Readable(time);
-    write!(
-        f,
-        "at t = {time} {component} has no Taylor series: a higher derivative is not finite; integrate by `Dop853`"
-    )
-}
-
-/// The message of a sliding mode, with the remedy.
-fn write_sliding(f: &mut fmt::Formatter<'_>, time: f64, function: &str) -> fmt::Result {
-    let time = Readable(time);
-    write!(
-        f,
-        "from t = {time} on the motion cannot leave {function} = 0, where the equations are discontinuous: on both sides they lead \
-         back to it (a sliding mode, such as sticking by dry friction), and that is no motion on either side. Make them \
-         continuous, as by tanh(u/w) in place of signum(u), with a small w, or declare an event there, stop at it, and go on \
-         with the equations that hold on the surface"
-    )
-}
-
-/// The message of a vanishing inertia, with its place.
-fn write_vanishing(
-    f: &mut fmt::Formatter<'_>,
-    (time, step): (f64, f64),
-    singularity: &Singularity,
-) -> fmt::Result {
-    let (time, coordinate) = (Readable(time), singularity.coordinate());
-    write!(
-        f,
-        "the step {step:e} is too small at t = {time}: {coordinate} moves too fast, since its inertia \
-         has nearly vanished"
-    )?;
-    singularity.write_coordinates(f)?;
-    f.write_str("; use coordinates that are regular there, for Euler angles another sequence")
 }
 
 debug_by_message!(IntegrationError);

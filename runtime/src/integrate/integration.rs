@@ -35,6 +35,8 @@ pub(crate) struct Integration<'a, 't, S: Scalar, D: Dynamics<S>, T, C: Detection
     pub(crate) pending: Option<Occurring>,
     pub(crate) observer: &'a mut O,
     pub(crate) collector: &'a mut dyn Collector<S, D, T>,
+    /// Why a state within the last step could not be shown.
+    pub(crate) failure: Option<IntegrationError>,
     /// Up to date at any time, so that it is valid after an error, too.
     pub(crate) outcome: &'a mut Outcome<D::State>,
 }
@@ -133,7 +135,7 @@ where
                 None => self.visit_step(),
             };
             if let Err(interruption) = visited {
-                return Ok(interruption);
+                return self.failure.take().map_or(Ok(interruption), Err);
             }
             if let Some((regular, error)) = broken {
                 self.record_until(regular);
@@ -267,7 +269,8 @@ where
             if step.comes_before(t, occurring.t) {
                 break;
             }
-            let there = step.at(occurring.t);
+            let there = step.checked_at(occurring.t);
+            let there = there.map_err(|error| self.fail(error))?;
             self.visit_event(occurring, &there)?;
         }
         Ok(self.samples_until(t)?)
@@ -351,12 +354,20 @@ where
             if (forwards && time > t) || (!forwards && time < t) {
                 break;
             }
+            let sample = LastStep::new(self.dynamics, &mut *self.stepper).checked_at(time);
+            self.outcome.last = sample.map_err(|error| self.fail(error))?;
             *self.waiting = rest;
-            self.outcome.last = self.at(time);
             self.collector.sample(&self.outcome.last);
             self.notify(ObservationKind::Sample)?;
         }
         Ok(())
+    }
+
+    /// Notes why a state within the last step cannot be shown.
+    #[cold]
+    fn fail(&mut self, error: IntegrationError) -> StopReason {
+        self.failure = Some(error);
+        StopReason::Error
     }
 
     /// Passes the last step to the collector, which is part of the motion until `end`.

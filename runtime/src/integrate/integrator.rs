@@ -19,7 +19,8 @@ pub trait Integrator<S: Scalar, D: Dynamics<S> + ?Sized> {
     ///
     /// # Errors
     ///
-    /// If a setting is invalid, or the time, the state or its derivative is not finite.
+    /// If a setting is invalid, the time, the state or its derivative is not finite, or the state is off the
+    /// [manifold](Dynamics::project) of the dynamics.
     fn start(&self, dynamics: &D, t: f64, x: D::State) -> Result<Self::Stepper, IntegrationError>;
 
     /// The relative error of the accelerations at which an integration by this method ends near a singularity by default

@@ -9,10 +9,12 @@ use super::compensated::{Clock, Compensated};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::integrator::Integrator;
+use super::projection::{Projected, check_start, corrected};
 use super::stepper::{Advance, Statistics, Stepper};
 use super::stepper::{checked_derivative, checked_state, remaining};
+use crate::limits::projection::FIXED_STEP_START;
 use crate::limits::{FIXED_STEP_SINGULARITY_TOLERANCE, fixed_steps};
-use crate::linalg::VectorSpace;
+use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
 /// The Butcher tableau of an explicit Runge–Kutta method.
@@ -159,6 +161,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Integrator<S, D>
     fn start(&self, dynamics: &D, t: f64, x: D::State) -> Result<Self::Stepper, IntegrationError> {
         self.check()?;
         checked_derivative(dynamics, t, &x)?;
+        check_start(dynamics, t, &x, &error_of_size(FIXED_STEP_START))?;
         let clock = Clock::new(t);
         let state = Compensated::new(x);
         Ok(RungeKuttaStepper {
@@ -237,6 +240,46 @@ impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
     }
 }
 
+/// An error of so much of the size of each component, and as much where it is zero.
+fn error_of_size<S: Scalar>(part: f64) -> ErrorTolerance<S> {
+    ErrorTolerance {
+        relative: part,
+        absolute: part,
+        rate: S::one(),
+    }
+}
+
+impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
+    /// The end of a step, on the manifold of the dynamics if they have one.
+    #[inline]
+    fn projected<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        time: f64,
+        state: Compensated<X>,
+    ) -> Result<Compensated<X>, IntegrationError>
+    where
+        X: VectorSpace<S>,
+    {
+        let t = S::from_f64(time);
+        let Some(projection) = dynamics.project(t, state.value()) else {
+            return Ok(state);
+        };
+        let step = Projected {
+            dynamics,
+            t,
+            before: self.state.value(),
+            lane: None,
+        };
+        let (end, correction) = corrected(&state, &projection);
+        let size = dynamics.allowed_error(state.value(), &error_of_size(1.0));
+        let found = (&projection, end.value());
+        let distance = step.check(found, &correction, &size, false)?;
+        self.statistics.projection = self.statistics.projection.max(distance);
+        Ok(end)
+    }
+}
+
 impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
     for RungeKuttaStepper<X, STAGES>
 {
@@ -288,6 +331,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
         let increment = self.method.increment(dynamics, &self.clock, &x, h);
         let state = self.state.plus(increment);
         checked_state(dynamics, clock.time(), state.value())?;
+        let state = self.projected(dynamics, clock.time(), state)?;
         let previous = core::mem::replace(&mut self.state, state);
         self.previous = (self.clock, previous);
         self.clock = clock;

@@ -81,10 +81,11 @@ pub trait Advance<S: Scalar, D: Dynamics<S> + ?Sized>: Stepper<S, D::State> {
     ///
     /// # Errors
     ///
-    /// If no step gives a finite state and meets the tolerance. The stepper keeps its time and state.
+    /// If no step gives a finite state and meets the tolerance, or its end cannot be [projected](Dynamics::project). The stepper keeps its time and state.
     fn step(&mut self, dynamics: &D, target: f64) -> Result<(), IntegrationError>;
 
-    /// The state at a time within the last step.
+    /// The state at a time within the last step, on a curve that ends at the end of the step. It is on the manifold of the dynamics as far
+    /// as the tolerance of the method goes; a [`Run`](crate::problem::Run) and samples [project](Dynamics::project) it.
     fn interpolate(&mut self, dynamics: &D, t: f64) -> D::State;
 
     /// Discards what was computed from the dynamics, because they have changed: a new value of a held input, a load
@@ -96,12 +97,13 @@ pub trait Advance<S: Scalar, D: Dynamics<S> + ?Sized>: Stepper<S, D::State> {
     ///
     /// # Errors
     ///
-    /// If the time, the state or its derivative is not finite. The stepper is as it was then.
+    /// If the time, the state or its derivative is not finite, or the state is off the [manifold](Dynamics::project) of the dynamics. The
+    /// stepper is as it was then.
     fn restart_at(&mut self, dynamics: &D, t: f64, x: D::State) -> Result<(), IntegrationError>;
 }
 
-/// The cost of an integration.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The cost of an integration, and how far its steps were projected.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Statistics {
     /// Accepted steps.
@@ -110,6 +112,10 @@ pub struct Statistics {
     pub rejected: u64,
     /// Evaluations of the derivative.
     pub evaluations: u64,
+    /// How far [`Dynamics::project`] has moved the ends of steps: the largest component of a correction over the error that is
+    /// allowed in it; of fixed steps, over the error that a tolerance of 1 would allow. 0 without a projection.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub projection: f64,
 }
 
 impl Statistics {
@@ -126,6 +132,7 @@ impl Statistics {
             steps: self.steps + other.steps,
             rejected: self.rejected + other.rejected,
             evaluations: self.evaluations + other.evaluations,
+            projection: self.projection.max(other.projection),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Systems with typical sizes of their coordinates, for the absolute tolerance.
 
 use super::dynamics::{ComponentName, Dynamics};
+use super::projection::Projection;
 use super::singularity::Singularity;
 use super::taylor::{BranchVisitor, Series, SwitchingFunction, TaylorCoefficients};
 use crate::linalg::{ErrorTolerance, VectorSpace};
@@ -144,6 +145,15 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for WithSizes<'_, D, D::Sta
 
     fn update(&self, t: S, x: &mut Self::State) {
         self.dynamics.update(t, x);
+    }
+
+    #[inline]
+    fn project(&self, t: S, x: &Self::State) -> Option<Projection<S, Self::State>> {
+        self.dynamics.project(t, x)
+    }
+
+    fn constraint_name(&self, index: usize) -> &'static str {
+        self.dynamics.constraint_name(index)
     }
 
     fn component_name(&self, index: usize) -> ComponentName {

@@ -2,6 +2,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/constrained.rs"]
+mod constrained;
 mod directions;
 mod event_models;
 mod random_numbers;
@@ -15,6 +17,7 @@ mod event_derivatives;
 mod events;
 mod hostile_events;
 mod hostile_motions;
+mod projected_steps;
 mod reactions;
 mod rounding;
 mod series_of_events;

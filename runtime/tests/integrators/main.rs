@@ -4,6 +4,8 @@
 mod common;
 #[path = "../common/settings.rs"]
 mod settings;
+#[path = "../common/constrained.rs"]
+mod constrained;
 
 mod beyond_many_turns;
 mod branches;
@@ -20,6 +22,9 @@ mod order;
 mod precision;
 mod problem;
 mod problem_settings;
+mod projected_systems;
+mod projection;
+mod projection_errors;
 mod recurrences;
 mod running;
 mod samples_of_parts;

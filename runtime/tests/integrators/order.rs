@@ -177,6 +177,7 @@ fn the_steps_are_those_of_the_reference_code() {
             steps,
             rejected,
             evaluations,
+            ..
         } = end.statistics;
         (steps, rejected, evaluations)
     };

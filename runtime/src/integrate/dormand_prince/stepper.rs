@@ -10,6 +10,7 @@ use crate::integrate::compensated::{Clock, Compensated};
 use crate::integrate::dense_output::DenseOutput;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
+use crate::integrate::projection::{Projected, check_start, corrected};
 use crate::integrate::runge_kutta::combination;
 use crate::integrate::stepper::{
     Advance, Statistics, Stepper, checked_derivative, checked_state, derivative_apart, remaining,
@@ -74,6 +75,9 @@ impl<X> Dop853Stepper<X> {
         X: VectorSpace<S>,
     {
         let derivative = checked_derivative(dynamics, t, &x)?;
+        let time_scale = method.tolerance.time_scale(dynamics, &x, &derivative);
+        let tolerance = (method.tolerance).over(S::from_f64(time_scale.unwrap_or(1.0)));
+        check_start(dynamics, t, &x, &tolerance)?;
         Ok(Self {
             method,
             clock: Clock::new(t),
@@ -237,7 +241,10 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
             let (state, attempt) = self.attempt(dynamics, h, control.time_scale(h));
             let stalls = control.stalls(h, remaining);
             if !stalls && control.accepts(&attempt, h.abs()) {
-                self.accept(dynamics, state, h, lands.then_some(target));
+                let landing = lands.then_some(target);
+                let time_scale = control.time_scale(h);
+                let state = self.projected(dynamics, state, (h, landing), time_scale)?;
+                self.accept(dynamics, state, h, landing);
                 self.control = Some(control);
                 return Ok(());
             }
@@ -334,6 +341,42 @@ impl<X> Dop853Stepper<X> {
             last.dense = Some(DensePolynomial::new(start, end, last.h, &self.stages));
         }
         self.last = Some(last);
+    }
+
+    /// The end of a step that is accepted, on the manifold of the dynamics if they have one. The derivative at the end of the step and
+    /// dense output come from there.
+    #[inline]
+    fn projected<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+        &mut self,
+        dynamics: &D,
+        state: Compensated<X>,
+        (h, landing): (f64, Option<f64>),
+        time_scale: f64,
+    ) -> Result<Compensated<X>, IntegrationError>
+    where
+        X: VectorSpace<S>,
+    {
+        let mut clock = self.clock;
+        clock.advance(h);
+        let t = S::from_f64(landing.unwrap_or(clock.time()));
+        let Some(projection) = dynamics.project(t, state.value()) else {
+            return Ok(state);
+        };
+        let before = self.state.value();
+        let step = Projected {
+            dynamics,
+            t,
+            before,
+            lane: None,
+        };
+        let (end, correction) = corrected(&state, &projection);
+        let tolerance = self.method.tolerance.over(S::from_f64(time_scale));
+        let [before, after] = [before, end.value()].map(|x| dynamics.allowed_error(x, &tolerance));
+        let allowed = before.zip_map(&after, Scalar::max);
+        let found = (&projection, end.value());
+        let distance = step.check(found, &correction, &allowed, true)?;
+        self.statistics.projection = self.statistics.projection.max(distance);
+        Ok(end)
     }
 
     /// Accepts `state`, at the time `landing` or else a step `h` from now.

@@ -4,6 +4,8 @@ use core::marker::PhantomData;
 
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::projection::nearest;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::TIME_RESOLUTION;
@@ -60,14 +62,31 @@ impl<'a, S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>> LastStep<'a, S, D
         Some([self.stepper.previous_state()?, self.stepper.state()])
     }
 
-    /// The sample at a time within the step.
+    /// The sample at a time within the step, on the manifold of the dynamics if they have one. So event functions are those of one
+    /// continuous curve through the ends of the steps. Where the projection fails, the sample is not projected.
     pub(crate) fn at(&mut self, t: f64) -> At<f64, D::State> {
+        if t - self.stepper.time() == 0.0 {
+            let x = self.stepper.state().clone();
+            return At { t, x };
+        }
+        let x = self.stepper.interpolate(self.dynamics, t);
+        let x = nearest(self.dynamics, t, &x).ok().flatten().unwrap_or(x);
+        At { t, x }
+    }
+
+    /// The same, where it is shown.
+    ///
+    /// # Errors
+    ///
+    /// If the projection fails.
+    pub(crate) fn checked_at(&mut self, t: f64) -> Result<At<f64, D::State>, IntegrationError> {
         let x = if t - self.stepper.time() == 0.0 {
             self.stepper.state().clone()
         } else {
-            self.stepper.interpolate(self.dynamics, t)
+            let x = self.stepper.interpolate(self.dynamics, t);
+            nearest(self.dynamics, t, &x)?.unwrap_or(x)
         };
-        At { t, x }
+        Ok(At { t, x })
     }
 
     /// The shortest time that is safely distinguishable at `t`.

@@ -112,7 +112,8 @@ pub struct Every(pub f64);
 #[derive(Clone, Copy, Debug)]
 pub struct StepEnds;
 
-/// The whole motion: it can be asked at any time, `solution.at(t)`.
+/// The whole motion: it can be asked at any time, `solution.at(t)`. Between the ends of steps a state is on the manifold of the
+/// [dynamics](crate::Dynamics::project) as far as the tolerance goes; samples are on it.
 #[cfg(feature = "alloc")]
 #[derive(Clone, Copy, Debug)]
 pub struct Dense;

@@ -13,7 +13,7 @@ use crate::integrate::collector::Collector;
 use crate::integrate::driver::{Course, Driver};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::event::{Remembers as _, Watched};
+use crate::integrate::event::{LastStep, Remembers as _, Watched};
 use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::Outcome;
@@ -73,7 +73,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     ///
     /// # Errors
     ///
-    /// If a setting is invalid, or the state is not finite or singular.
+    /// If a setting is invalid, or the state is not finite or singular, or does not meet the [constraints](Dynamics::project) of the
+    /// dynamics.
     pub fn start<I>(self, method: I) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
     where
         I: Integrator<S, D>,
@@ -218,20 +219,17 @@ where
     ///
     /// # Errors
     ///
-    /// [`OutsideSolution`](IntegrationError::OutsideSolution).
+    /// [`OutsideSolution`](IntegrationError::OutsideSolution), or [`ProjectionFailed`](IntegrationError::ProjectionFailed).
     pub fn at(&mut self, t: f64) -> Result<At<S, D::State>, IntegrationError> {
         let (start, end) = (self.previous_time(), self.stepper.time());
-        let x = if t - end == 0.0 {
-            self.stepper.state().clone()
-        } else if (start.min(end)..=start.max(end)).contains(&t) {
-            self.stepper.interpolate(&self.dynamics, t)
-        } else {
+        if !(start.min(end)..=start.max(end)).contains(&t) {
             return Err(IntegrationError::OutsideSolution {
                 time: t,
                 start,
                 end,
             });
-        };
+        }
+        let At { x, .. } = LastStep::new(&self.dynamics, &mut self.stepper).checked_at(t)?;
         Ok(At {
             t: S::from_f64(t),
             x,
@@ -243,7 +241,7 @@ where
     ///
     /// # Errors
     ///
-    /// If the state is not finite or singular then. The state is as before, and the dynamics stay changed.
+    /// If the state is not finite or singular then, or does not meet the [constraints](Dynamics::project) of the dynamics. The state is as before, and the dynamics stay changed.
     pub fn change(
         &mut self,
         change: impl FnOnce(&mut At<S, D::State>, &mut D),
@@ -257,9 +255,14 @@ where
             self.stepper.restart(&self.dynamics);
             return Err(error);
         }
-        // The state behind the change is another one than that at the end of the step.
-        self.kept.step = None;
-        self.stepper.restart_at(&self.dynamics, t, here.x)
+        let restarted = self.stepper.restart_at(&self.dynamics, t, here.x);
+        if restarted.is_ok() {
+            // The state behind the change is another one than that at the end of the step.
+            self.kept.step = None;
+        } else {
+            self.stepper.restart(&self.dynamics);
+        }
+        restarted
     }
 }
 
@@ -360,7 +363,7 @@ where
         let t = outcome.last.t;
         if t - self.stepper.time() != 0.0 {
             // The derivative parts of the state at an event are those at a time that moves.
-            let x = self.stepper.interpolate(&self.dynamics, t);
+            let At { x, .. } = LastStep::new(&self.dynamics, &mut self.stepper).at(t);
             self.forget_events();
             result = result.and(self.stepper.restart_at(&self.dynamics, t, x));
         }

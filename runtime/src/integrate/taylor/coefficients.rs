@@ -1,6 +1,6 @@
 //! The Taylor polynomial of a motion.
 
-use crate::linalg::VectorSpace;
+use crate::linalg::{LaneStates, VectorSpace};
 use crate::scalar::Scalar;
 
 /// The Taylor polynomial of order 2·`HALF` of a motion about a time t₀: x(t₀ + τ·unit) = Σ xₖ τᵏ.
@@ -129,6 +129,39 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
             last = [before, size];
         }
         (sum, last)
+    }
+
+    /// Adds a change to the value at τ, by the coefficient of the highest order, so that it is least noticed before.
+    pub(super) fn change_end<S: Scalar>(&mut self, tau: S, change: &X)
+    where
+        X: VectorSpace<S>,
+    {
+        if let Some((coefficient, power)) = self.last_that_counts(tau) {
+            coefficient.add_scaled(S::one() / power, change);
+        }
+    }
+
+    /// The same in one lane.
+    pub(super) fn change_end_in<const L: usize>(&mut self, lane: usize, tau: f64, change: &X::Lane)
+    where
+        X: LaneStates<L>,
+    {
+        if let Some((coefficient, power)) = self.last_that_counts(tau) {
+            let mut of_lane = coefficient.lane(lane);
+            of_lane.add_scaled(1.0 / power, change);
+            coefficient.set_lane(lane, &of_lane);
+        }
+    }
+
+    /// The coefficient of the highest order for which a change can be divided by the power of τ, and that power.
+    fn last_that_counts<S: Scalar>(&mut self, tau: S) -> Option<(&mut X, S)> {
+        let least = libm::sqrt(S::min_positive().largest());
+        let (mut power, mut order) = (tau, 1);
+        while order < Self::ORDER && (power * tau).abs().smallest() > least {
+            power *= tau;
+            order += 1;
+        }
+        Some((self.higher_mut().get_mut(order - 1)?, power))
     }
 
     /// The coefficients about τ.

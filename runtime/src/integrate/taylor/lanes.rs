@@ -7,6 +7,7 @@
 mod checks;
 mod expansion;
 mod passage;
+mod projection;
 
 use expansion::largest_ratios;
 use passage::Arrivals;
@@ -174,7 +175,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// The states at times within the last step of each lane.
+    /// The states at times within the last step of each lane, on the manifold of the [dynamics](crate::Dynamics::project) as far as the
+    /// tolerance goes.
     #[must_use]
     pub fn interpolate(&self, times: &[f64; L]) -> X {
         let (from, state, unit) = &self.previous;
@@ -228,8 +230,9 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 proposed[lane] = part * (targets[lane] - self.time[lane]).abs();
             }
             if !any(&pending) {
-                let ended = (&targets, &proposed);
-                self.accept(&moving, ended, reached.state, arrivals.as_ref());
+                let ends = (&targets, arrivals.as_ref());
+                let state = self.ends(dynamics, &mut moving, ends, reached.state);
+                self.accept(&moving, (&targets, &proposed), state, arrivals.as_ref());
                 return;
             }
         }
@@ -251,15 +254,9 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         &mut self,
         moving: &[bool; L],
         (targets, proposed): (&[f64; L], &[f64; L]),
-        mut state: Compensated<X>,
+        state: Compensated<X>,
         arrivals: Option<&Arrivals<X, L>>,
     ) {
-        for lane in (0..L).filter(|&lane| !moving[lane]) {
-            state.copy_lane(lane, &self.state);
-        }
-        if let Some(arrivals) = arrivals {
-            arrivals.copy_to(&mut state);
-        }
         let previous = core::mem::replace(&mut self.state, state);
         self.previous = (self.time, previous, self.unit);
         for lane in lanes(moving) {
@@ -322,6 +319,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             let usable = Some(time).filter(|time| time.is_normal());
             self.time_scale[lane] = usable.unwrap_or(1.0 / FIRST_UNIT);
             self.unit[lane] = unit_near(FIRST_UNIT * self.time_scale[lane]);
+            self.check_start(dynamics, lane);
         }
     }
 

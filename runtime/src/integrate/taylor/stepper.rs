@@ -2,6 +2,7 @@
 
 mod checks;
 mod passage;
+mod projection;
 
 use super::interpolant::TaylorInterpolant;
 use super::step_size::{Proposal, limiting_component, unit_near, weighted_norm, weights};
@@ -9,6 +10,7 @@ use super::{Series, Taylor};
 use crate::integrate::dense_output::Interpolant;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
+use crate::integrate::projection::check_start;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative};
 use crate::integrate::tolerance::Tolerance;
@@ -85,6 +87,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         } else {
             1.0 / FIRST_UNIT
         };
+        let of_motion = tolerance.over(S::from_f64(VELOCITY_TIMES * time_scale));
+        check_start(dynamics, t, &x, &of_motion)?;
         let polynomial = TaylorInterpolant::at_rest(t, x);
         Ok(Self {
             method,
@@ -276,7 +280,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
             };
             let length = (end - time).abs();
             let is_needed = !lands && rejected.is_none();
-            let beyond = match self.check(dynamics, end, proposal, is_needed) {
+            let beyond = match self.check(dynamics, end, proposal, is_needed)? {
                 Verdict::Agrees(proposal) => {
                     if step.is_normal() {
                         self.unit = unit_near(step);
@@ -288,9 +292,9 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                     return Ok(());
                 }
                 Verdict::Crosses(crossing) => {
-                    match self.pass(dynamics, (crossing, proposal), (end, target)) {
-                        Ok(()) => return Ok(()),
-                        Err(component) => Err(component),
+                    match self.pass(dynamics, (crossing, proposal), (end, target))? {
+                        None => return Ok(()),
+                        Some(component) => Err(component),
                     }
                 }
                 Verdict::Converges(part) => Ok(part),

@@ -26,6 +26,11 @@ pub(super) struct Arrivals<X, const L: usize> {
 }
 
 impl<X: LaneStates<L>, const L: usize> Arrivals<X, L> {
+    /// The time at which the step of a lane ends there.
+    pub(super) fn time(&self, lane: usize) -> Option<f64> {
+        self.time.get(lane).copied().flatten()
+    }
+
     /// Sets the states of the lanes whose steps end there.
     pub(super) fn copy_to(&self, state: &mut Compensated<X>) {
         for lane in (0..L).filter(|&lane| self.time[lane].is_some()) {

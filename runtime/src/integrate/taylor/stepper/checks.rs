@@ -1,6 +1,7 @@
 //! Whether a polynomial is the motion: at the end of a step, within it, and behind passages to other branches of the equations.
 
 use super::TaylorStepper;
+use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::{BranchCrossings, Crossing, SearchedStep};
 use crate::integrate::taylor::coefficients::number;
@@ -26,14 +27,18 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     /// Whether the polynomial is the motion until the time `end`: whether its derivative is that of the motion there, behind each
     /// change of sign of a switching function, and at times within a step that is long or for which a polynomial of low degree
     /// is enough. The polynomial about `end`, whose first coefficient is the derivative there, becomes the other one; unless it
-    /// is `needed`, its coefficients are left for later.
+    /// is `needed`, its coefficients are left for later, and so they are where the end is projected.
+    ///
+    /// # Errors
+    ///
+    /// If the end of the step cannot be projected onto the manifold of the dynamics.
     pub(super) fn check<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
         end: f64,
         proposal: Proposal,
         needed: bool,
-    ) -> Verdict
+    ) -> Result<Verdict, IntegrationError>
     where
         X: VectorSpace<S>,
     {
@@ -41,29 +46,29 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let tau: S = self.polynomials[present].argument(end);
         let (state, slope) = self.polynomials[present].state_and_derivative(tau);
         if let Some((index, _)) = state.value().first_non_finite() {
-            return Verdict::Differs(index);
+            return Ok(Verdict::Differs(index));
         }
         let h = (end - self.polynomials[present].time).abs();
         let allowance = self.allowance(h);
         let crossings = self.crossings(dynamics, end);
         if crossings.converging < 1.0 {
-            return Verdict::Converges(crossings.converging);
+            return Ok(Verdict::Converges(crossings.converging));
         }
         if let Some(crossing) = self.first_crossing(dynamics, end, &crossings) {
-            return Verdict::Crosses(crossing);
+            return Ok(Verdict::Crosses(crossing));
         }
         let point = Point {
             t: S::from_f64(end),
             state: state.reduced(dynamics),
             slope,
         };
+        let projection = dynamics.project(point.t, state.value());
         self.polynomials[next].time = end;
         self.polynomials[next].from = state;
         let mut next_proposal = None;
-        if needed && h.is_normal() {
+        if needed && h.is_normal() && projection.is_none() {
             let about_end = (next, &point.state);
-            let proposal = self.expand(dynamics, about_end, unit_near(h), h);
-            next_proposal = proposal.ok();
+            next_proposal = self.expand(dynamics, about_end, unit_near(h), h).ok();
         }
         let derivative = if next_proposal.is_some() {
             self.polynomials[next].first_derivative()
@@ -72,17 +77,20 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             dynamics.derivative(point.t, &point.state)
         };
         if let Err(component) = allowance.check(dynamics, &point, &derivative) {
-            return match crossings.at_end {
+            return Ok(match crossings.at_end {
                 Some(function) => Verdict::Crosses(Crossing { at: 1.0, function }),
                 None => Verdict::Differs(component),
-            };
+            });
         }
         if (crossings.has_noise || self.is_uncertain_within(proposal, h, tau))
             && let Err(component) = self.check_within(dynamics, end, &allowance)
         {
-            return Verdict::Differs(component);
+            return Ok(Verdict::Differs(component));
         }
-        Verdict::Agrees(next_proposal)
+        if let Some(projection) = projection {
+            self.project_end(dynamics, &projection)?;
+        }
+        Ok(Verdict::Agrees(next_proposal))
     }
 
     /// The first change of sign of a switching function behind which the polynomial is not the motion.

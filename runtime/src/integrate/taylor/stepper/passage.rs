@@ -13,16 +13,22 @@ use crate::scalar::Scalar;
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     /// Ends a step at a change of sign of a switching function, with the state behind it; or a component in which the
     /// polynomial is not the motion before it.
+    ///
+    /// # Errors
+    ///
+    /// If the state behind it cannot be projected onto the manifold of the dynamics.
     pub(super) fn pass<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
         (crossing, proposal): (Crossing, Proposal),
         (end, target): (f64, f64),
-    ) -> Result<(), usize>
+    ) -> Result<Option<usize>, IntegrationError>
     where
         X: VectorSpace<S>,
     {
-        self.check_before(dynamics, (crossing, proposal), end)?;
+        if let Err(component) = self.check_before(dynamics, (crossing, proposal), end) {
+            return Ok(Some(component));
+        }
         let [first, second] = &mut self.polynomials;
         let (present, next) = if self.exchanged {
             (second, first)
@@ -46,11 +52,16 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let (arrival, slides) = match passage {
             Passage::Crosses(arrival) => (arrival, false),
             Passage::Slides(arrival) => (arrival, true),
-            Passage::Unclear => return Err(0),
+            Passage::Unclear => return Ok(Some(0)),
         };
         let length = (arrival.time - present.time).abs();
         (next.time, next.from) = (arrival.time, arrival.state);
-        self.unit = present.unit;
+        let unit = present.unit;
+        let t = S::from_f64(arrival.time);
+        if let Some(projection) = dynamics.project(t, next.from.value()) {
+            self.project_end(dynamics, &projection)?;
+        }
+        self.unit = unit;
         self.proposal = None;
         self.length = self.length.max(length);
         let scale = arrival.time.abs().max(self.time_scale);
@@ -62,7 +73,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let is_stuck = slides || self.short_passages > MAX_SHORT_PASSAGES;
         self.sliding = is_stuck.then_some(crossing.function);
         self.accept(length);
-        Ok(())
+        Ok(None)
     }
 
     /// Whether the polynomial is the motion until shortly before a change of sign of a switching function.

@@ -1,0 +1,121 @@
+//! Ends of steps of motions in lanes on the manifold of the dynamics.
+
+use super::TaylorLanes;
+use super::passage::Arrivals;
+use crate::integrate::compensated::Compensated;
+use crate::integrate::projection::{Projected, Projection, corrected};
+use crate::integrate::taylor::Series;
+use crate::integrate::taylor::interpolant::difference;
+use crate::integrate::taylor::step_size::reached;
+use crate::linalg::LaneStates;
+use crate::scalar::{Lanes, Scalar};
+
+impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
+    /// The states at the ends of the steps of the lanes that move, on the manifold of the dynamics if they have one.
+    pub(super) fn ends<D>(
+        &mut self,
+        dynamics: &D,
+        moving: &mut [bool; L],
+        (targets, arrivals): (&[f64; L], Option<&Arrivals<X, L>>),
+        mut state: Compensated<X>,
+    ) -> Compensated<X>
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        for lane in (0..L).filter(|&lane| !moving[lane]) {
+            state.copy_lane(lane, &self.state);
+        }
+        if let Some(arrivals) = arrivals {
+            arrivals.copy_to(&mut state);
+        }
+        let times = core::array::from_fn(|lane| {
+            let arrival = arrivals.and_then(|arrivals| arrivals.time(lane));
+            let target = if moving[lane] {
+                targets[lane]
+            } else {
+                self.time[lane]
+            };
+            arrival.unwrap_or(target)
+        });
+        match dynamics.project(Lanes(times), state.value()) {
+            Some(projection) => self.project(dynamics, moving, (Lanes(times), &state), &projection),
+            None => state,
+        }
+    }
+
+    /// Puts the ends of the steps of the lanes that move onto the manifold, and lets their polynomials end there. A lane in which the
+    /// projection fails does not move any more.
+    fn project<D>(
+        &mut self,
+        dynamics: &D,
+        moving: &mut [bool; L],
+        (t, state): (Lanes<L>, &Compensated<X>),
+        projection: &Projection<Lanes<L>, X>,
+    ) -> Compensated<X>
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let [high, low] = difference(t, Lanes(self.time));
+        let tau = (high + low) / Lanes(self.unit);
+        let before = self.state.value();
+        let mut step = Projected {
+            dynamics,
+            t,
+            before,
+            lane: None,
+        };
+        let (mut end, correction) = corrected(state, projection);
+        let sizes = reached(before, &self.coefficients, tau.abs());
+        let tolerance = self.tolerance((t - Lanes(self.time)).abs());
+        let allowed = dynamics.allowed_error(&sizes, &tolerance);
+        let checked: [_; L] = core::array::from_fn(|lane| {
+            step.lane = Some(lane);
+            let found = (projection, end.value());
+            moving[lane].then(|| step.check(found, &correction, &allowed, true))
+        });
+        for (lane, checked) in checked.into_iter().enumerate() {
+            match checked {
+                None => end.copy_lane(lane, &self.state),
+                Some(Ok(distance)) => {
+                    let most = &mut self.statistics[lane].projection;
+                    *most = most.max(distance);
+                    let change = correction.lane(lane);
+                    self.coefficients.change_end_in(lane, tau.0[lane], &change);
+                }
+                Some(Err(error)) => {
+                    end.copy_lane(lane, &self.state);
+                    moving[lane] = false;
+                    self.fail(lane, error);
+                }
+            }
+        }
+        end
+    }
+
+    /// Ends the motion in a lane that begins off the manifold.
+    pub(super) fn check_start<D>(&mut self, dynamics: &D, lane: usize)
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let t = Lanes(self.time);
+        let before = self.state.value();
+        let Some(projection) = dynamics.project(t, before) else {
+            return;
+        };
+        let start = Projected {
+            dynamics,
+            t,
+            before,
+            lane: Some(lane),
+        };
+        let (end, correction) = corrected(&self.state, &projection);
+        let tolerance = self.tolerance(Lanes(self.time_scale));
+        let allowed = dynamics.allowed_error(before, &tolerance);
+        let found = (&projection, end.value());
+        if let Err(error) = start.check(found, &correction, &allowed, true)
+            && self.errors[lane].is_none()
+        {
+            self.fail(lane, error);
+        }
+    }
+}
