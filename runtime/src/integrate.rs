@@ -27,11 +27,14 @@ mod partial;
 #[cfg(feature = "alloc")]
 mod dense_solution;
 mod collector;
+mod loop_state;
 mod integration;
 mod checkpoint;
 mod driver;
 mod integrator;
 mod problem;
+mod in_lanes;
+mod ensemble;
 #[cfg(test)]
 mod order_conditions;
 
@@ -42,10 +45,12 @@ pub use dense_output::{DenseOutput, Interpolant};
 pub use dense_solution::DenseSolution;
 pub use dormand_prince::{Dop853, Dop853Interpolant, Dop853Stepper};
 pub use dynamics::{ComponentName, Dynamics};
+pub use ensemble::{Ends, Ensemble, EnsembleIntegrator};
 pub use error::IntegrationError;
 pub use event::{
     DeclaredEvent, EventDynamics, EventValues, MetConditions, Occurrence, SingleNumber, Watched,
 };
+pub use in_lanes::InLanes;
 pub use integrator::Integrator;
 pub use observer::{Flow, ObservationKind, Observer, Progress};
 pub use outcome::StopReason;
@@ -61,12 +66,11 @@ pub use runge_kutta::{
 pub use singularity::Singularity;
 pub use step_polynomial::StepPolynomial;
 pub use stepper::{Advance, Statistics, Stepper};
-pub(crate) use taylor::Running;
 pub use taylor::recurrences;
 pub use taylor::{
     BranchVisitor, Series, SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant,
     TaylorStepper,
 };
 pub(crate) use taylor::{Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions};
-pub use taylor::{Ensemble, TaylorLanes};
+pub use taylor::TaylorLanes;
 pub use typical_sizes::{SetTypicalSizes, TypicalSizes, WithSizes};

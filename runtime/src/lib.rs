@@ -75,7 +75,7 @@ pub use integrate::{
     SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes,
     WithSizes,
 };
-pub use integrate::{Ensemble, TaylorLanes, recurrences};
+pub use integrate::{Ensemble, InLanes, TaylorLanes, recurrences};
 pub use integrate::{Partial, Problem, Solution};
 #[doc = include_str!("declaration.md")]
 pub use lagrangian_derive::Lagrangian;

@@ -19,7 +19,7 @@ mod legendre;
 mod constants_of_motion;
 mod motion_series;
 mod events;
-mod ensemble;
+mod in_lanes;
 mod whole_periods;
 mod singular_configuration;
 mod equations_of_motion;

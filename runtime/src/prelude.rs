@@ -21,4 +21,4 @@ pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 pub use crate::CheckDerivatives;
 #[cfg(feature = "alloc")]
 pub use crate::problem::{Dense, Every, StepEnds};
-pub use crate::{Problem, Solution};
+pub use crate::{Ensemble, Problem, Solution};

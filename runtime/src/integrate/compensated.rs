@@ -67,6 +67,17 @@ impl<X> Compensated<X> {
 }
 
 impl<X> Compensated<X> {
+    /// The state in a lane.
+    pub(crate) fn lane<const L: usize>(&self, lane: usize) -> Compensated<X::Lane>
+    where
+        X: LaneStates<L>,
+    {
+        Compensated {
+            value: self.value.lane(lane),
+            compensation: self.compensation.lane(lane),
+        }
+    }
+
     /// Sets the state in a lane, without a compensation.
     pub(crate) fn set_lane<const L: usize>(&mut self, lane: usize, state: &X::Lane)
     where

@@ -5,8 +5,9 @@ use super::collector::Collector;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::event::{Detection, LastStep, Located, MetConditions, Occurring, differs, moved};
-use super::integration::{Beginning, Integration, Interruption};
+use super::integration::Integration;
 use super::integrator::Integrator;
+use super::loop_state::{Beginning, Interruption, LoopState, Steps};
 use super::observer::Observer;
 use super::outcome::{Outcome, StopReason};
 use super::problem::Reactions;
@@ -57,6 +58,13 @@ impl Course<'_> {
     }
 }
 
+/// How an integration goes on.
+pub(crate) enum Next {
+    End(StopReason),
+    /// By a step towards this time, which the caller takes.
+    Step(f64),
+}
+
 /// What the reactions to events have done.
 struct Reacted<X> {
     /// The state, if it or the dynamics have changed.
@@ -92,7 +100,7 @@ impl<I, C, O> Driver<I, C, O> {
     /// Goes on along a course, which is checked.
     pub(crate) fn advance<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
-        (dynamics, reactions): (&mut D, &mut R),
+        system: (&mut D, &mut R),
         (stepper, memory): (&mut I::Stepper, &mut Option<C::Memory>),
         course: Course<'_>,
         collector: &mut dyn Collector<S, D, I::Stepper>,
@@ -102,90 +110,105 @@ impl<I, C, O> Driver<I, C, O> {
         C: Detection<S, D>,
         O: Observer<D::State>,
     {
-        let (t, x) = (stepper.time(), stepper.state().clone());
-        let mut outcome = Outcome::at(At { t, x });
+        let Course { mut samples, .. } = course;
+        let (mut state, mut outcome) = self.set_out::<S, D>(stepper, course);
         let begun = memory.take();
         let mut known =
-            begun.unwrap_or_else(|| self.conditions.begin(dynamics, t, &outcome.last.x));
-        let result = self.advance_parts(
-            (dynamics, reactions),
-            (&mut *stepper, &mut known),
-            course,
-            collector,
-            &mut outcome,
-        );
+            begun.unwrap_or_else(|| self.conditions.begin(system.0, state.start, &outcome.last.x));
+        let parts = (&mut *stepper, &mut known, &mut samples);
+        let way = (&mut state, Steps::Own);
+        let result = self.go_on(system, parts, way, collector, &mut outcome);
         *memory = Some(known);
-        let result = result.map(|reason| outcome.reason = reason);
+        let result = result.map(|next| {
+            if let Next::End(reason) = next {
+                outcome.reason = reason;
+            }
+        });
         (outcome, result)
     }
 
-    /// One part after the other, with a reaction between them.
-    fn advance_parts<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
+    /// The loop over steps before the first of them.
+    pub(crate) fn set_out<S: Scalar, D: Dynamics<S>>(
+        &self,
+        stepper: &I::Stepper,
+        course: Course<'_>,
+    ) -> (LoopState, Outcome<D::State>)
+    where
+        I: Integrator<S, D>,
+    {
+        let (t, x) = (stepper.time(), stepper.state().clone());
+        let attempts = stepper.statistics().attempts();
+        let state = LoopState {
+            start: t,
+            end: course.end,
+            min_pivot: self.min_pivot::<S, D>(),
+            step_limit: attempts.saturating_add(course.max_steps),
+            update: None,
+            beginning: Beginning::Initial,
+            is_visited: true,
+        };
+        (state, Outcome::at(At { t, x }))
+    }
+
+    /// One part after the other, with a reaction between them, until the integration ends or the caller is to take a step.
+    pub(crate) fn go_on<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
         (dynamics, reactions): (&mut D, &mut R),
-        (stepper, memory): (&mut I::Stepper, &mut C::Memory),
-        mut course: Course<'_>,
+        (stepper, memory, samples): (&mut I::Stepper, &mut C::Memory, &mut &[f64]),
+        (state, steps): (&mut LoopState, Steps),
         collector: &mut dyn Collector<S, D, I::Stepper>,
         outcome: &mut Outcome<D::State>,
-    ) -> Result<StopReason, IntegrationError>
+    ) -> Result<Next, IntegrationError>
     where
         I: Integrator<S, D>,
         C: Detection<S, D>,
         O: Observer<D::State>,
     {
-        let start = outcome.last.t;
-        let end = course.end;
-        let min_pivot = self.min_pivot::<S, D>();
-        let step_limit = stepper
-            .statistics()
-            .attempts()
-            .saturating_add(course.max_steps);
-        let (mut beginning, mut is_visited) = (Beginning::Initial, true);
         loop {
-            let next = update(dynamics, stepper, end)?;
+            if !matches!(state.beginning, Beginning::Stepped(_)) {
+                state.update = update(dynamics, stepper, state.end)?;
+            }
             let mut part = Integration {
                 dynamics: &*dynamics,
                 stepper: &mut *stepper,
-                start,
-                end,
-                waiting: &mut course.samples,
-                min_pivot,
-                step_limit,
+                waiting: &mut *samples,
                 condition: &mut self.conditions,
                 memory: &mut *memory,
-                update: next,
+                state: *state,
+                steps,
                 reacts: R::REACTS,
-                is_visited,
                 pending: None,
                 failure: None,
                 observer: &mut self.observer,
                 collector: &mut *collector,
                 outcome: &mut *outcome,
             };
-            let (occurring, stop) = match part.run(beginning)? {
-                Interruption::Stop(reason) => return Ok(reason),
+            let interruption = part.run();
+            *state = part.state;
+            let (occurring, stop) = match interruption? {
+                Interruption::Stop(reason) => return Ok(Next::End(reason)),
+                Interruption::Step(target) => return Ok(Next::Step(target)),
                 Interruption::Reaction(occurring, stop) => (occurring, stop),
                 Interruption::Update => {
-                    (is_visited, beginning) = (true, Beginning::Unchanged);
+                    (state.is_visited, state.beginning) = (true, Beginning::Unchanged);
                     continue;
                 }
             };
-            is_visited = part.is_visited;
             let parts = (&mut *stepper, &mut *memory);
             let reacted = self.react((&mut *dynamics, &mut *reactions), parts, occurring)?;
             if let Some(x) = &reacted.changed {
                 outcome.last.x = x.clone();
                 outcome.statistics = stepper.statistics();
-                (is_visited, beginning) = (true, Beginning::Changed);
+                (state.is_visited, state.beginning) = (true, Beginning::Changed);
             } else {
-                beginning = Beginning::Unchanged;
+                state.beginning = Beginning::Unchanged;
             }
             if let Some(reason) = stop {
-                return Ok(reason);
+                return Ok(Next::End(reason));
             }
             if let Some((reason, met)) = reacted.stop {
                 outcome.met = met;
-                return Ok(reason);
+                return Ok(Next::End(reason));
             }
         }
     }

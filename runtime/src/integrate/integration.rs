@@ -5,6 +5,7 @@ use super::collector::Collector;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::event::{Detection, LastStep, Located, MetConditions, Occurring, moved};
+use super::loop_state::{Beginning, Interruption, LoopState, Steps, Taken};
 use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::singularity::Singularity;
@@ -16,21 +17,14 @@ use crate::scalar::Scalar;
 pub(crate) struct Integration<'a, 't, S: Scalar, D: Dynamics<S>, T, C: Detection<S, D>, O> {
     pub(crate) dynamics: &'a D,
     pub(crate) stepper: &'a mut T,
-    pub(crate) start: f64,
-    pub(crate) end: f64,
     /// The sample times that are left.
     pub(crate) waiting: &'a mut &'t [f64],
-    pub(crate) min_pivot: f64,
-    /// The number of steps, rejected ones included, at which to stop.
-    pub(crate) step_limit: u64,
     pub(crate) condition: &'a mut C,
     pub(crate) memory: &'a mut C::Memory,
-    /// The time at which the state is updated next, if the motion comes there.
-    pub(crate) update: Option<f64>,
+    pub(crate) state: LoopState,
+    pub(crate) steps: Steps,
     /// Whether events that do not stop the integration interrupt it.
     pub(crate) reacts: bool,
-    /// Whether nothing is left to visit in the last step.
-    pub(crate) is_visited: bool,
     /// Events that were found, before which the integration stops.
     pub(crate) pending: Option<Occurring>,
     pub(crate) observer: &'a mut O,
@@ -39,52 +33,6 @@ pub(crate) struct Integration<'a, 't, S: Scalar, D: Dynamics<S>, T, C: Detection
     pub(crate) failure: Option<IntegrationError>,
     /// Up to date at any time, so that it is valid after an error, too.
     pub(crate) outcome: &'a mut Outcome<D::State>,
-}
-
-/// How a part of an integration begins.
-#[derive(Clone, Copy)]
-pub(crate) enum Beginning {
-    /// At the initial time.
-    Initial,
-    /// At a state that a reaction has changed.
-    Changed,
-    /// Within a step, after a reaction without changes.
-    Unchanged,
-}
-
-/// Why a loop over steps ends.
-pub(crate) enum Interruption {
-    Stop(StopReason),
-    /// Events call for a reaction, after which there may be a reason to stop.
-    Reaction(Occurring, Option<StopReason>),
-    /// The state is to be updated.
-    Update,
-}
-
-impl Interruption {
-    /// What follows events that call for a reaction.
-    fn after(self, occurring: Occurring) -> Self {
-        match self {
-            Self::Stop(reason) => Self::Reaction(occurring, Some(reason)),
-            Self::Reaction(more, reason) => {
-                let events = occurring.events.or(more.events);
-                Self::Reaction(
-                    Occurring {
-                        events,
-                        ..occurring
-                    },
-                    reason,
-                )
-            }
-            Self::Update => self,
-        }
-    }
-}
-
-impl From<StopReason> for Interruption {
-    fn from(reason: StopReason) -> Self {
-        Self::Stop(reason)
-    }
 }
 
 impl<S, D, T, C, O> Integration<'_, '_, S, D, T, C, O>
@@ -96,15 +44,25 @@ where
     O: Observer<D::State>,
 {
     /// Steps until there is a reason to stop or to react, and counts the cost.
-    pub(crate) fn run(&mut self, beginning: Beginning) -> Result<Interruption, IntegrationError> {
+    pub(crate) fn run(&mut self) -> Result<Interruption, IntegrationError> {
         self.outcome.statistics = self.stepper.statistics();
-        let begun = match beginning {
+        let mut is_regular = false;
+        let begun = match self.state.beginning {
             Beginning::Initial => self.begin(),
             Beginning::Changed => self.notify(ObservationKind::Step),
             Beginning::Unchanged => Ok(()),
+            Beginning::Stepped(Taken::Failed(error)) => {
+                self.close(StopReason::Error);
+                return Err(error);
+            }
+            Beginning::Stepped(taken) => {
+                self.state.is_visited = false;
+                is_regular = matches!(taken, Taken::Regular);
+                Ok(())
+            }
         };
         let interruption = match begun {
-            Ok(()) => self.complete()?,
+            Ok(()) => self.complete(is_regular)?,
             Err(reason) => reason.into(),
         };
         let interruption = match interruption {
@@ -112,7 +70,7 @@ where
             Interruption::Reaction(occurring, Some(reason)) => self.close(reason).after(occurring),
             other => other,
         };
-        if !self.is_visited {
+        if !self.state.is_visited {
             // The motion ends, or a reaction is called for, within the last step.
             self.record_until(self.outcome.last.t);
         }
@@ -122,14 +80,19 @@ where
 
     /// Samples and condition at the initial time.
     fn begin(&mut self) -> Result<(), StopReason> {
-        self.samples_until(self.start)?;
+        self.samples_until(self.state.start)?;
         self.check_condition()
     }
 
-    /// Steps until there is a reason to stop or to react. Events may be left in the last step.
-    fn complete(&mut self) -> Result<Interruption, IntegrationError> {
+    /// Steps until there is a reason to stop or to react. Events may be left in the last step, whose end may be known to be regular.
+    fn complete(&mut self, mut is_regular: bool) -> Result<Interruption, IntegrationError> {
         loop {
-            let broken = self.broken_step();
+            let broken = if is_regular {
+                None
+            } else {
+                self.broken_step()
+            };
+            is_regular = false;
             let visited = match &broken {
                 Some((regular, _)) => self.visit_events_until(*regular),
                 None => self.visit_step(),
@@ -142,20 +105,23 @@ where
                 self.outcome.last = self.at(regular);
                 return Err(error);
             }
-            if self.stepper.time() - self.end == 0.0 {
+            if self.stepper.time() - self.state.end == 0.0 {
                 return Ok(StopReason::Completed.into());
             }
-            if self.update.is_some_and(|t| self.stepper.time() - t == 0.0) {
+            if self.state.update.is_some_and(|t| self.stepper.time() - t == 0.0) {
                 return Ok(Interruption::Update);
             }
-            if self.stepper.statistics().attempts() >= self.step_limit {
+            if self.stepper.statistics().attempts() >= self.state.step_limit {
                 return Ok(StopReason::StepLimit.into());
+            }
+            if self.steps == Steps::Shared {
+                return Ok(Interruption::Step(self.target()));
             }
             if let Err(error) = self.step() {
                 self.close(StopReason::Error);
                 return Err(error);
             }
-            self.is_visited = false;
+            self.state.is_visited = false;
         }
     }
 
@@ -189,15 +155,21 @@ where
         reason.into()
     }
 
-    /// Takes one step.
-    fn step(&mut self) -> Result<(), IntegrationError> {
+    /// The time towards which the next step is taken.
+    fn target(&self) -> f64 {
         let next = if T::DENSE_OUTPUT {
             None
         } else {
             self.waiting.first()
         };
-        let target = next.copied().unwrap_or(self.end);
-        let target = self.update.map_or(target, |update| update.min(target));
+        let target = next.copied().unwrap_or(self.state.end);
+        let update = self.state.update;
+        update.map_or(target, |update| update.min(target))
+    }
+
+    /// Takes one step.
+    fn step(&mut self) -> Result<(), IntegrationError> {
+        let target = self.target();
         let result = self.stepper.step(self.dynamics, target);
         self.outcome.statistics = self.stepper.statistics();
         result
@@ -205,20 +177,20 @@ where
 
     /// The error of a step that leads to a singularity, or beyond a pole, and the last time within it that is before that.
     fn broken_step(&mut self) -> Option<(f64, IntegrationError)> {
-        if self.is_visited {
+        if self.state.is_visited {
             return None;
         }
         let (end, x) = (self.stepper.time(), self.stepper.state());
         let t = S::from_f64(end);
-        if self.min_pivot > 0.0 {
+        if self.state.min_pivot > 0.0 {
             let before = &self.outcome.last.x;
             let pole = self.dynamics.singularity_between(None, before, (t, x));
             if let Some(pole) = pole {
                 return Some(self.pole_in_step(pole));
             }
         }
-        let error = check_singularity_in_motion(self.dynamics, end, x, self.min_pivot).err()?;
-        let regular = if self.end >= self.start {
+        let error = check_singularity_in_motion(self.dynamics, end, x, self.state.min_pivot).err()?;
+        let regular = if self.state.end >= self.state.start {
             end.next_down()
         } else {
             end.next_up()
@@ -246,13 +218,13 @@ where
 
     /// Visits the events that are left in the last step, and then its end.
     fn visit_step(&mut self) -> Result<(), Interruption> {
-        if self.is_visited {
+        if self.state.is_visited {
             return Ok(());
         }
         let end = self.stepper.time();
         self.visit_events_until(end)?;
         self.record_until(end);
-        self.is_visited = true;
+        self.state.is_visited = true;
         self.outcome.last = self.at(end);
         self.notify(ObservationKind::Step)?;
         self.check_condition()?;
@@ -349,7 +321,7 @@ where
 
     /// Takes the samples up to `t` within the last step.
     fn samples_until(&mut self, t: f64) -> Result<(), StopReason> {
-        let forwards = self.end >= self.start;
+        let forwards = self.state.end >= self.state.start;
         while let Some((&time, rest)) = self.waiting.split_first() {
             if (forwards && time > t) || (!forwards && time < t) {
                 break;
@@ -385,8 +357,8 @@ where
             kind,
             t: self.outcome.last.t,
             x: &self.outcome.last.x,
-            start: self.start,
-            end: self.end,
+            start: self.state.start,
+            end: self.state.end,
             statistics: self.stepper.statistics(),
         };
         let stopping = self.observer.observe(&progress);

@@ -6,6 +6,7 @@
 #![allow(clippy::type_complexity)] // The settings of a problem are in its type.
 
 mod keep;
+mod member;
 mod part;
 mod reaction;
 mod run;
@@ -16,8 +17,9 @@ mod watch;
 #[cfg(feature = "alloc")]
 pub use keep::{Dense, Every, StepEnds};
 pub use keep::{End, Keep};
+pub(crate) use member::{Found, Member};
 pub use run::Run;
-pub(crate) use solution::Events;
+use solution::Events;
 pub use solution::Solution;
 pub use system::System;
 pub use watch::{DeclaredBy, When};
@@ -351,13 +353,16 @@ where
         mut collection,
         checked,
     } = begun;
-    let mut collector = Collecting::new(&mut collection, *kept);
+    let mut events = Events::default();
+    let mut collector = Collecting {
+        kept: &mut collection,
+        events: &mut events,
+        so_far: kept,
+    };
     let (mut outcome, result) = match checked {
         Ok(()) => integrate(&start, times.as_ref(), &mut collector),
         Err(error) => (Outcome::at(start), Err(error)),
     };
-    *kept = collector.so_far;
-    let events = collector.events;
     let result = result.and(limits.check(&mut outcome));
     let solution = Solution::new(K::finish(collection, &outcome), events, outcome);
     match result {

@@ -9,9 +9,9 @@ use crate::scalar::Scalar;
 
 /// A system with a typical size of each component, made by [`with_sizes`](SetTypicalSizes::with_sizes).
 #[derive(Clone, Copy, Debug)]
-pub struct WithSizes<'a, D: ?Sized, X> {
-    pub(super) dynamics: &'a D,
-    sizes: X,
+pub struct WithSizes<D, X> {
+    pub(super) dynamics: D,
+    pub(super) sizes: X,
 }
 
 /// Typical sizes of the coordinates of any system.
@@ -38,15 +38,14 @@ pub trait SetTypicalSizes<S: Scalar = f64>: Dynamics<S> {
     /// let cart = Cart { m: 1.0, l: 1.0, k: 1e-4, g: 9.81 };
     /// let mut sizes = [1.0; 2];
     /// sizes[Cart::X] = 1000.0;
-    /// let dynamics = cart.dynamics();
     /// let start = State::new(0.0, [700.0, 0.1], [0.0, 0.0]);
-    /// Problem::new(dynamics.with_sizes(sizes), start).solve(10.0, Dop853::new())?;
+    /// Problem::new(cart.dynamics().with_sizes(sizes), start).solve(10.0, Dop853::new())?;
     /// # Ok::<(), IntegrationError>(())
     /// ```
-    fn with_sizes(
-        &self,
-        sizes: impl TypicalSizes<Self::State>,
-    ) -> WithSizes<'_, Self, Self::State> {
+    fn with_sizes(self, sizes: impl TypicalSizes<Self::State>) -> WithSizes<Self, Self::State>
+    where
+        Self: Sized,
+    {
         WithSizes {
             dynamics: self,
             sizes: sizes.into_state(),
@@ -68,7 +67,7 @@ impl<X> TypicalSizes<X> for X {
     }
 }
 
-impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for WithSizes<'_, D, D::State> {
+impl<S: Scalar, D: Dynamics<S>> Dynamics<S> for WithSizes<D, D::State> {
     type State = D::State;
 
     #[inline]
@@ -161,7 +160,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for WithSizes<'_, D, D::Sta
     }
 }
 
-impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for WithSizes<'_, D, D::State> {
+impl<S: Scalar, D: Series<S>> Series<S> for WithSizes<D, D::State> {
     #[inline]
     fn series<const HALF: usize>(
         &self,

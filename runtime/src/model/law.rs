@@ -4,6 +4,7 @@ mod driven;
 mod dynamic_feedback;
 mod feedback;
 mod held;
+mod in_lanes;
 mod lagged;
 mod sampled_feedback;
 mod states;
@@ -12,6 +13,7 @@ pub use driven::Driven;
 pub use dynamic_feedback::DynamicFeedback;
 pub use feedback::Feedback;
 pub use held::Held;
+pub use in_lanes::{LawsInLanes, StatesInLanes};
 pub use lagged::Lagged;
 pub use sampled_feedback::{Sampled, SampledFeedback};
 pub use states::LawStates;
@@ -59,6 +61,10 @@ pub trait Law<const N: usize, V, S: Scalar = f64> {
     /// Whether the inputs depend on coordinates and velocities, other than where the law is [updated](Self::update). Then
     /// angles keep their whole turns, which a law may count.
     const READS_MOTION: bool = true;
+
+    /// Whether the inputs are those that the model has, at any time.
+    #[doc(hidden)]
+    const IS_HELD: bool = false;
 
     /// The inputs u and the derivative ż, where the model has the inputs `given` without the law.
     fn evaluate(&self, given: &V, t: S, x: &Phase<S, N, Self::States>) -> (V, Self::States);

@@ -78,7 +78,7 @@ impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for &D {
 }
 
 /// The sizes of coordinates are nothing to events.
-impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for WithSizes<'_, D, D::State> {
+impl<S: Scalar, D: EventDynamics<S>> EventDynamics<S> for WithSizes<D, D::State> {
     type Model = D::Model;
     type Values = D::Values;
 

@@ -57,6 +57,10 @@ pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Saved + Sized {
     #[doc(hidden)]
     type Collection: Collector<S, D, T>;
 
+    /// Whether steps are kept, or states within them.
+    #[doc(hidden)]
+    const READS_STEPS: bool = false;
+
     /// The times of samples in a part of an integration, and what collects.
     #[doc(hidden)]
     fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<Self::Times, Self::Collection>;
@@ -314,6 +318,8 @@ where
     type Times = [f64; 0];
     type Collection = CollectedSteps<S, D::State>;
 
+    const READS_STEPS: bool = true;
+
     fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<[f64; 0], Self::Collection> {
         // The end of the part before is not kept again.
         let is_kept = part.kept.step.is_some_and(|t| t - start.t == 0.0);
@@ -356,6 +362,8 @@ where
     type Times = [f64; 0];
     type Collection = Whole<D::State, T::Interpolant>;
 
+    const READS_STEPS: bool = true;
+
     fn begin(self, start: &At<f64, D::State>, _: Part) -> Begun<[f64; 0], Self::Collection> {
         let whole = Whole {
             initial: start.clone(),
@@ -376,18 +384,8 @@ where
 /// What a problem collects: what is kept, and the events.
 pub(super) struct Collecting<'a, C, S, X> {
     pub(super) kept: &'a mut C,
-    pub(super) events: Events<S, X>,
-    pub(super) so_far: KeptSoFar,
-}
-
-impl<'a, C, S, X> Collecting<'a, C, S, X> {
-    pub(super) fn new(kept: &'a mut C, so_far: KeptSoFar) -> Self {
-        Self {
-            kept,
-            so_far,
-            events: Events::default(),
-        }
-    }
+    pub(super) events: &'a mut Events<S, X>,
+    pub(super) so_far: &'a mut KeptSoFar,
 }
 
 impl<S, D, T, C> Collector<S, D, T> for Collecting<'_, C, S, D::State>

@@ -13,7 +13,7 @@ use expansion::largest_ratios;
 use passage::Arrivals;
 
 use super::coefficients::{TaylorCoefficients, number};
-use super::interpolant::difference;
+use super::interpolant::{TaylorInterpolant, difference};
 use super::step_size::unit_near;
 use super::{Series, Taylor};
 use crate::integrate::compensated::Compensated;
@@ -145,8 +145,28 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.previous.0.get(lane).copied().unwrap_or(f64::NAN)
     }
 
+    /// The state in a lane, with its compensation.
+    pub(super) fn compensated(&self, lane: usize) -> Compensated<X::Lane> {
+        self.state.lane(lane)
+    }
+
+    /// Copies the last step of a lane: where it began, and its polynomial if that is asked for.
+    pub(super) fn copy_last_step(
+        &self,
+        lane: usize,
+        step: &mut TaylorInterpolant<X::Lane, HALF>,
+        with_polynomial: bool,
+    ) {
+        let (time, from, unit) = &self.previous;
+        (step.time, step.unit) = (time[lane], unit[lane]);
+        step.from = from.lane(lane);
+        if with_polynomial {
+            step.coefficients = self.coefficients.map(|states| states.lane(lane));
+        }
+    }
+
     /// The states from which the last steps were taken.
-    pub(super) fn previous_states(&self) -> &X {
+    pub(crate) fn previous_states(&self) -> &X {
         self.previous.1.value()
     }
 
@@ -161,11 +181,6 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     #[must_use]
     pub fn error(&self, lane: usize) -> Option<IntegrationError> {
         self.errors.get(lane).copied().flatten()
-    }
-
-    /// Whether a lane has been set since the last step.
-    pub(super) fn is_new(&self, lane: usize) -> bool {
-        self.is_new.get(lane).copied().unwrap_or(false)
     }
 
     /// Ends the motion in a lane with an error.

@@ -14,6 +14,8 @@ impl<V: Clone, S: Scalar, const N: usize> Law<N, V, S> for Held {
 
     const READS_MOTION: bool = false;
 
+    const IS_HELD: bool = true;
+
     #[inline]
     fn evaluate(&self, given: &V, _: S, _: &Phase<S, N>) -> (V, ()) {
         (given.clone(), ())

@@ -2,12 +2,12 @@
 
 use nalgebra::SVector;
 
-use super::{Law, LawSeries, LawStates};
+use super::{Law, LawSeries, LawStates, StatesInLanes};
 use crate::integrate::SingleNumber;
-use crate::linalg::{IntoVector, VectorSpace};
+use crate::linalg::{IntoVector, LaneStates, VectorSpace};
 use crate::model::phase::Phase;
 use crate::model::state::State;
-use crate::scalar::Scalar;
+use crate::scalar::{Lanes, Scalar};
 
 /// A controller with a memory of `J` numbers is evaluated periodically, and its `U` inputs are held in between (zero-order hold); made
 /// by [`Problem::sampled_feedback`](crate::Problem::sampled_feedback).
@@ -77,6 +77,36 @@ impl<S: Scalar, const U: usize, const J: usize> VectorSpace<S> for Sampled<S, U,
 
 impl<S: Scalar, const U: usize, const J: usize> LawStates<S> for Sampled<S, U, J> {}
 
+impl<const L: usize, const U: usize, const J: usize> LaneStates<L> for Sampled<Lanes<L>, U, J> {
+    type Lane = Sampled<f64, U, J>;
+
+    fn broadcast(state: &Self::Lane) -> Self {
+        Self {
+            inputs: LaneStates::broadcast(&state.inputs),
+            memory: LaneStates::broadcast(&state.memory),
+            samplings: Lanes::from_f64(state.samplings),
+        }
+    }
+
+    fn lane(&self, lane: usize) -> Self::Lane {
+        Sampled {
+            inputs: self.inputs.lane(lane),
+            memory: self.memory.lane(lane),
+            samplings: self.samplings.lane(lane),
+        }
+    }
+
+    fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
+        self.inputs.set_lane(lane, &state.inputs);
+        self.memory.set_lane(lane, &state.memory);
+        self.samplings.set(lane, state.samplings);
+    }
+}
+
+impl<const L: usize, const U: usize, const J: usize> StatesInLanes<L> for Sampled<f64, U, J> {
+    type InLanes = Sampled<Lanes<L>, U, J>;
+}
+
 impl<F, A, S, const N: usize, const U: usize, const J: usize> Law<N, SVector<S, U>, S>
     for SampledFeedback<F, U, J>
 where
@@ -124,7 +154,7 @@ where
     }
 }
 
-/// Motions in lanes have samplings of their own, which nothing waits for: they have no series.
+/// Steps that motions share in lanes cannot end at the samplings of each; an [`Ensemble`](crate::Ensemble) has steps for each.
 impl<F, A, S, const N: usize, const U: usize, const J: usize> LawSeries<N, SVector<S, U>, S>
     for SampledFeedback<F, U, J>
 where

@@ -1,0 +1,256 @@
+//! Members of an ensemble in the lanes of a Taylor method.
+
+use core::iter::{Enumerate, Fuse};
+
+use super::EnsembleIntegrator;
+use crate::integrate::dynamics::Dynamics as _;
+use crate::integrate::event::Watched;
+use crate::integrate::in_lanes::InLanes;
+use crate::integrate::loop_state::Taken;
+use crate::integrate::observer::Observer;
+use crate::integrate::problem::{Found, Keep, Member, Problem, Reactions};
+use crate::integrate::stepper::{Statistics, Stepper as _};
+use crate::integrate::taylor::{Series, Taylor, TaylorLanes, TaylorStepper};
+
+impl<D, const L: usize, const HALF: usize> EnsembleIntegrator<f64, D, L> for Taylor<HALF>
+where
+    D: InLanes<L>,
+{
+    fn solve_each<K, C, R, O, Kept>(
+        &self,
+        members: impl Iterator<Item = (Problem<f64, D, K, C, R, O>, f64)>,
+        report: impl FnMut(usize, Found<f64, D::State, Kept>),
+    ) where
+        C: Watched<f64, D>,
+        R: Reactions<f64, D>,
+        O: Observer<D::State>,
+        K: Keep<f64, D, Self::Stepper, Kept = Kept>,
+    {
+        let mut together = Together {
+            method: *self,
+            waiting: members.enumerate().fuse(),
+            members: [const { None }; L],
+            steppers: None,
+            report,
+        };
+        while together.fill() {
+            while !together.step() {}
+        }
+    }
+}
+
+/// The members that are integrated together, and those that wait.
+struct Together<D, I, F, K, C, R, O, const L: usize, const HALF: usize>
+where
+    D: InLanes<L>,
+    C: Watched<f64, D>,
+    K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
+{
+    method: Taylor<HALF>,
+    waiting: Fuse<Enumerate<I>>,
+    members: [Option<InLane<D, K, C, R, O, HALF>>; L],
+    /// None before the first member.
+    steppers: Option<Steppers<D, L, HALF>>,
+    report: F,
+}
+
+/// The steppers of all lanes, and the parameters that their equations read.
+type Steppers<D, const L: usize, const HALF: usize> = (
+    TaylorLanes<<D as InLanes<L>>::States, L, HALF>,
+    <D as InLanes<L>>::Parameters,
+);
+
+/// A member in a lane.
+struct InLane<D, K, C, R, O, const HALF: usize>
+where
+    D: Series<f64>,
+    C: Watched<f64, D>,
+    K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
+{
+    /// Its position among the members.
+    index: usize,
+    member: Member<f64, D, Taylor<HALF>, K, C, R, O>,
+    /// The time towards which it goes.
+    target: f64,
+    /// The cost until the lane was set.
+    before: Statistics,
+}
+
+impl<D, K, C, R, O, const HALF: usize> InLane<D, K, C, R, O, HALF>
+where
+    D: Series<f64>,
+    C: Watched<f64, D>,
+    R: Reactions<f64, D>,
+    O: Observer<D::State>,
+    K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
+{
+    /// Sets a lane to where the member is, with its parameters.
+    fn set<const L: usize>(&mut self, lane: usize, (lanes, parameters): &mut Steppers<D, L, HALF>)
+    where
+        D: InLanes<L>,
+    {
+        let stepper = self.member.stepper();
+        lanes.set_lane(lane, stepper.time(), stepper.state());
+        self.member.dynamics().set_lane(parameters, lane);
+        // The lane evaluates the derivative at the state again, which the motion costs once.
+        self.before = stepper.statistics();
+        self.before.evaluations = self.before.evaluations.saturating_sub(1);
+    }
+
+    /// Goes on behind a step of a lane. Whether the member has not ended.
+    fn follow<const L: usize>(
+        &mut self,
+        lane: usize,
+        lanes: &TaylorLanes<D::States, L, HALF>,
+        is_regular: bool,
+    ) -> bool
+    where
+        D: InLanes<L>,
+    {
+        let member = &mut self.member;
+        let taken = if let Some(error) = lanes.error(lane) {
+            member.stepper_mut().forget_last_step();
+            Taken::Failed(error)
+        } else {
+            let with_polynomial = !is_regular || member.looks_within(lanes.time(lane));
+            let stepper = member.stepper_mut();
+            stepper.follow((lanes, lane), self.before, with_polynomial);
+            if is_regular {
+                Taken::Regular
+            } else {
+                Taken::Unchecked
+            }
+        };
+        let target = member.stepped(taken);
+        self.target = target.unwrap_or(self.target);
+        target.is_some()
+    }
+}
+
+impl<D, I, F, K, C, R, O, const L: usize, const HALF: usize> Together<D, I, F, K, C, R, O, L, HALF>
+where
+    D: InLanes<L>,
+    I: Iterator<Item = (Problem<f64, D, K, C, R, O>, f64)>,
+    F: FnMut(usize, Found<f64, D::State, K::Kept>),
+    C: Watched<f64, D>,
+    R: Reactions<f64, D>,
+    O: Observer<D::State>,
+    K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
+{
+    /// Gives each free lane a member, as far as there are any. False when all have ended.
+    fn fill(&mut self) -> bool {
+        for lane in 0..L {
+            if self.members[lane].is_some() {
+                continue;
+            }
+            let Some(mut begun) = self.next() else {
+                break;
+            };
+            let steppers = self.steppers.get_or_insert_with(|| {
+                let (dynamics, stepper) = (begun.member.dynamics(), begun.member.stepper());
+                let lanes = TaylorLanes::new(self.method, stepper.time(), stepper.state());
+                (lanes, dynamics.parameters())
+            });
+            begun.set(lane, steppers);
+            self.members[lane] = Some(begun);
+        }
+        self.park();
+        self.members.iter().any(Option::is_some)
+    }
+
+    /// The next member that takes a step. Those that end before that are reported.
+    fn next(&mut self) -> Option<InLane<D, K, C, R, O, HALF>> {
+        for (index, (problem, end)) in self.waiting.by_ref() {
+            let found = match problem.into_member(end, self.method) {
+                Ok(mut member) => match member.go_on() {
+                    Some(target) => {
+                        return Some(InLane {
+                            index,
+                            member,
+                            target,
+                            before: Statistics::default(),
+                        });
+                    }
+                    None => member.finish(),
+                },
+                Err(found) => found,
+            };
+            (self.report)(index, found);
+        }
+        None
+    }
+
+    /// Puts free lanes where a busy one is, so that they are at no singularity; they stay there.
+    fn park(&mut self) {
+        let Some((lanes, parameters)) = &mut self.steppers else {
+            return;
+        };
+        let busy = self.members.iter().enumerate().find_map(|(lane, place)| {
+            let place = place.as_ref()?;
+            Some((lane, place.member.dynamics()))
+        });
+        let Some((busy, dynamics)) = busy else { return };
+        for lane in (0..L).filter(|&lane| self.members[lane].is_none()) {
+            lanes.set_lane(lane, lanes.time(busy), &lanes.state(busy));
+            dynamics.set_lane(parameters, lane);
+        }
+    }
+
+    /// Takes a step in all lanes, after which each member goes on by itself. Whether a lane has become free.
+    fn step(&mut self) -> bool {
+        let Some(steppers) = &mut self.steppers else {
+            return true;
+        };
+        let is_regular = step(&self.members, steppers);
+        let mut is_free = false;
+        for (lane, place) in self.members.iter_mut().enumerate() {
+            let Some(begun) = place else { continue };
+            if !begun.follow(lane, &steppers.0, is_regular) {
+                if let Some(InLane { index, member, .. }) = place.take() {
+                    (self.report)(index, member.finish());
+                }
+                is_free = true;
+            } else if begun.member.stepper().is_new() {
+                begun.set(lane, steppers);
+            }
+        }
+        is_free
+    }
+}
+
+/// Takes a step in all lanes. Whether it is certain that none has led to a singularity, or beyond one.
+fn step<D, K, C, R, O, const L: usize, const HALF: usize>(
+    members: &[Option<InLane<D, K, C, R, O, HALF>>; L],
+    (lanes, parameters): &mut Steppers<D, L, HALF>,
+) -> bool
+where
+    D: InLanes<L>,
+    C: Watched<f64, D>,
+    R: Reactions<f64, D>,
+    O: Observer<D::State>,
+    K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
+{
+    let Some(one) = members.iter().flatten().next() else {
+        return true;
+    };
+    let equations = one.member.dynamics().together(parameters);
+    // Lanes without a member rest where they are.
+    let targets = core::array::from_fn(|lane| match &members[lane] {
+        Some(begun) => begun.target,
+        None => lanes.time(lane),
+    });
+    lanes.step(&equations, &targets);
+    let pivots = members.iter().flatten().map(|begun| begun.member.min_pivot());
+    let min_pivot = pivots.fold(0.0, f64::max);
+    if min_pivot <= 0.0 {
+        return true;
+    }
+    let (times, states) = (lanes.times(), lanes.states());
+    let before = lanes.previous_states();
+    equations
+        .singularity_in_motion(times, states, min_pivot)
+        .is_none()
+        && equations
+            .singularity_between(None, before, (times, states))
+            .is_none()
+}

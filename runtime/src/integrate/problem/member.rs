@@ -1,0 +1,184 @@
+//! Problems in progress whose steps are taken by an ensemble.
+
+#![allow(clippy::type_complexity)] // The settings of a problem are in its type.
+
+use super::keep::{Begun, Collecting, Keep};
+use super::part::{KeptSoFar, Part};
+use super::reaction::Reactions;
+use super::solution::{Events, Solution};
+use super::{Limits, Problem};
+use crate::integrate::driver::{Driver, Next};
+use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::event::Watched;
+use crate::integrate::integrator::Integrator;
+use crate::integrate::loop_state::{Beginning, LoopState, Steps, Taken};
+use crate::integrate::observer::Observer;
+use crate::integrate::outcome::Outcome;
+use crate::integrate::partial::Partial;
+use crate::scalar::Scalar;
+
+/// What the integration of a problem returns.
+pub(crate) type Found<S, X, K> = Result<Solution<S, X, K>, Partial<Solution<S, X, K>>>;
+
+/// A problem in progress, whose steps are taken by an ensemble.
+pub(crate) struct Member<S, D, I, K, C, R, O>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    I: Integrator<S, D>,
+    C: Watched<S, D>,
+    K: Keep<S, D, I::Stepper>,
+{
+    driver: Driver<I, C, O>,
+    dynamics: D,
+    reactions: R,
+    limits: Limits,
+    /// The times of samples, of which so many are left.
+    times: K::Times,
+    waiting: usize,
+    collection: K::Collection,
+    events: Events<S, D::State>,
+    stepper: I::Stepper,
+    memory: C::Memory,
+    state: LoopState,
+    outcome: Outcome<D::State>,
+    result: Result<(), IntegrationError>,
+}
+
+impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
+    /// The problem in progress by a method, until the time `end`; what an integration finds where it does not begin.
+    pub(crate) fn into_member<I>(
+        self,
+        end: f64,
+        method: I,
+    ) -> Result<Member<S, D, I, K, C, R, O>, Found<S, D::State, K::Kept>>
+    where
+        I: Integrator<S, D>,
+        C: Watched<S, D>,
+        K: Keep<S, D, I::Stepper>,
+    {
+        let (limits, start, dynamics) = (self.limits, self.start, self.dynamics);
+        let mut driver = limits.driver(method, self.watch.conditions, self.watch.observer);
+        let Begun {
+            times,
+            collection,
+            checked,
+        } = self.keep.begin(&start, Part::whole(start.t, end));
+        let course = limits.course(times.as_ref(), end);
+        let begun = checked
+            .and_then(|()| course.check(start.t))
+            .and_then(|()| driver.begin(&dynamics, &start));
+        let stepper = match begun {
+            Ok(stepper) => stepper,
+            Err(error) => {
+                let outcome = Outcome::at(start);
+                let kept = K::finish(collection, &outcome);
+                let solution = Solution::new(kept, Events::default(), outcome);
+                return Err(Err(Partial::new(error, solution)));
+            }
+        };
+        let (state, outcome) = driver.set_out(&stepper, course);
+        Ok(Member {
+            memory: driver.conditions.begin(&dynamics, start.t, &outcome.last.x),
+            waiting: times.as_ref().len(),
+            driver,
+            dynamics,
+            reactions: self.watch.reactions,
+            limits,
+            times,
+            collection,
+            events: Events::default(),
+            stepper,
+            state,
+            outcome,
+            result: Ok(()),
+        })
+    }
+}
+
+impl<S, D, I, K, C, R, O> Member<S, D, I, K, C, R, O>
+where
+    S: Scalar,
+    D: Dynamics<S>,
+    I: Integrator<S, D>,
+    C: Watched<S, D>,
+    R: Reactions<S, D>,
+    O: Observer<D::State>,
+    K: Keep<S, D, I::Stepper>,
+{
+    /// Goes on until a step is to be taken: the time towards which. `None` at the end.
+    pub(crate) fn go_on(&mut self) -> Option<f64> {
+        let times = self.times.as_ref();
+        let mut samples = &times[times.len().saturating_sub(self.waiting)..];
+        // The times that were kept matter to the parts of a run alone.
+        let mut kept = KeptSoFar::default();
+        let mut collector = Collecting {
+            kept: &mut self.collection,
+            events: &mut self.events,
+            so_far: &mut kept,
+        };
+        let next = self.driver.go_on(
+            (&mut self.dynamics, &mut self.reactions),
+            (&mut self.stepper, &mut self.memory, &mut samples),
+            (&mut self.state, Steps::Shared),
+            &mut collector,
+            &mut self.outcome,
+        );
+        self.waiting = samples.len();
+        match next {
+            Ok(Next::Step(target)) => return Some(target),
+            Ok(Next::End(reason)) => self.outcome.reason = reason,
+            Err(error) => self.result = Err(error),
+        }
+        None
+    }
+
+    /// Goes on behind a step, which the stepper knows.
+    pub(crate) fn stepped(&mut self, taken: Taken) -> Option<f64> {
+        self.state.beginning = Beginning::Stepped(taken);
+        self.go_on()
+    }
+
+    /// What the integration has found.
+    pub(crate) fn finish(mut self) -> Found<S, D::State, K::Kept> {
+        let result = self.result.and(self.limits.check(&mut self.outcome));
+        let kept = K::finish(self.collection, &self.outcome);
+        let solution = Solution::new(kept, self.events, self.outcome);
+        match result {
+            Ok(()) => Ok(solution),
+            Err(error) => Err(Partial::new(error, solution)),
+        }
+    }
+
+    pub(crate) fn dynamics(&self) -> &D {
+        &self.dynamics
+    }
+
+    pub(crate) fn stepper(&self) -> &I::Stepper {
+        &self.stepper
+    }
+
+    pub(crate) fn stepper_mut(&mut self) -> &mut I::Stepper {
+        &mut self.stepper
+    }
+
+    /// The smallest relative pivot that does not end the integration.
+    pub(crate) fn min_pivot(&self) -> f64 {
+        self.state.min_pivot
+    }
+
+    /// Whether states within a step to this time are asked for: by events, by what is kept, or by a sample.
+    pub(crate) fn looks_within(&self, time: f64) -> bool {
+        let times = self.times.as_ref();
+        let next = times.get(times.len().saturating_sub(self.waiting));
+        let is_in = |sample: &f64| {
+            if self.state.end >= self.state.start {
+                *sample < time
+            } else {
+                *sample > time
+            }
+        };
+        C::COUNT > 0 || K::READS_STEPS || next.is_some_and(is_in)
+    }
+}

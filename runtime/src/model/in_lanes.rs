@@ -1,0 +1,81 @@
+//! Equations of motion of several members at once, one in each SIMD lane.
+
+use nalgebra::SVector;
+
+use super::equations_of_motion::EquationsOfMotion;
+use super::lagrangian::Lagrangian;
+use super::law::{LawSeries, LawsInLanes, StatesInLanes};
+use super::members_in_lanes::MembersInLanes;
+use super::motion_series::MotionSeries;
+use super::phase::Phase;
+use super::quantities::Quantities;
+use crate::integrate::InLanes;
+use crate::linalg::LaneStates as _;
+use crate::scalar::Lanes;
+
+/// What the equations of all lanes read: inputs, what [`Quantities::prepare`] computes of each member's parameters, and laws.
+#[derive(Clone, Debug)]
+pub struct ParametersInLanes<V, P, W, const L: usize> {
+    inputs: V,
+    prepared: P,
+    laws: [W; L],
+}
+
+/// What depends on parameters alone is computed on `f64`, so that a lane has the bits that its member has alone.
+impl<M, W, const N: usize, const U: usize, const L: usize> InLanes<L>
+    for EquationsOfMotion<M, f64, N, W>
+where
+    M: Lagrangian<N, f64>,
+    M::Model: MembersInLanes
+        + MotionSeries<N, f64, Inputs = SVector<f64, U>>
+        + MotionSeries<N, Lanes<L>, Inputs = SVector<Lanes<L>, U>>
+        + Lagrangian<N, Lanes<L>, Model = M::Model>,
+    W: LawSeries<N, SVector<f64, U>, f64, States: StatesInLanes<L>> + Clone,
+{
+    type States = Phase<Lanes<L>, N, <W::States as StatesInLanes<L>>::InLanes>;
+
+    type Parameters = ParametersInLanes<
+        SVector<Lanes<L>, U>,
+        <M::Model as Quantities<N, Lanes<L>>>::Prepared,
+        W,
+        L,
+    >;
+
+    type Together<'a>
+        = EquationsOfMotion<&'a M::Model, Lanes<L>, N, LawsInLanes<'a, W, L>>
+    where
+        Self: 'a;
+
+    fn parameters(&self) -> Self::Parameters {
+        let model = self.model.model();
+        let mut parameters = ParametersInLanes {
+            inputs: SVector::broadcast(&self.inputs),
+            prepared: Quantities::<N, Lanes<L>>::prepare(model),
+            laws: core::array::from_fn(|_| self.law.clone()),
+        };
+        for lane in 0..L {
+            self.set_lane(&mut parameters, lane);
+        }
+        parameters
+    }
+
+    fn set_lane(&self, parameters: &mut Self::Parameters, lane: usize) {
+        let of_member = self.prepared.as_ref().iter();
+        for (value, of_member) in parameters.prepared.as_mut().iter_mut().zip(of_member) {
+            value.set(lane, *of_member);
+        }
+        parameters.inputs.set_lane(lane, &self.inputs);
+        if let Some(law) = parameters.laws.get_mut(lane) {
+            law.clone_from(&self.law);
+        }
+    }
+
+    fn together<'a>(&'a self, parameters: &'a Self::Parameters) -> Self::Together<'a> {
+        EquationsOfMotion {
+            model: self.model.model(),
+            inputs: parameters.inputs,
+            prepared: parameters.prepared.clone(),
+            law: LawsInLanes::new(&parameters.laws),
+        }
+    }
+}
