@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use lagrangian::prelude::*;
-use lagrangian::quantities::MotionSeries;
+use lagrangian::quantities::{MembersInLanes, MotionSeries};
 use lagrangian::{DoubleDouble, EquationsOfMotion, Lanes, OperationCount};
 use serde::Serialize;
 use serde_json::Value;
@@ -13,10 +13,11 @@ use crate::motions::{LANES, Motions, rows, state};
 use crate::question::{Integrated, Integration, Question, answer_questions};
 use crate::thread_time::fewest_seconds;
 
-/// The scalars on which a model is integrated here.
+/// A model without inputs, on the scalars on which it is integrated here.
 pub trait Contestant<const N: usize>:
-    MotionSeries<N>
-    + MotionSeries<N, Lanes<LANES>>
+    MembersInLanes<LANES, InLanes = Self>
+    + MotionSeries<N, Inputs = SVector<f64, 0>>
+    + MotionSeries<N, Lanes<LANES>, Inputs = SVector<Lanes<LANES>, 0>>
     + Lagrangian<N, Model = Self>
     + Lagrangian<N, Lanes<LANES>, Model = Self>
     + Lagrangian<N, DoubleDouble>
@@ -25,8 +26,9 @@ pub trait Contestant<const N: usize>:
 }
 
 impl<M, const N: usize> Contestant<N> for M where
-    M: MotionSeries<N>
-        + MotionSeries<N, Lanes<LANES>>
+    M: MembersInLanes<LANES, InLanes = M>
+        + MotionSeries<N, Inputs = SVector<f64, 0>>
+        + MotionSeries<N, Lanes<LANES>, Inputs = SVector<Lanes<LANES>, 0>>
         + Lagrangian<N, Model = Self>
         + Lagrangian<N, Lanes<LANES>, Model = Self>
         + Lagrangian<N, DoubleDouble>
@@ -141,9 +143,9 @@ fn ensemble<const N: usize, const HALF: usize, M: Contestant<N>>(
     let one = |row: &Vec<f64>| state::<f64, N>(std::slice::from_ref(row));
     let starts: Vec<State<f64, N>> = integration.starts.iter().map(one).collect();
     let (outcomes, seconds) = fewest_seconds(integration.at_least, || {
-        let dynamics = Lagrangian::<N, Lanes<LANES>>::dynamics(model);
-        let motions = starts.iter().map(|start| (*start, integration.end));
-        let outcomes = method.ensemble::<LANES>().collect(&dynamics, motions);
+        let problems = starts.iter().map(|start| Problem::new(model, *start));
+        let ensemble = Ensemble::new(problems).lanes::<LANES>();
+        let outcomes = ensemble.solve(integration.end, method);
         let outcomes: Result<Vec<_>, _> = outcomes.into_iter().collect();
         outcomes.map_err(|error| error.to_string())
     })?;

@@ -1,6 +1,7 @@
 //! The items that are emitted for a model.
 
 mod emitter;
+mod members_in_lanes;
 mod methods;
 mod constants;
 mod constants_of_motion;

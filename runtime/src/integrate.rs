@@ -66,11 +66,11 @@ pub use runge_kutta::{
 pub use singularity::Singularity;
 pub use step_polynomial::StepPolynomial;
 pub use stepper::{Advance, Statistics, Stepper};
+pub use taylor::TaylorLanes;
 pub use taylor::recurrences;
 pub use taylor::{
     BranchVisitor, Series, SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant,
     TaylorStepper,
 };
 pub(crate) use taylor::{Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions};
-pub use taylor::TaylorLanes;
 pub use typical_sizes::{SetTypicalSizes, TypicalSizes, WithSizes};

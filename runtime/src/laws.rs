@@ -4,6 +4,6 @@
 //! `driven_by` and `lagged`. A type that implements [`Law`] is a law of its own.
 
 pub use crate::model::{
-    Driven, DynamicFeedback, Feedback, Held, Lagged, Law, LawSeries, LawStates, Sampled,
-    SampledFeedback,
+    Driven, DynamicFeedback, Feedback, Held, Lagged, Law, LawSeries, LawStates, LawsInLanes,
+    Sampled, SampledFeedback, StatesInLanes,
 };

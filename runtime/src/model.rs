@@ -55,11 +55,11 @@ pub use hamiltonian::{Hamiltonian, NoVelocities};
 pub use inputs::{Inputs, WithInputs};
 pub use lagrangian::Lagrangian;
 pub use law::{
-    Driven, DynamicFeedback, Feedback, Held, Lagged, Law, LawSeries, LawStates, Sampled,
-    SampledFeedback,
+    Driven, DynamicFeedback, Feedback, Held, Lagged, Law, LawSeries, LawStates, LawsInLanes,
+    Sampled, SampledFeedback, StatesInLanes,
 };
 pub use linearization::Linearization;
-pub use members_in_lanes::MembersInLanes;
+pub use members_in_lanes::{MembersInLanes, ModelInLanes};
 pub use motion_series::MotionSeries;
 pub use operations::{OperationCount, Operations};
 pub use outputs::Outputs;

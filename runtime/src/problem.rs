@@ -4,7 +4,8 @@
 //! are generic over problems.
 
 pub use crate::integrate::{
-    DeclaredBy, End, Ends, EnsembleIntegrator, Flow, Keep, Observer, Projection, Reactions, Run, System, Watched, When,
+    DeclaredBy, End, Ends, EnsembleIntegrator, Flow, Keep, Observer, Projection, Reactions, Run,
+    System, Watched, When,
 };
 #[cfg(feature = "alloc")]
 pub use crate::integrate::{Dense, DenseSolution, Every, StepEnds};

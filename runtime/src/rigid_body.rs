@@ -40,11 +40,13 @@ mod momentum;
 mod rotation_state;
 mod moments;
 mod euler_equations;
+mod bodies_in_lanes;
 mod steady_rotation;
 mod steady_precession;
 mod free_rotation;
 mod nutation;
 
+pub use bodies_in_lanes::MomentInLanes;
 pub use body::RigidBody;
 pub use error::BodyError;
 pub use euler_equations::EulerEquations;

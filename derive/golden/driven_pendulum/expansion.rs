@@ -281,7 +281,7 @@ for DrivenPendulum {
     }
 }
 #[automatically_derived]
-impl ::lagrangian::quantities::MembersInLanes for DrivenPendulum {}
+impl ::lagrangian::__private::SharesLanes for DrivenPendulum {}
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
 for DrivenPendulum {

@@ -466,7 +466,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
     }
 }
 #[automatically_derived]
-impl ::lagrangian::quantities::MembersInLanes for HeavyTop {}
+impl ::lagrangian::__private::SharesLanes for HeavyTop {}
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3usize, __S>
 for HeavyTop {

@@ -283,7 +283,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
     }
 }
 #[automatically_derived]
-impl ::lagrangian::quantities::MembersInLanes for Slider {}
+impl ::lagrangian::__private::SharesLanes for Slider {}
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
 for Slider {

@@ -18,7 +18,7 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::editor;
 use super::inputs::{Indices, input_indices};
-use super::methods::members_in_lanes;
+use super::members_in_lanes::members_in_lanes;
 use super::signatures::Signatures;
 use crate::lower::Lowered;
 use crate::plan::constants::{
@@ -246,7 +246,7 @@ impl<'a> Fallback<'a> {
                 fn model(&self) -> &Self { ::core::unreachable!() }
             },
         );
-        let members = members_in_lanes(self.declaration, scalar);
+        let members = members_in_lanes(self.declaration, scalar, false);
         quote!(#quantities #lagrangian #members)
     }
 

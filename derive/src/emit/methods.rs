@@ -1,14 +1,13 @@
 //! The methods of the table: their bodies, and the impls of `Quantities`, `Lagrangian` and `Energies`.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
-use quote::{ToTokens as _, format_ident, quote};
+use quote::{format_ident, quote};
 
 use super::emitter::Emitter;
-use super::parameters::{marked_if_unused, mentions};
+use super::members_in_lanes::members_in_lanes;
+use super::parameters::marked_if_unused;
 use crate::limits::COSTLIEST_INLINED_ACCELERATIONS;
 use crate::plan::{Interface, Method, MethodOutputs, MethodRow, ResultType};
-use crate::syntax::declaration::Declaration;
-use crate::syntax::scalar::Scalar;
 
 impl Emitter<'_> {
     /// The impls of `Quantities`, and of `Lagrangian`, whose methods evaluate them.
@@ -31,7 +30,7 @@ impl Emitter<'_> {
                 fn model(&self) -> &Self { self }
             },
         );
-        let members = members_in_lanes(self.declaration, &self.scalar);
+        let members = members_in_lanes(self.declaration, &self.scalar, true);
         quote!(#quantities #lagrangian #members)
     }
 
@@ -75,29 +74,6 @@ impl Emitter<'_> {
         let signature = quote!(#prepared #inline fn #name(&self, #parameters) -> #output);
         with_body(signature, body)
     }
-}
-
-/// The impl of `MembersInLanes`, for a model on every scalar whose external functions do not read the fields of one member.
-pub(super) fn members_in_lanes(
-    declaration: &Declaration,
-    scalar: &Scalar<'_>,
-) -> Option<TokenStream> {
-    let Declaration {
-        root,
-        name,
-        generics,
-        clauses,
-        ..
-    } = declaration;
-    let mut functions = clauses.functions.iter();
-    let reads_self = functions.any(|function| mentions(&function.value.to_token_stream(), "self"));
-    let (generics, arguments, conditions) = generics.split_for_impl();
-    (scalar.is_generic() && !reads_self).then(|| {
-        quote! {
-            #[automatically_derived]
-            impl #generics #root::quantities::MembersInLanes for #name #arguments #conditions {}
-        }
-    })
 }
 
 /// A function with its body, which is moved: `quote` would copy it, token by token.

@@ -21,7 +21,7 @@ fn generic(declaration: &str, name: &str, parameter: &str) -> String {
 fn without_conversions(expansion: &str) -> String {
     let mut impls = expansion.split("# [automatically_derived] ");
     let first = impls.next().unwrap_or_default().to_owned();
-    let impls = impls.filter(|item| !item.contains("MembersInLanes"));
+    let impls = impls.filter(|item| !item.contains("SharesLanes"));
     let expansion = impls.fold(first, |text, item| {
         text + "# [automatically_derived] " + item
     });

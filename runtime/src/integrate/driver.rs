@@ -113,8 +113,10 @@ impl<I, C, O> Driver<I, C, O> {
         let Course { mut samples, .. } = course;
         let (mut state, mut outcome) = self.set_out::<S, D>(stepper, course);
         let begun = memory.take();
-        let mut known =
-            begun.unwrap_or_else(|| self.conditions.begin(system.0, state.start, &outcome.last.x));
+        let mut known = begun.unwrap_or_else(|| {
+            self.conditions
+                .begin(system.0, state.start, &outcome.last.x)
+        });
         let parts = (&mut *stepper, &mut known, &mut samples);
         let way = (&mut state, Steps::Own);
         let result = self.go_on(system, parts, way, collector, &mut outcome);

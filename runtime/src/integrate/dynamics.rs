@@ -83,30 +83,15 @@ pub trait Dynamics<S: Scalar = f64> {
     }
 
     /// A singularity between two states that a step has led from and to, though it need be near neither of them: a pole, at
-    /// which the equations have no value. In one lane or, without a lane, in any.
+    /// which the equations have no value; in any lane.
     #[inline]
     fn singularity_between(
         &self,
-        lane: Option<usize>,
         before: &Self::State,
         (t, after): (S, &Self::State),
     ) -> Option<Singularity> {
-        let _ = (lane, before, t, after);
+        let _ = (before, t, after);
         None
-    }
-
-    /// What [`singularity`](Self::singularity) says, in one lane, where an integration has steps of its own in each
-    /// ([`Ensemble`](crate::Ensemble)).
-    #[inline]
-    fn singularity_in_lane(
-        &self,
-        lane: usize,
-        t: S,
-        x: &Self::State,
-        min_pivot: f64,
-    ) -> Option<Singularity> {
-        let _ = lane;
-        self.singularity(t, x, min_pivot)
     }
 
     /// The coordinate whose inertia has nearly vanished at a state, if there is one: it moves too fast for any step.
@@ -124,7 +109,7 @@ pub trait Dynamics<S: Scalar = f64> {
 
     /// The next time at which the state is updated (a sampled controller, a difference equation beside the differential ones),
     /// as far as `x` tells; none by default. Steps of a [`Problem`](crate::Problem) end there, if it is integrated forwards in
-    /// time; in an [`Ensemble`](crate::Ensemble) it is an error.
+    /// time.
     fn next_update(&self, x: &Self::State) -> Option<f64> {
         let _ = x;
         None
@@ -238,24 +223,8 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for &D {
     }
 
     #[inline]
-    fn singularity_between(
-        &self,
-        lane: Option<usize>,
-        before: &D::State,
-        after: (S, &D::State),
-    ) -> Option<Singularity> {
-        (**self).singularity_between(lane, before, after)
-    }
-
-    #[inline]
-    fn singularity_in_lane(
-        &self,
-        lane: usize,
-        t: S,
-        x: &D::State,
-        min_pivot: f64,
-    ) -> Option<Singularity> {
-        (**self).singularity_in_lane(lane, t, x, min_pivot)
+    fn singularity_between(&self, before: &D::State, after: (S, &D::State)) -> Option<Singularity> {
+        (**self).singularity_between(before, after)
     }
 
     fn vanishing_inertia(&self, t: S, x: &D::State) -> Option<Singularity> {

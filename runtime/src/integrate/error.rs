@@ -161,8 +161,6 @@ pub enum IntegrationError {
         /// The time of the next one.
         next: f64,
     },
-    /// The dynamics of an ensemble update their states.
-    UpdatesInLanes,
     /// A step size is not a positive finite number.
     InvalidStep {
         /// That step size.
@@ -299,8 +297,7 @@ impl fmt::Display for IntegrationError {
             | Self::UnorderedTimes { .. }
             | Self::OutsideSpan { .. }
             | Self::InvalidSampleInterval { .. }
-            | Self::InvalidUpdate { .. }
-            | Self::UpdatesInLanes => self.write_invalid_setting(f),
+            | Self::InvalidUpdate { .. } => self.write_invalid_setting(f),
         }
     }
 }

@@ -87,11 +87,7 @@ where
     /// Steps until there is a reason to stop or to react. Events may be left in the last step, whose end may be known to be regular.
     fn complete(&mut self, mut is_regular: bool) -> Result<Interruption, IntegrationError> {
         loop {
-            let broken = if is_regular {
-                None
-            } else {
-                self.broken_step()
-            };
+            let broken = if is_regular { None } else { self.broken_step() };
             is_regular = false;
             let visited = match &broken {
                 Some((regular, _)) => self.visit_events_until(*regular),
@@ -108,7 +104,11 @@ where
             if self.stepper.time() - self.state.end == 0.0 {
                 return Ok(StopReason::Completed.into());
             }
-            if self.state.update.is_some_and(|t| self.stepper.time() - t == 0.0) {
+            if self
+                .state
+                .update
+                .is_some_and(|t| self.stepper.time() - t == 0.0)
+            {
                 return Ok(Interruption::Update);
             }
             if self.stepper.statistics().attempts() >= self.state.step_limit {
@@ -184,12 +184,13 @@ where
         let t = S::from_f64(end);
         if self.state.min_pivot > 0.0 {
             let before = &self.outcome.last.x;
-            let pole = self.dynamics.singularity_between(None, before, (t, x));
+            let pole = self.dynamics.singularity_between(before, (t, x));
             if let Some(pole) = pole {
                 return Some(self.pole_in_step(pole));
             }
         }
-        let error = check_singularity_in_motion(self.dynamics, end, x, self.state.min_pivot).err()?;
+        let error =
+            check_singularity_in_motion(self.dynamics, end, x, self.state.min_pivot).err()?;
         let regular = if self.state.end >= self.state.start {
             end.next_down()
         } else {
@@ -209,7 +210,7 @@ where
                 return (before.t, singular::<S>(after, pole));
             }
             let there = (S::from_f64(middle.t), &middle.x);
-            match self.dynamics.singularity_between(None, &before.x, there) {
+            match self.dynamics.singularity_between(&before.x, there) {
                 Some(found) => (pole, after) = (found, middle.t),
                 None => before = middle,
             }

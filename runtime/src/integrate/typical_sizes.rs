@@ -112,26 +112,14 @@ impl<S: Scalar, D: Dynamics<S>> Dynamics<S> for WithSizes<D, D::State> {
     #[inline]
     fn singularity_between(
         &self,
-        lane: Option<usize>,
         before: &Self::State,
         after: (S, &Self::State),
     ) -> Option<Singularity> {
-        self.dynamics.singularity_between(lane, before, after)
+        self.dynamics.singularity_between(before, after)
     }
 
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
         self.dynamics.vanishing_inertia(t, x)
-    }
-
-    #[inline]
-    fn singularity_in_lane(
-        &self,
-        lane: usize,
-        t: S,
-        x: &Self::State,
-        min_pivot: f64,
-    ) -> Option<Singularity> {
-        self.dynamics.singularity_in_lane(lane, t, x, min_pivot)
     }
 
     fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {

@@ -96,12 +96,11 @@ where
 
     fn singularity_between(
         &self,
-        lane: Option<usize>,
         before: &Self::State,
         (t, after): (S, &Self::State),
     ) -> Option<Singularity> {
         let after = State::new(t, after.q, SVector::zeros());
-        singularity_between::<M, S, N>(lane, &before.q, &after)
+        singularity_between::<M, S, N>(&before.q, &after)
     }
 
     fn component_name(&self, index: usize) -> ComponentName {

@@ -9,7 +9,11 @@ pub use super::by_columns::{
 };
 pub use super::operations::operations;
 
+mod in_every_lane;
 mod series;
+
+pub use super::members_in_lanes::SharesLanes;
+pub use in_every_lane::{InEveryLane, Kept};
 
 pub use series::{
     HigherOrders, Term, event_series, orders, taylor_series, taylor_series_in_quasi_velocities,

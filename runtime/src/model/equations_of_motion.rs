@@ -261,28 +261,10 @@ where
     #[inline]
     fn singularity_between(
         &self,
-        lane: Option<usize>,
         before: &Self::State,
         (t, after): (S, &Self::State),
     ) -> Option<Singularity> {
-        singular_configuration::singularity_between::<M::Model, S, N>(lane, &before.q, &after.at(t))
-    }
-
-    #[inline]
-    fn singularity_in_lane(
-        &self,
-        lane: usize,
-        t: S,
-        x: &Self::State,
-        min_pivot: f64,
-    ) -> Option<Singularity> {
-        singular_configuration::singularity_in_lane(
-            self.model.model(),
-            &self.prepared,
-            lane,
-            &x.at(t),
-            min_pivot,
-        )
+        singular_configuration::singularity_between::<M::Model, S, N>(&before.q, &after.at(t))
     }
 
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {

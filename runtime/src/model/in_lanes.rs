@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::equations_of_motion::EquationsOfMotion;
 use super::lagrangian::Lagrangian;
 use super::law::{LawSeries, LawsInLanes, StatesInLanes};
-use super::members_in_lanes::MembersInLanes;
+use super::members_in_lanes::{MembersInLanes, ModelInLanes};
 use super::motion_series::MotionSeries;
 use super::phase::Phase;
 use super::quantities::Quantities;
@@ -26,31 +26,30 @@ impl<M, W, const N: usize, const U: usize, const L: usize> InLanes<L>
     for EquationsOfMotion<M, f64, N, W>
 where
     M: Lagrangian<N, f64>,
-    M::Model: MembersInLanes
-        + MotionSeries<N, f64, Inputs = SVector<f64, U>>
-        + MotionSeries<N, Lanes<L>, Inputs = SVector<Lanes<L>, U>>
-        + Lagrangian<N, Lanes<L>, Model = M::Model>,
+    M::Model: MotionSeries<N, f64, Inputs = SVector<f64, U>> + MembersInLanes<L>,
+    ModelOf<M, N, L>: MotionSeries<N, Lanes<L>, Inputs = SVector<Lanes<L>, U>>
+        + Lagrangian<N, Lanes<L>, Model = ModelOf<M, N, L>>,
     W: LawSeries<N, SVector<f64, U>, f64, States: StatesInLanes<L>> + Clone,
 {
     type States = Phase<Lanes<L>, N, <W::States as StatesInLanes<L>>::InLanes>;
 
     type Parameters = ParametersInLanes<
         SVector<Lanes<L>, U>,
-        <M::Model as Quantities<N, Lanes<L>>>::Prepared,
+        <ModelOf<M, N, L> as Quantities<N, Lanes<L>>>::Prepared,
         W,
         L,
     >;
 
     type Together<'a>
-        = EquationsOfMotion<&'a M::Model, Lanes<L>, N, LawsInLanes<'a, W, L>>
+        = EquationsOfMotion<ModelInLanes<'a, ModelOf<M, N, L>>, Lanes<L>, N, LawsInLanes<'a, W, L>>
     where
         Self: 'a;
 
     fn parameters(&self) -> Self::Parameters {
-        let model = self.model.model();
+        let model = self.model.model().in_lanes();
         let mut parameters = ParametersInLanes {
             inputs: SVector::broadcast(&self.inputs),
-            prepared: Quantities::<N, Lanes<L>>::prepare(model),
+            prepared: Lagrangian::<N, Lanes<L>>::model(&model).prepare(),
             laws: core::array::from_fn(|_| self.law.clone()),
         };
         for lane in 0..L {
@@ -72,10 +71,14 @@ where
 
     fn together<'a>(&'a self, parameters: &'a Self::Parameters) -> Self::Together<'a> {
         EquationsOfMotion {
-            model: self.model.model(),
+            model: self.model.model().in_lanes(),
             inputs: parameters.inputs,
             prepared: parameters.prepared.clone(),
             law: LawsInLanes::new(&parameters.laws),
         }
     }
 }
+
+/// The model on which the lanes of a member are evaluated.
+type ModelOf<M, const N: usize, const L: usize> =
+    <<M as Lagrangian<N, f64>>::Model as MembersInLanes<L>>::InLanes;

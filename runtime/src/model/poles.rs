@@ -14,12 +14,10 @@ use crate::integrate::Singularity;
 use crate::scalar::Scalar;
 
 /// The pole of a reduced model near which its accelerations have lost their digits: where sin²θ is below `min_pivot`.
-/// Scalars are read by `read`.
 #[inline]
 pub(super) fn at_pole<M, S, const N: usize>(
     state: &State<S, N>,
     min_pivot: f64,
-    read: impl Fn(S) -> f64,
 ) -> Option<Singularity>
 where
     M: Quantities<N, S> + ?Sized,
@@ -28,20 +26,19 @@ where
     for i in M::POLES {
         let angle = *state.q.get(*i)?;
         let distance = (angle - nearest_pole(angle)).abs();
-        let pivot = read(distance * distance);
+        let pivot = (distance * distance).smallest();
         if pivot < min_pivot {
-            return Some(named::<M, S, N>(*i, pivot, state).at_pole(read(angle)));
+            return Some(named::<M, S, N>(*i, pivot, state).at_pole(angle.smallest()));
         }
     }
     None
 }
 
-/// The pole that lies between the coordinates before and after a step, where scalars are read so.
+/// The pole that lies between the coordinates before and after a step, in any lane.
 #[inline]
 pub(super) fn pole_between<M, S, const N: usize>(
     before: &SVector<S, N>,
     after: &State<S, N>,
-    read: impl Fn(S) -> f64,
 ) -> Option<Singularity>
 where
     M: Quantities<N, S> + ?Sized,
@@ -49,8 +46,8 @@ where
 {
     for i in M::POLES {
         let (from, to) = (half_turns(*before.get(*i)?), half_turns(*after.q.get(*i)?));
-        if read((from - to).abs()) > 0.0 {
-            let pole = read(from.max(to)) * PI;
+        if (from - to).abs().largest() > 0.0 {
+            let pole = from.max(to).largest() * PI;
             return Some(named::<M, S, N>(*i, 0.0, after).at_pole(pole));
         }
     }

@@ -89,24 +89,11 @@ where
     #[inline]
     fn singularity_between(
         &self,
-        lane: Option<usize>,
         before: &Self::State,
         (t, after): (S, &Self::State),
     ) -> Option<Singularity> {
         let (before, after) = (before.motion(), after.motion());
-        self.reduced.singularity_between(lane, &before, (t, &after))
-    }
-
-    #[inline]
-    fn singularity_in_lane(
-        &self,
-        lane: usize,
-        t: S,
-        x: &Self::State,
-        min_pivot: f64,
-    ) -> Option<Singularity> {
-        self.reduced
-            .singularity_in_lane(lane, t, &x.motion(), min_pivot)
+        self.reduced.singularity_between(&before, (t, &after))
     }
 
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {

@@ -29,7 +29,7 @@ where
         .iter()
         .all(|pivot| pivot.abs().smallest() >= min_pivot);
     if regular {
-        at_pole::<M, S, N>(state, min_pivot, Scalar::smallest)
+        at_pole::<M, S, N>(state, min_pivot)
     } else {
         let found = report::<M, S, N>(&pivots, state);
         let value = model.lagrangian(state, &model.inputs(), prepared);
@@ -55,16 +55,15 @@ where
     S: Scalar,
 {
     if M::STAYS_REGULAR {
-        at_pole::<M, S, N>(state, min_pivot, Scalar::smallest)
+        at_pole::<M, S, N>(state, min_pivot)
     } else {
         singularity(model, prepared, state, min_pivot)
     }
 }
 
-/// A pole between the coordinates before a step and the state after it, in one lane or in any.
+/// A pole between the coordinates before a step and the state after it, in any lane.
 #[inline]
 pub(crate) fn singularity_between<M, S, const N: usize>(
-    lane: Option<usize>,
     before: &SVector<S, N>,
     after: &State<S, N>,
 ) -> Option<Singularity>
@@ -72,32 +71,7 @@ where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
-    pole_between::<M, S, N>(before, after, |value| match lane {
-        Some(lane) => value.in_lane(lane),
-        None => value.largest(),
-    })
-}
-
-/// The coordinate with the smallest relative pivot in one lane, if that is below `min_pivot`.
-pub(super) fn singularity_in_lane<M, S, const N: usize>(
-    model: &M,
-    prepared: &M::Prepared,
-    lane: usize,
-    state: &State<S, N>,
-    min_pivot: f64,
-) -> Option<Singularity>
-where
-    M: Quantities<N, S> + ?Sized,
-    S: Scalar,
-{
-    let pivots = model.relative_pivots(state, prepared);
-    let pivots = pivots.map(|pivot| pivot.in_lane(lane));
-    let regular = pivots.iter().all(|pivot| pivot.abs() >= min_pivot);
-    if regular {
-        at_pole::<M, S, N>(state, min_pivot, |value| value.in_lane(lane))
-    } else {
-        Some(report::<M, f64, N>(&pivots, &in_lane(lane, state)))
-    }
+    pole_between::<M, S, N>(before, after)
 }
 
 /// The report of the smallest relative pivot.

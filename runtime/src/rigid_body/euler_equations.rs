@@ -20,8 +20,8 @@ use crate::scalar::Scalar;
 /// The rotation of a rigid body about its centre of gravity or a point that is fixed in space, by Euler's equations
 /// (3.5)–(3.7).
 ///
-/// Every method steps it; [`Taylor`](crate::Taylor), too, where the moment has a [`MomentSeries`]. In an
-/// [`Ensemble`](crate::Ensemble) its numbers are lanes ([`map`](Self::map)).
+/// Every method steps it; [`Taylor`](crate::Taylor), too, where the moment has a [`MomentSeries`], and several bodies at once in an
+/// [`Ensemble`](crate::Ensemble), where it is a [`MomentInLanes`](super::MomentInLanes).
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -43,9 +43,9 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct EulerEquations<S: Scalar = f64, M = NoMoment> {
-    inertia: InertiaTensor<S>,
-    factored: Factorization<S, 3>,
-    moment: M,
+    pub(super) inertia: InertiaTensor<S>,
+    pub(super) factored: Factorization<S, 3>,
+    pub(super) moment: M,
 }
 
 impl<S: SingleNumber> EulerEquations<S> {

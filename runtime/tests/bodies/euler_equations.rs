@@ -1,13 +1,13 @@
 //! Euler's equations by all methods: against the equations of the text, momenta, Lagrange models and published motions.
 
-use crate::common::assert_close;
+use crate::common::{assert_close, in_lanes};
 use lagrangian::prelude::*;
 use lagrangian::rigid_body::{
     BodyError, ConstantForce, ConstantMoment, Damping, EulerEquations, InertiaTensor, Moment,
     MomentSeries, ProductsOfInertia, RigidBody, RotationState, Solid,
 };
 use lagrangian::rotation::{EulerAngles, EulerSequence, unit_quaternion};
-use lagrangian::{DoubleDouble, Lanes, Series, SingleNumber, TaylorCoefficients};
+use lagrangian::{DoubleDouble, Series, SingleNumber, TaylorCoefficients};
 
 type D = DoubleDouble;
 type V = Vector3<f64>;
@@ -191,10 +191,6 @@ fn ensembles_of_bodies() {
         force: V::new(1.0, -2.0, -9.0),
     };
     let body = EulerEquations::new(oblique()).unwrap().with_moment(weight);
-    let lanes = body.map(Lanes::<4>::from_f64, |weight| ConstantForce {
-        point: weight.point.map(Lanes::from_f64),
-        force: weight.force.map(Lanes::from_f64),
-    });
     let start = |i: u32| {
         let omega = V::new(0.3 * f64::from(i), 1.0, -0.2);
         (
@@ -202,9 +198,7 @@ fn ensembles_of_bodies() {
             1.0 + 0.3 * f64::from(i),
         )
     };
-    let together = Taylor::new()
-        .ensemble::<4>()
-        .collect(&lanes, (0..9).map(start));
+    let together = in_lanes::<4, _, _>(Taylor::new(), &body, (0..9).map(start));
     for (found, i) in together.into_iter().zip(0..) {
         let (from, to) = start(i);
         let alone = Problem::new(&body, from).solve(to, Taylor::new()).unwrap();

@@ -173,6 +173,8 @@ impl<S: Scalar> Series<S> for Rod {
     }
 }
 
+crate::alike_in_lanes!(Rod);
+
 /// The free rotation of a body, with a quaternion that is kept at unit length if it projects.
 #[derive(Clone, Copy, Debug)]
 pub struct UnitQuaternion<S: Scalar = f64> {

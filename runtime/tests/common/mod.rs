@@ -2,7 +2,7 @@
 #![allow(dead_code, unreachable_pub)] // Every binary has a copy of it, and none uses all.
 
 use lagrangian::prelude::*;
-use lagrangian::{Series, TaylorCoefficients};
+use lagrangian::{InLanes, Series, TaylorCoefficients};
 use nalgebra::{SMatrix, SVector};
 
 /// Fails unless |a − b| ≤ tolerance; a value that is not finite is never close.
@@ -13,6 +13,45 @@ pub fn assert_close(a: f64, b: f64, tolerance: f64) {
         error <= tolerance && tolerance.is_finite(),
         "{a:e} and {b:e} differ by {error:e}, more than {tolerance:e}"
     );
+}
+
+/// Motions of one system from initial states to their ends, in so many lanes.
+pub fn in_lanes<const L: usize, D, const HALF: usize>(
+    method: Taylor<HALF>,
+    dynamics: &D,
+    motions: impl IntoIterator<Item = (At<f64, D::State>, f64)>,
+) -> Vec<Result<Solution<f64, D::State>, IntegrationError>>
+where
+    D: InLanes<L>,
+{
+    let (starts, ends): (Vec<_>, Vec<_>) = motions.into_iter().unzip();
+    let problems = starts
+        .into_iter()
+        .map(|start| Problem::new(dynamics, start));
+    let found = Ensemble::new(problems)
+        .lanes::<L>()
+        .solve(|index: usize| ends[index], method);
+    let found = found.into_iter();
+    found
+        .map(|found| found.map_err(|partial| partial.error()))
+        .collect()
+}
+
+/// Implements `InLanes` for a system whose members are alike.
+#[macro_export]
+macro_rules! alike_in_lanes {
+    ($system:ty) => {
+        impl<const L: usize> lagrangian::InLanes<L> for $system {
+            type States = <$system as lagrangian::prelude::Dynamics<lagrangian::Lanes<L>>>::State;
+            type Parameters = ();
+            type Together<'a> = &'a Self;
+            fn parameters(&self) {}
+            fn set_lane(&self, (): &mut (), _: usize) {}
+            fn together<'a>(&'a self, (): &'a ()) -> &'a Self {
+                self
+            }
+        }
+    };
 }
 
 /// a · b, for any scalar.
@@ -239,6 +278,8 @@ impl<S: Scalar> Series<S> for Oscillator {
         }
     }
 }
+
+alike_in_lanes!(Oscillator);
 
 /// ẋ = f(t, x) of a closure, with `D` components.
 pub struct Equation<F, const D: usize>(F);

@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use crate::common::in_lanes;
 use lagrangian::prelude::*;
 use lagrangian::signals::Polynomial;
 
@@ -85,9 +86,7 @@ struct FixedContact;
 #[test]
 fn contacts_in_lanes() {
     let motions = [3.0, 0.5, 12.0, 7.0, -3.0].map(|t| (State::new(0.0, [0.0], [1.0]), t));
-    let found = Taylor::new()
-        .ensemble::<4>()
-        .collect(&FixedContact.dynamics(), motions);
+    let found = in_lanes::<4, _, _>(Taylor::new(), &FixedContact.dynamics(), motions);
     for (result, (start, t)) in found.into_iter().zip(motions) {
         let alone = Problem::new(&FixedContact, start).solve(t, Taylor::new());
         let (x, alone) = (result.unwrap().last.x.q[0], alone.unwrap().q[0]);
@@ -179,9 +178,7 @@ fn contacts_behind_many_that_do_not_matter() {
         let motions = [(start, 10.0); 2];
         let single = Problem::new(&model, start).solve(10.0, Taylor::new());
         let mut found = vec![single.unwrap().q[0]];
-        let lanes = Taylor::new()
-            .ensemble::<2>()
-            .collect(&model.dynamics(), motions);
+        let lanes = in_lanes::<2, _, _>(Taylor::new(), &model.dynamics(), motions);
         found.extend(lanes.into_iter().map(|motion| motion.unwrap().last.x.q[0]));
         for x in found {
             assert!((x - speed * (10.0 - delay)).abs() < 1e-9, "{felt}: {x}");

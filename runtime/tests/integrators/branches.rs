@@ -1,5 +1,6 @@
 //! Jumps beside jumps and corners: at once, one within another, in lanes, and resumed.
 
+use crate::common::in_lanes;
 use lagrangian::prelude::*;
 
 /// Two waves whose jumps coincide at each second one, a relay beside them, and a corner.
@@ -70,9 +71,7 @@ fn jumps_in_lanes() {
             12.0 - i,
         )
     });
-    let ends = Taylor::new()
-        .ensemble::<4>()
-        .collect(&Several.dynamics(), starts.clone());
+    let ends = in_lanes::<4, _, _>(Taylor::new(), &Several.dynamics(), starts.clone());
     for (end, (start, t)) in ends.into_iter().zip(starts) {
         let alone = Problem::new(&Several, start)
             .solve(t, Taylor::new())

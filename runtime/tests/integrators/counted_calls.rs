@@ -2,6 +2,7 @@
 
 use core::cell::Cell;
 
+use crate::common::in_lanes;
 use lagrangian::nalgebra::SVector;
 use lagrangian::prelude::*;
 use lagrangian::{BranchVisitor, Scalar, Series, TaylorCoefficients};
@@ -78,6 +79,8 @@ impl<S: Scalar> Series<S> for Counted {
     }
 }
 
+crate::alike_in_lanes!(Counted);
+
 /// A lane does nothing that it would not do alone: rejected, finished and idle ones cost nothing. Four lanes at once make at
 /// most as many calls as their motions one after the other.
 #[test]
@@ -94,7 +97,7 @@ fn lanes_make_no_more_calls_than_their_motions_alone() {
         ends.push(end.unwrap());
     }
     let together = Counted::default();
-    let in_lanes = Taylor::new().ensemble::<4>().collect(&together, motions);
+    let in_lanes = in_lanes::<4, _, _>(Taylor::new(), &together, motions);
     for (lane, alone) in in_lanes.into_iter().zip(&ends) {
         let lane = lane.unwrap();
         assert_eq!(lane.last, alone.last);

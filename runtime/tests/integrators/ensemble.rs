@@ -1,6 +1,6 @@
 //! Ensembles: lanes with steps of their own, against single motions and closed forms.
 
-use crate::common::assert_close;
+use crate::common::{assert_close, in_lanes};
 use lagrangian::prelude::*;
 use lagrangian::{Lanes, TaylorLanes};
 use nalgebra::SVector;
@@ -33,9 +33,9 @@ struct DoublePendulum;
 
 #[derive(Lagrangian)]
 #[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), force(x = -rate.powi(2) * x + push * sin(2.0 * t)))]
-struct Driven<T: Scalar> {
-    rate: T,
-    push: T,
+struct Driven {
+    rate: f64,
+    push: f64,
 }
 
 /// A force with a corner at x = 0.
@@ -73,15 +73,11 @@ fn some_motions_have_the_bits_that_they_have_alone() {
 
 fn together_and_alone(motions: &[(State<f64, 2>, f64)]) {
     let method = Taylor::new();
-    let together = method
-        .ensemble::<8>()
-        .collect(&DoublePendulum.dynamics(), motions.iter().copied());
+    let together = in_lanes::<8, _, _>(method, &DoublePendulum.dynamics(), motions.iter().copied());
     assert_eq!(together.len(), motions.len());
     for (found, &(start, end)) in together.iter().zip(motions) {
         let found = found.as_ref().unwrap();
-        let alone = method
-            .ensemble::<2>()
-            .collect(&DoublePendulum.dynamics(), [(start, end)]);
+        let alone = in_lanes::<2, _, _>(method, &DoublePendulum.dynamics(), [(start, end)]);
         assert_eq!(found, alone[0].as_ref().unwrap());
         assert_eq!(found.reason, StopReason::Completed);
         assert_eq!(found.last.t.to_bits(), end.to_bits());
@@ -94,11 +90,10 @@ fn the_order_of_the_motions_does_not_matter() {
 }
 
 fn the_order_does_not_matter(motions: &[(State<f64, 2>, f64)]) {
-    let ensemble = Taylor::order_16().ensemble::<4>();
     let motions = motions.iter().copied();
-    let forwards = ensemble.collect(&DoublePendulum.dynamics(), motions.clone());
-    let reversed = motions.rev();
-    let mut backwards = ensemble.collect(&DoublePendulum.dynamics(), reversed);
+    let dynamics = DoublePendulum.dynamics();
+    let forwards = in_lanes::<4, _, _>(Taylor::order_16(), &dynamics, motions.clone());
+    let mut backwards = in_lanes::<4, _, _>(Taylor::order_16(), &dynamics, motions.rev());
     backwards.reverse();
     assert_eq!(forwards, backwards);
 }
@@ -110,9 +105,7 @@ fn lanes_take_the_steps_of_single_motions() {
 
 fn lanes_and_single_motions(motions: &[(State<f64, 2>, f64)]) {
     let method = Taylor::new();
-    let together = method
-        .ensemble::<8>()
-        .collect(&DoublePendulum.dynamics(), motions.iter().copied());
+    let together = in_lanes::<8, _, _>(method, &DoublePendulum.dynamics(), motions.iter().copied());
     for (found, &(start, end)) in together.iter().zip(motions) {
         let found = found.as_ref().unwrap();
         let alone = Problem::new(&DoublePendulum, start)
@@ -130,24 +123,17 @@ fn lanes_and_single_motions(motions: &[(State<f64, 2>, f64)]) {
 /// x = a cos ωt + b sin ωt + sin 2t/(ω² − 4) from x = 1, ẋ = 0: the lanes have different times, too.
 #[test]
 fn parameters_initial_times_and_ends_are_those_of_the_motion() {
-    let mut driven = Driven {
-        rate: Lanes([1.0; 4]),
-        push: Lanes([0.0; 4]),
-    };
-    let numbers = (0..50).map(|i| 0.1 * f64::from(i));
-    let mut ends = vec![None; 50];
-    Taylor::new().ensemble::<4>().run_with_parameters(
-        &mut driven,
-        numbers,
-        |driven, lane, s| {
-            driven.rate.set(lane, 2.5 + s);
-            driven.push.set(lane, 1.0 + s);
-            (State::new(-s, [1.0], [0.0]), 10.0 - s)
-        },
-        |index, result| ends[index] = Some(result.unwrap().last),
-    );
-    for (i, end) in (0..50).zip(ends) {
-        let (s, end) = (0.1 * f64::from(i), end.unwrap());
+    let number = |i: usize| 0.1 * f64::from(u8::try_from(i).unwrap());
+    let members = (0..50).map(number).map(|s| {
+        let driven = Driven {
+            rate: 2.5 + s,
+            push: 1.0 + s,
+        };
+        Problem::new(driven, State::new(-s, [1.0], [0.0]))
+    });
+    let ends = Ensemble::new(members).solve(|i: usize| 10.0 - number(i), Taylor::new());
+    for (i, end) in ends.into_iter().enumerate() {
+        let (s, end) = (number(i), end.unwrap().last);
         let (rate, push) = (2.5 + s, 1.0 + s);
         let share = push / (rate * rate - 4.0);
         let forced = |t: f64| [share * (2.0 * t).sin(), 2.0 * share * (2.0 * t).cos()];
@@ -165,9 +151,7 @@ fn corners_shorten_the_steps_of_their_lane_alone() {
         let quarter = (2.0 * x).sqrt();
         (State::new(0.0, [x], [0.0]), 2.0 * quarter)
     });
-    let found = Taylor::new()
-        .ensemble::<4>()
-        .collect(&Valley.dynamics(), motions);
+    let found = in_lanes::<4, _, _>(Taylor::new(), &Valley.dynamics(), motions);
     for (x, result) in [1.0, 2.0, 3.0, 4.0].into_iter().zip(found) {
         let outcome = result.unwrap();
         assert!((outcome.last.x.q[0] + x).abs() < 1e-9);
@@ -175,9 +159,7 @@ fn corners_shorten_the_steps_of_their_lane_alone() {
         assert!(outcome.statistics.steps >= 2 && outcome.statistics.rejected == 0);
         let start = State::new(0.0, [x], [0.0]);
         let end = 2.0 * (2.0 * x).sqrt();
-        let alone = Taylor::new()
-            .ensemble::<1>()
-            .collect(&Valley.dynamics(), [(start, end)]);
+        let alone = in_lanes::<1, _, _>(Taylor::new(), &Valley.dynamics(), [(start, end)]);
         assert_eq!(&outcome, alone[0].as_ref().unwrap());
     }
 }
@@ -186,13 +168,12 @@ fn corners_shorten_the_steps_of_their_lane_alone() {
 fn limits_and_settings_are_errors_of_each_motion() {
     let motions = || motions().into_iter().take(5);
     let dynamics = DoublePendulum.dynamics();
-    let ensemble = Taylor::new().ensemble::<2>();
-    for (result, (start, end)) in ensemble
-        .max_steps(2)
-        .collect(&dynamics, motions())
-        .into_iter()
-        .zip(motions())
-    {
+    let problems = || motions().map(|(start, _)| Problem::new(&dynamics, start));
+    let ends: Vec<f64> = motions().map(|(_, end)| end).collect();
+    let ends = |index: usize| ends[index];
+    let limited = Ensemble::new(problems().map(|problem| problem.max_steps(2)));
+    let limited = limited.lanes::<2>().solve(ends, Taylor::new());
+    for (result, (start, end)) in limited.into_iter().zip(motions()) {
         let outcome = result.unwrap();
         let last = outcome.last.t;
         assert!(outcome.statistics.steps + outcome.statistics.rejected <= 2);
@@ -205,15 +186,15 @@ fn limits_and_settings_are_errors_of_each_motion() {
         }
     }
     for tolerance in [0.0, f64::NAN, -1.0] {
-        let results = ensemble
-            .singularity_tolerance(tolerance)
-            .collect(&dynamics, motions());
-        assert!(results.iter().all(|result| matches!(
-            result,
-            Err(IntegrationError::InvalidSingularityTolerance { .. })
+        let invalid = problems().map(|problem| problem.singularity_tolerance(tolerance));
+        let results = Ensemble::new(invalid).solve(ends, Taylor::new());
+        assert_eq!(results.len(), 5);
+        assert!(results.into_iter().all(|result| matches!(
+            result.unwrap_err().error(),
+            IntegrationError::InvalidSingularityTolerance { .. }
         )));
-        let invalid = Taylor::new().relative_tolerance(tolerance).ensemble::<2>();
-        let results = invalid.collect(&dynamics, motions());
+        let method = Taylor::new().relative_tolerance(tolerance);
+        let results = in_lanes::<2, _, _>(method, &dynamics, motions());
         assert_eq!(results.len(), 5);
         assert!(
             results
@@ -222,16 +203,18 @@ fn limits_and_settings_are_errors_of_each_motion() {
         );
     }
     for end in [f64::NAN, f64::INFINITY] {
-        let results = ensemble.collect(&dynamics, motions().map(|(start, _)| (start, end)));
+        let to_end = motions().map(|(start, _)| (start, end));
+        let results = in_lanes::<2, _, _>(Taylor::new(), &dynamics, to_end);
         assert!(
             results
                 .iter()
                 .all(|result| matches!(result, Err(IntegrationError::NonFiniteTime { .. })))
         );
     }
-    let nothing = ensemble.collect(&dynamics, core::iter::empty::<(State<f64, 2>, f64)>());
+    let nothing = in_lanes::<2, _, _>(Taylor::new(), &dynamics, []);
     assert!(nothing.is_empty());
-    let still = ensemble.collect(&dynamics, motions().map(|(start, _)| (start, start.t)));
+    let resting = motions().map(|(start, _)| (start, start.t));
+    let still = in_lanes::<2, _, _>(Taylor::new(), &dynamics, resting);
     for (result, (start, _)) in still.into_iter().zip(motions()) {
         assert_eq!(result.unwrap().last, start);
     }
@@ -270,7 +253,7 @@ fn systems_that_are_no_models_have_ensembles() {
     use crate::common::Oscillator;
 
     let starts = (0..9).map(|i| (At::from((0.0, SVector::from([f64::from(i), 0.0]))), 2.0));
-    let found = Taylor::new().ensemble::<4>().collect(&Oscillator, starts);
+    let found = in_lanes::<4, _, _>(Taylor::new(), &Oscillator, starts);
     for (i, result) in (0..9).zip(found) {
         assert_close(
             result.unwrap().last.x[0],

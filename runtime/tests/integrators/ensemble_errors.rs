@@ -1,9 +1,9 @@
 //! Ensembles in which a motion fails: errors and singularities are those of its lane.
 
-use crate::common::assert_close;
+use crate::common::{assert_close, in_lanes};
 use lagrangian::prelude::*;
 use lagrangian::signals::Constant;
-use lagrangian::{Lanes, Series, TaylorCoefficients, TaylorLanes};
+use lagrangian::{InLanes, Lanes, Series, TaylorCoefficients, TaylorLanes};
 use nalgebra::SVector;
 
 /// From x = ẋ = x₀ the motion is x₀/(1 − x₀ t).
@@ -64,9 +64,7 @@ fn a_lane_that_fails_does_not_stop_the_others() {
         }
     };
     let motions = (0..30).map(|i| (State::new(0.0, [number(i)], [number(i).powi(2)]), 1.0));
-    let found = Taylor::new()
-        .ensemble::<4>()
-        .collect(&BlowUp.dynamics(), motions);
+    let found = in_lanes::<4, _, _>(Taylor::new(), &BlowUp.dynamics(), motions);
     for (i, result) in (0..30).zip(found) {
         if i % 3 == 0 {
             let IntegrationError::StepTooSmall { time, .. } = result.unwrap_err() else {
@@ -92,9 +90,7 @@ fn singularities_are_those_of_a_lane() {
         let r = if i == 7 { 0.0 } else { x };
         (State::new(0.0, [r, 0.0], [0.0, turning]), 5.0)
     });
-    let found = Taylor::new()
-        .ensemble::<8>()
-        .collect(&Polar.dynamics(), motions);
+    let found = in_lanes::<8, _, _>(Taylor::new(), &Polar.dynamics(), motions);
     for (i, result) in found.into_iter().enumerate() {
         match (i, result) {
             (5, Err(IntegrationError::NonFiniteState { component, .. })) => {
@@ -169,23 +165,22 @@ struct Pushed {
 /// Under inputs, and with typical sizes, a singular lane is that lane alone, too.
 #[test]
 fn singularities_are_those_of_a_lane_in_all_systems() {
-    fn check<D: Series<Lanes<4>, State = Phase<Lanes<4>, 2>>>(dynamics: &D) {
+    fn check<D: InLanes<4, State = Phase<f64, 2>>>(dynamics: &D) {
         let motions = (0..8).map(|i| {
             let r = if i % 4 == 1 { 0.0 } else { 1.0 };
             (State::new(0.0, [r, 0.0], [0.0, 1.0]), 1.0)
         });
-        let found = Taylor::new().ensemble::<4>().collect(dynamics, motions);
+        let found = in_lanes::<4, _, _>(Taylor::new(), dynamics, motions);
         for (i, result) in found.into_iter().enumerate() {
             let singular = matches!(result, Err(IntegrationError::SingularConfiguration { .. }));
             assert_eq!(singular, i % 4 == 1, "{i} {result:?}");
         }
     }
     let pushed = Pushed { push: 0.0 };
-    let start = State::new(Lanes([0.0; 4]), [Lanes([1.0; 4]); 2], [Lanes([0.0; 4]); 2]);
+    let start = State::new(0.0, [1.0; 2], [0.0; 2]);
     let driven = Problem::new(&pushed, start).driven_by([Constant(0.1)]);
     check(driven.dynamics());
-    check(&pushed.with_inputs([Lanes([0.1; 4])]).dynamics());
-    let dynamics = Polar.dynamics();
-    check(&dynamics.with_sizes([1.0, 1.0]));
-    check(&dynamics);
+    check(&pushed.with_inputs([0.1]).dynamics());
+    check(&Polar.dynamics().with_sizes([1.0, 1.0]));
+    check(&Polar.dynamics());
 }

@@ -17,6 +17,7 @@ mod errors;
 mod jumps;
 mod lanes;
 mod long_run;
+mod members;
 mod methods;
 mod order;
 mod precision;

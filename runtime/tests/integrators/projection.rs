@@ -1,6 +1,6 @@
 //! Projections of states onto the manifold on which equations hold, against closed forms.
 
-use crate::common::assert_close;
+use crate::common::{assert_close, in_lanes};
 use crate::constrained::{RELEASE, ROD, Rod};
 use lagrangian::prelude::*;
 use lagrangian::{
@@ -124,10 +124,10 @@ fn a_projected_motion_in_lanes_has_the_bits_that_it_has_alone() {
     let motions: Vec<_> = [0.3, 1.2, 2.9, 0.7, 1.9, 1.1]
         .map(|angle| (ROD.released(angle), 4.0 + angle))
         .into();
-    let together = method.ensemble::<4>().collect(&ROD, motions.clone());
+    let together = in_lanes::<4, _, _>(method, &ROD, motions.clone());
     for (found, (start, end)) in together.iter().zip(motions) {
         let found = found.as_ref().unwrap();
-        let alone = method.ensemble::<1>().collect(&ROD, [(start, end)]);
+        let alone = in_lanes::<1, _, _>(method, &ROD, [(start, end)]);
         assert_eq!(found, alone[0].as_ref().unwrap());
         let statistics = found.statistics;
         assert!(
@@ -261,8 +261,8 @@ fn ends_of_steps_at_jumps_are_projected() {
         .unwrap();
     assert!(jumps > 10);
     assert_close(rod.energy(&end.x), rod.energy(&start.x), 1e-5);
-    let in_lanes = method.ensemble::<2>().collect(&rod, [(start, 20.0)]);
-    let in_lanes = in_lanes[0].as_ref().unwrap();
+    let lanes = in_lanes::<2, _, _>(method, &rod, [(start, 20.0)]);
+    let in_lanes = lanes[0].as_ref().unwrap();
     assert!(
         rod.residuals(&in_lanes.last.x)
             .into_iter()

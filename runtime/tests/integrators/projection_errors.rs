@@ -1,6 +1,6 @@
 //! States that are off the manifold on which equations hold, and projections that fail.
 
-use crate::common::assert_close;
+use crate::common::{assert_close, in_lanes};
 use crate::constrained::{RELEASE, ROD, Rod};
 use lagrangian::prelude::*;
 use lagrangian::problem::Projection;
@@ -201,11 +201,10 @@ fn a_derivative_that_does_not_keep_the_constraint_is_an_error() {
 /// A lane that begins off the manifold ends, and the others do not notice.
 #[test]
 fn a_lane_off_the_manifold_ends_alone() {
-    let ensemble = Taylor::new().ensemble::<3>();
     let motions = [off(0.0), off(1e-6), off(1.0), off(0.0)].map(|start| (start, 2.0));
-    let found = ensemble.collect(&ROD, motions);
+    let found = in_lanes::<3, _, _>(Taylor::new(), &ROD, motions);
     assert_eq!(found[0], found[3]);
-    let alone = Taylor::new().ensemble::<1>().collect(&ROD, [motions[0]]);
+    let alone = in_lanes::<1, _, _>(Taylor::new(), &ROD, [motions[0]]);
     assert_eq!(found[0], alone[0]);
     assert!(found[0].is_ok());
     // It takes no step.

@@ -1,5 +1,6 @@
 //! Controllers that are sampled: at the start and at multiples of the period, with what they hold and remember in the state.
 
+use crate::common::in_lanes;
 use lagrangian::nalgebra::SVector;
 use lagrangian::prelude::*;
 use lagrangian::{Series, TaylorCoefficients};
@@ -186,6 +187,8 @@ impl<S: Scalar> Series<S> for Zigzag {
     }
 }
 
+crate::alike_in_lanes!(Zigzag);
+
 /// Dynamics that are written by hand, by value, by reference and with sizes; in lanes they are refused.
 #[test]
 fn hand_written_dynamics_are_updated() {
@@ -212,12 +215,7 @@ fn hand_written_dynamics_are_updated() {
             .solve(3.5, Dop853::new())
             .unwrap(),
     );
-    let mut ends = Vec::new();
-    let motions = [1.0, 2.0].map(|end| (start(), end));
-    Taylor::new()
-        .ensemble::<2>()
-        .run(&Zigzag, motions, |_, outcome| {
-            ends.push(outcome.unwrap_err());
-        });
-    assert_eq!(ends, [IntegrationError::UpdatesInLanes; 2]);
+    for found in in_lanes::<2, _, _>(Taylor::new(), &Zigzag, [(start(), 3.5); 3]) {
+        check(&found.unwrap());
+    }
 }

@@ -1,6 +1,6 @@
 //! Systems whose Taylor series are written by hand, with building blocks.
 
-use crate::common::assert_close;
+use crate::common::{assert_close, in_lanes};
 use lagrangian::prelude::*;
 use lagrangian::recurrences::Square;
 use lagrangian::{ComponentName, Series, TaylorCoefficients};
@@ -80,14 +80,14 @@ impl<S: Scalar> Series<S> for DecayAndPole {
     }
 }
 
+crate::alike_in_lanes!(DecayAndPole);
+
 /// The component that limits the step is named, alone and in a lane.
 #[test]
 fn the_component_with_the_pole_is_named() {
     let start = At::from((0.0, SVector::from([1.0, 1.0])));
     let alone = Problem::new(&DecayAndPole, start).solve(2.0, Taylor::new());
-    let in_lanes = Taylor::new()
-        .ensemble::<2>()
-        .collect(&DecayAndPole, [(start, 2.0)]);
+    let in_lanes = in_lanes::<2, _, _>(Taylor::new(), &DecayAndPole, [(start, 2.0)]);
     for error in [
         alone.unwrap_err().error(),
         *in_lanes[0].as_ref().unwrap_err(),

@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use crate::common::in_lanes;
 use lagrangian::prelude::*;
 
 /// A spring and dry friction that is too weak to hold the mass at its turning points: half periods of cosines about ±μ/k.
@@ -96,9 +97,7 @@ fn sticking_is_an_error_with_the_motion_before_it() {
 fn sticking_lanes() {
     let held = (0..5).map(|i| (State::new(0.0, [0.4 + 0.4 * f64::from(i)], [0.0]), 20.0));
     let friction = Friction { mu: 0.7 };
-    let ends = Taylor::new()
-        .ensemble::<4>()
-        .collect(&friction.dynamics(), held.clone());
+    let ends = in_lanes::<4, _, _>(Taylor::new(), &friction.dynamics(), held.clone());
     for (end, (start, t)) in ends.into_iter().zip(held) {
         let alone = Problem::new(&friction, start).solve(t, Taylor::new());
         let alone = alone.map(|end| end.last).map_err(|partial| partial.error());

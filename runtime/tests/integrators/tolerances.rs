@@ -102,7 +102,7 @@ fn sizes_are_positive_numbers() {
     let start = State::new(0.0, [0.0, 0.0], [0.0, 0.0]);
     let dynamics = FALLING.dynamics();
     for size in [-1.0, f64::NAN, f64::NEG_INFINITY] {
-        let sized = dynamics.with_sizes([1.0, size]);
+        let sized = (&dynamics).with_sizes([1.0, size]);
         for error in [
             error(Problem::new(&sized, start).solve(1.0, Dop853::new())),
             error(Problem::new(&sized, start).solve(1.0, RungeKutta::classical(0.1))),
@@ -117,7 +117,7 @@ fn sizes_are_positive_numbers() {
             );
         }
     }
-    let left_out = dynamics.with_sizes([f64::INFINITY, 1.0]);
+    let left_out = (&dynamics).with_sizes([f64::INFINITY, 1.0]);
     let end = Problem::new(left_out, start).solve(1.0, Dop853::new());
     assert!(end.is_ok());
 }

@@ -4,8 +4,9 @@ use std::fmt;
 
 use lagrangian::quantities::{Events, MotionSeries, RouthianSeries};
 use lagrangian::{
-    DeclaredEvent, Dop853, EventDynamics, IntegrationError, Integrator, Lagrangian, Occurrence,
-    Partial, Phase, Problem, RouthReduction, Routhian, Solution, State, StopReason, Taylor,
+    DeclaredEvent, Dop853, Ensemble, EquationsOfMotion, EventDynamics, InLanes, IntegrationError,
+    Integrator, Lagrangian, Occurrence, Partial, Phase, Problem, RouthReduction, Routhian,
+    Solution, State, StopReason, Taylor,
 };
 use nalgebra::SVector;
 
@@ -213,17 +214,21 @@ pub(crate) fn list(events: &[(usize, f64)]) -> Vec<f64> {
 #[must_use]
 pub fn lanes<M, const N: usize>(model: &M, at: &At) -> Vec<Found>
 where
-    M: Lagrangian<N, Model: MotionSeries<N>>
-        + Lagrangian<N, lagrangian::Lanes<4>, Model: MotionSeries<N, lagrangian::Lanes<4>>>,
+    M: Lagrangian<N>,
+    for<'a> EquationsOfMotion<&'a M, f64, N>: InLanes<4, State = Phase<f64, N>>,
 {
     let starts = at.starts::<N>();
-    let lanes = <M as lagrangian::Lagrangian<N, lagrangian::Lanes<4>>>::dynamics(model);
-    let ensemble = Taylor::new().ensemble::<4>().max_steps(MAX_STEPS);
-    let ends = ensemble.collect(&lanes, starts.iter().copied());
+    let ensemble = |motions: &[(State<f64, N>, f64)]| {
+        let problems = motions.iter().map(|(start, _)| Problem::new(model, *start));
+        let problems = problems.map(|problem| problem.max_steps(MAX_STEPS));
+        let ends = |index: usize| motions[index].1;
+        Ensemble::new(problems).solve(ends, Taylor::new())
+    };
+    let ends = ensemble(&starts);
     let (mut together, mut apart) = (Entries::Ok(Vec::new()), Entries::Ok(Vec::new()));
     for ((start, end), outcome) in starts.iter().zip(ends) {
         let found = state_or_slide(reached(outcome));
-        let alone = ensemble.collect(&lanes, [(*start, *end)]).remove(0);
+        let alone = ensemble(&[(*start, *end)]).remove(0);
         let expected = state_or_slide(reached(alone));
         let differences = match (&found, expected) {
             (Ok(found), Ok(expected)) if found.len() == expected.len() => {
@@ -240,7 +245,7 @@ where
 }
 
 /// What a motion of an ensemble ends at.
-fn reached<X>(solution: Result<Solution<f64, X>, IntegrationError>) -> Result<X, Failure> {
+fn reached<X>(solution: Result<Solution<f64, X>, Partial<Solution<f64, X>>>) -> Result<X, Failure> {
     let solution = solution?;
     completed(solution.reason, solution.last)
 }

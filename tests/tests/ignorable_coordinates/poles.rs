@@ -146,9 +146,8 @@ fn every_way_to_integrate_notices_the_pole() {
     assert_at_pole(partial.unwrap_err().error(), -expected, 1e-6);
 
     let starts = [0.3, 0.2, 0.25, 0.1, 0.28].map(|q| (State::new(0.0, [q], [0.0]), 0.6));
-    let ends = Taylor::new()
-        .ensemble::<4>()
-        .collect(&shorter.dynamics(), starts);
+    let problems = starts.map(|(start, _)| Problem::new(&shorter, start));
+    let ends = Ensemble::new(problems).solve(0.6, Dop853::new());
     assert_eq!(ends.len(), 5);
     for end in ends {
         let error = end.unwrap_err();

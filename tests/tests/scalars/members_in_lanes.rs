@@ -1,8 +1,8 @@
 //! Members with different parameters in the lanes of one model of plain numbers, against each of them alone, bit by bit.
 
 use lagrangian::prelude::*;
-use lagrangian::quantities::{Events, MembersInLanes, MotionSeries, Quantities};
-use lagrangian::{EventDynamics, Lanes, Series, TaylorCoefficients};
+use lagrangian::quantities::MotionSeries;
+use lagrangian::{EquationsOfMotion, InLanes, Lanes, Series, TaylorCoefficients};
 
 use crate::models::{between, state};
 
@@ -91,15 +91,13 @@ fn orders<X: Copy, const HALF: usize>(series: &TaylorCoefficients<X, HALF>) -> V
 }
 
 /// What the equations of a motion compute, in one lane: all that an integration evaluates.
-fn evaluated<M, const N: usize>(
-    equations: &lagrangian::EquationsOfMotion<M, Lanes<LANES>, N>,
+fn evaluated<D, const N: usize>(
+    equations: &D,
     (t, x): (Lanes<LANES>, &Phase<Lanes<LANES>, N>),
     lane: usize,
 ) -> Vec<u64>
 where
-    M: MotionSeries<N, Lanes<LANES>>
-        + Events<N, Lanes<LANES>>
-        + Lagrangian<N, Lanes<LANES>, Model = M>,
+    D: Series<Lanes<LANES>, State = Phase<Lanes<LANES>, N>>,
 {
     let unit = Lanes([0.25; LANES]);
     let mut found = Vec::new();
@@ -112,37 +110,26 @@ where
     {
         q.iter().chain(v).for_each(|value| add(*value));
     }
-    let values = equations.event_functions(t, x);
-    values.as_ref().iter().for_each(|value| add(*value));
-    let events = equations.event_series(t, x, unit, &motion);
-    for values in orders(&events.expect("the events have series")) {
-        values.as_ref().iter().for_each(|value| add(*value));
-    }
     Series::branches(equations, t, x, unit, &motion, &mut |coefficients| {
         coefficients.for_each(&mut add);
     });
-    let singularity = equations.singularity_in_lane(lane, t, x, 1e9);
-    found.extend(singularity.map(|found| found.relative_pivot().to_bits()));
     found
 }
 
-/// Members in lanes, whose last lanes are set again, evaluate to what each does alone.
-fn assert_same<M, const N: usize, const U: usize>(member: impl Fn(usize) -> M)
+/// Members in lanes, which are set again and again, evaluate to what each does alone.
+fn assert_same<M, const N: usize>(member: impl Fn(usize) -> M)
 where
-    M: MembersInLanes
-        + Quantities<N, f64, Inputs = SVector<f64, U>>
-        + Lagrangian<N, f64, Model = M>
-        + MotionSeries<N, Lanes<LANES>, Inputs = SVector<Lanes<LANES>, U>>
-        + Events<N, Lanes<LANES>>
-        + Lagrangian<N, Lanes<LANES>, Model = M>,
+    M: Lagrangian<N, f64> + Lagrangian<N, Lanes<LANES>, Model: MotionSeries<N, Lanes<LANES>>>,
+    EquationsOfMotion<M, f64, N>: InLanes<LANES, States = Phase<Lanes<LANES>, N>>,
 {
-    let mut equations = Lagrangian::<N, Lanes<LANES>>::into_dynamics(member(1000));
+    let plain = |index| Lagrangian::<N, f64>::into_dynamics(member(index));
+    let mut parameters = plain(1000).parameters();
     for round in 0..50 {
         let members: [usize; LANES] = core::array::from_fn(|lane| LANES * round + lane);
         for (lane, index) in members.into_iter().enumerate() {
-            equations.set_lane(lane, &member(index));
+            plain(index).set_lane(&mut parameters, lane);
         }
-        equations.set_lane(LANES, &member(0));
+        plain(0).set_lane(&mut parameters, LANES);
         let states = members.map(state::<N>);
         let (t, x) = (
             Lanes(states.map(|state| state.t)),
@@ -151,6 +138,9 @@ where
                 SVector::from_fn(|i, _| Lanes(states.map(|state| state.v[i]))),
             ),
         );
+        // Whichever member lends its model.
+        let lender = plain(7);
+        let equations = lender.together(&parameters);
         for (lane, (index, state)) in members.into_iter().zip(states).enumerate() {
             // All lanes have the parameters of its fields.
             let alone = Lagrangian::<N, Lanes<LANES>>::into_dynamics(member(index));
@@ -167,42 +157,33 @@ where
 
 #[test]
 fn members_compute_in_lanes_what_they_compute_alone() {
-    assert_same::<Cart, 2, 1>(Cart::numbered);
-    assert_same::<Chain, 6, 0>(Chain::numbered);
+    assert_same::<Cart, 2>(Cart::numbered);
+    assert_same::<Chain, 6>(Chain::numbered);
 }
 
 #[test]
 fn an_ensemble_of_members_has_the_motions_of_each_alone() {
-    let starts = |index: usize| State::new(0.0, state::<2>(index).q, state::<2>(index).v);
-    let motions = || {
-        (0..30).map(|index| {
-            (
-                Cart::numbered(index),
-                starts(index),
-                between(0.5, 4.0, index),
-            )
-        })
+    let problem = |index: usize| {
+        let State { x, .. } = state::<2>(index);
+        Problem::new(Cart::numbered(index), State::new(0.0, x.q, x.v))
     };
-    let mut found = vec![None; 30];
-    let ensemble = Taylor::new().ensemble::<LANES>();
-    ensemble.run_members(motions(), |index, result| found[index] = Some(result));
-    for (found, (member, start, end)) in found.into_iter().zip(motions()) {
-        let found = found
-            .expect("each motion is reported")
-            .expect("it is regular");
-        // All lanes have the parameters of its fields.
-        let dynamics = Lagrangian::<2, Lanes<LANES>>::dynamics(&member);
-        let alone = ensemble.collect(&dynamics, [(start, end)]);
-        assert_eq!(&found, alone[0].as_ref().expect("it is regular"));
-        let plain = Problem::new(&member, start).solve(end, Taylor::new());
-        let plain = plain.expect("it is regular");
-        assert!((found.q - plain.q).norm() < 1e-10 && (found.v - plain.v).norm() < 1e-10);
+    let end = |index| between(0.5, 4.0, index);
+    let found = Ensemble::new((0..30).map(problem)).solve(end, Taylor::new());
+    assert_eq!(found.len(), 30);
+    for (index, found) in found.into_iter().enumerate() {
+        let found = found.expect("it is regular");
+        let alone = problem(index).solve(end(index), Taylor::new());
+        assert_eq!(found.last, alone.expect("it is regular").last);
     }
 }
 
 #[test]
 fn an_ensemble_without_members_reports_nothing() {
-    let none = core::iter::empty::<(Cart, State<f64, 2>, f64)>();
-    let ensemble = Taylor::new().ensemble::<LANES>();
-    ensemble.run_members(none, |_, _| unreachable!("there is no motion"));
+    let none = (0..0).map(|index| {
+        let start = State::new(0.0, [0.0; 2], [0.0; 2]);
+        Problem::new(Cart::numbered(index), start)
+    });
+    Ensemble::new(none).solve_each(1.0, Taylor::new(), |_, _| {
+        unreachable!("there is no motion")
+    });
 }

@@ -240,7 +240,10 @@ where
         None => lanes.time(lane),
     });
     lanes.step(&equations, &targets);
-    let pivots = members.iter().flatten().map(|begun| begun.member.min_pivot());
+    let pivots = members
+        .iter()
+        .flatten()
+        .map(|begun| begun.member.min_pivot());
     let min_pivot = pivots.fold(0.0, f64::max);
     if min_pivot <= 0.0 {
         return true;
@@ -251,6 +254,6 @@ where
         .singularity_in_motion(times, states, min_pivot)
         .is_none()
         && equations
-            .singularity_between(None, before, (times, states))
+            .singularity_between(before, (times, states))
             .is_none()
 }

@@ -75,9 +75,6 @@ impl IntegrationError {
                 Readable(time),
                 Readable(next)
             ),
-            Self::UpdatesInLanes => f.write_str(
-                "states that are updated at given times, as under a sampled controller, are integrated one by one, not in lanes",
-            ),
             _ => Ok(()),
         }
     }

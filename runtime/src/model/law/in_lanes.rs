@@ -105,8 +105,8 @@ where
     }
 }
 
-impl<W, const N: usize, const U: usize, const L: usize>
-    LawSeries<N, SVector<Lanes<L>, U>, Lanes<L>> for LawsInLanes<'_, W, L>
+impl<W, const N: usize, const U: usize, const L: usize> LawSeries<N, SVector<Lanes<L>, U>, Lanes<L>>
+    for LawsInLanes<'_, W, L>
 where
     W: LawSeries<N, SVector<f64, U>, f64, States: StatesInLanes<L>>,
 {

@@ -1,0 +1,51 @@
+//! Fields of a struct with a type parameter for its scalar, with the same values in every lane.
+
+use nalgebra::SMatrix;
+
+use crate::scalar::{Lanes, Scalar as _};
+
+/// A field that has the type parameter: the number, a vector or matrix of it, or an array of these.
+pub trait InEveryLane<const L: usize> {
+    /// The field of the struct with lanes.
+    type InLanes;
+
+    /// This value in every lane.
+    fn in_every_lane(&self) -> Self::InLanes;
+}
+
+impl<const L: usize> InEveryLane<L> for f64 {
+    type InLanes = Lanes<L>;
+
+    fn in_every_lane(&self) -> Lanes<L> {
+        Lanes::from_f64(*self)
+    }
+}
+
+impl<const R: usize, const C: usize, const L: usize> InEveryLane<L> for SMatrix<f64, R, C> {
+    type InLanes = SMatrix<Lanes<L>, R, C>;
+
+    fn in_every_lane(&self) -> Self::InLanes {
+        self.map(Lanes::from_f64)
+    }
+}
+
+impl<P: InEveryLane<L>, const K: usize, const L: usize> InEveryLane<L> for [P; K] {
+    type InLanes = [P::InLanes; K];
+
+    fn in_every_lane(&self) -> Self::InLanes {
+        core::array::from_fn(|i| self[i].in_every_lane())
+    }
+}
+
+/// A field that does not have it, and is copied.
+pub trait Kept<const L: usize> {
+    /// A copy.
+    #[must_use]
+    fn kept(&self) -> Self;
+}
+
+impl<P: Clone, const L: usize> Kept<L> for P {
+    fn kept(&self) -> Self {
+        self.clone()
+    }
+}

@@ -1,0 +1,391 @@
+//! Members of an ensemble, with all that a problem asks for, against each of them alone: bit by bit.
+
+use core::fmt::Debug;
+use core::ops::ControlFlow;
+
+use crate::constrained::ROD;
+use lagrangian::prelude::*;
+use lagrangian::problem::{EnsembleIntegrator, Keep, Observer, Reactions, Watched};
+use lagrangian::signals::Sinusoid;
+use lagrangian::{Partial, SetTypicalSizes};
+use nalgebra::SVector;
+
+type Found<X, K> = Result<Solution<f64, X, K>, Partial<Solution<f64, X, K>>>;
+
+/// What is found of each member, in lanes; each is compared with what is found of it alone.
+fn alone_and_together<I, D, K, C, R, O>(
+    count: usize,
+    member: impl Fn(usize) -> (Problem<f64, D, K, C, R, O>, f64),
+    method: I,
+) -> Vec<Found<D::State, K::Kept>>
+where
+    D: Dynamics<f64, State: Debug>,
+    C: Watched<f64, D>,
+    R: Reactions<f64, D>,
+    O: Observer<D::State>,
+    I: EnsembleIntegrator<f64, D, 4> + EnsembleIntegrator<f64, D, 1>,
+    K: Keep<f64, D, I::Stepper, Kept: Clone + Debug>,
+{
+    let problems = || (0..count).map(|index| member(index).0);
+    let end = |index| member(index).1;
+    let together = Ensemble::new(problems()).solve(end, method.clone());
+    let one_by_one = Ensemble::new(problems())
+        .lanes::<1>()
+        .solve(end, method.clone());
+    assert_eq!(together.len(), count);
+    for (index, (found, single)) in together.iter().zip(&one_by_one).enumerate() {
+        let (problem, end) = member(index);
+        let alone = problem.solve(end, method.clone());
+        let [found, single, alone] = [found, single, &alone].map(|found| match found {
+            Ok(solution) => (None, solution),
+            Err(partial) => (Some(partial.error()), partial.solution()),
+        });
+        // As text, in which NaN is NaN, and numbers have all digits.
+        assert_eq!(format!("{found:?}"), format!("{single:?}"), "{index}");
+        assert_eq!(format!("{:?}", found.0), format!("{:?}", alone.0), "{index}");
+        let (found, alone) = (found.1, alone.1);
+        let [text, expected] = [found, alone].map(|solution| format!("{:?}", kept(solution)));
+        assert_eq!(text, expected, "{index}");
+        assert_eq!(found.statistics.steps, alone.statistics.steps, "{index}");
+        assert_eq!(found.statistics.rejected, alone.statistics.rejected);
+    }
+    together
+}
+
+/// The solution without what differs.
+fn kept<X: Clone, K: Clone>(solution: &Solution<f64, X, K>) -> Solution<f64, X, K> {
+    let mut solution = solution.clone();
+    solution.statistics = Statistics::default();
+    solution
+}
+
+/// From 0 on, in no order.
+fn number(index: usize) -> f64 {
+    f64::from(u32::try_from(index * 7919 % 101).unwrap()) / 101.0
+}
+
+#[derive(Lagrangian, Clone)]
+#[lagrangian(
+    taylor,
+    coordinates(x, height),
+    kinetic = 0.5 * m * (dot(x).powi(2) + dot(height).powi(2)),
+    potential = m * g * height,
+    force(x = -drag * dot(x)),
+    event(floor = height, apex = dot(height)),
+)]
+struct Ball {
+    m: f64,
+    g: f64,
+    drag: f64,
+}
+
+fn ball(index: usize) -> Ball {
+    Ball {
+        m: 1.0 + number(index),
+        g: 9.0 + number(index + 1),
+        drag: 0.1 * number(index + 2),
+    }
+}
+
+fn thrown(index: usize) -> State<f64, 2> {
+    State::new(
+        number(index + 3),
+        [0.0, number(index + 4)],
+        [1.0, 5.0 * number(index + 5)],
+    )
+}
+
+/// Bounces that keep a part of the speed: the motion ends, or the ball comes to rest in ever shorter ones.
+#[test]
+fn members_bounce_as_they_do_alone() {
+    let member = |index: usize| {
+        let restitution = 0.3 + 0.6 * number(index + 6);
+        let start = thrown(index);
+        let problem = Problem::new(ball(index), start)
+            .on(Ball::FLOOR)
+            .falling()
+            .then(move |ball| ball.v[1] *= -restitution)
+            .on(Ball::APEX)
+            .record()
+            .when(|ball| ball.q[0] - 0.5)
+            .record()
+            .save(Every(0.07));
+        (problem, start.t + 3.0 * number(index + 7))
+    };
+    let found = alone_and_together(25, member, Taylor::new());
+    let reasons = |reason| {
+        found
+            .iter()
+            .flatten()
+            .filter(|found| found.reason == reason)
+            .count()
+    };
+    assert!(reasons(StopReason::Zeno) > 3 && reasons(StopReason::Completed) > 3);
+    let events = found.iter().flatten().map(|found| found.events().len());
+    assert!(events.sum::<usize>() > 100);
+    alone_and_together(9, member, Dop853::new());
+    alone_and_together(9, member, RungeKutta::classical(0.01));
+}
+
+/// Each reason to end, and each thing that is kept.
+#[test]
+fn members_stop_as_they_do_alone() {
+    let member = |index: usize| {
+        let start = thrown(index);
+        let far = 0.1 + 0.3 * number(index + 6);
+        let problem = Problem::new(ball(index), start)
+            .on(Ball::FLOOR)
+            .falling()
+            .stop()
+            .stop_when(move |ball| ball.q[0] > far)
+            .each_step(move |progress| {
+                if progress.x.v[1] < -16.0 * far {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            });
+        (problem, start.t + 2.0)
+    };
+    let steps = |index| {
+        let (problem, end) = member(index);
+        (problem.save(StepEnds).max_steps(2 + index as u64 % 5), end)
+    };
+    let method = Taylor::order_12().max_step(0.05);
+    let found = alone_and_together(40, steps, method);
+    for reason in [
+        StopReason::Condition,
+        StopReason::Observer,
+        StopReason::StepLimit,
+    ] {
+        let count = found
+            .iter()
+            .flatten()
+            .filter(|found| found.reason == reason)
+            .count();
+        assert!(count > 2, "{reason:?}: {count}");
+    }
+    let whole = |index| {
+        let (problem, end) = member(index);
+        (
+            problem.save([thrown(index).t, end.min(thrown(index).t + 0.1)]),
+            end,
+        )
+    };
+    alone_and_together(40, whole, Taylor::new());
+}
+
+/// The whole motion, backwards in time, at any time.
+#[test]
+fn members_are_kept_whole() {
+    let member = |index: usize| Problem::new(ball(index), thrown(index)).save(Dense);
+    let method = Taylor::order_16().max_step(0.3);
+    let found = Ensemble::new((0..7).map(member)).solve(|index| thrown(index).t - 1.0, method);
+    for (index, found) in found.into_iter().enumerate() {
+        let end = thrown(index).t - 1.0;
+        let (found, alone) = (found.unwrap(), member(index).solve(end, method).unwrap());
+        assert!(found.times().eq(alone.times()));
+        for part in 0..=20 {
+            let t = thrown(index).t - 0.05 * f64::from(part);
+            assert_eq!(found.at(t).unwrap(), alone.at(t).unwrap());
+        }
+    }
+}
+
+/// A reaction changes the parameters of its member alone.
+#[test]
+fn members_change_their_parameters_as_they_do_alone() {
+    let member = |index: usize| {
+        let start = thrown(index);
+        let lighter = number(index + 6);
+        let problem = Problem::new(ball(index), start)
+            .on(Ball::APEX)
+            .falling()
+            .then_with(move |_, ball| {
+                ball.change(|ball| (ball.m, ball.drag) = (0.1 + lighter, 1.0 + lighter));
+            });
+        (problem.save(Every(0.1)), start.t + 2.0)
+    };
+    let found = alone_and_together(21, member, Taylor::new());
+    let fast = |found: &&Solution<f64, Phase<f64, 2>, _>| found.v[0] < 0.5;
+    assert!(found.iter().flatten().filter(fast).count() > 10);
+}
+
+#[derive(Lagrangian, Clone)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * m * dot(x).powi(2),
+    potential = 0.5 * k * x.powi(2),
+    force(x = push),
+    event(middle = x),
+)]
+struct Slider {
+    m: f64,
+    k: f64,
+    #[lagrangian(input)]
+    push: f64,
+}
+
+fn slider(index: usize) -> Problem<f64, lagrangian::EquationsOfMotion<Slider, f64, 1>> {
+    let slider = Slider {
+        m: 0.5 + number(index),
+        k: 1.0 + 3.0 * number(index + 1),
+        push: number(index + 2),
+    };
+    let start = State::new(number(index + 3), [number(index + 4)], [0.0]);
+    Problem::new(slider, start)
+}
+
+fn signal(index: usize) -> Sinusoid {
+    Sinusoid {
+        amplitude: number(index + 5),
+        angular_frequency: 1.0 + 4.0 * number(index + 6),
+        phase: number(index + 7),
+    }
+}
+
+#[test]
+fn members_under_laws_are_as_they_are_alone() {
+    let end = |index| 3.0 + 5.0 * number(index + 8);
+    let held = |index| (slider(index).save(Every(0.5)), end(index));
+    alone_and_together(11, held, Taylor::new());
+    let driven = |index| {
+        let problem = slider(index).driven_by([signal(index)]);
+        (problem.on(Slider::MIDDLE).record(), end(index))
+    };
+    alone_and_together(11, driven, Taylor::new());
+    let lagged = |index| {
+        let problem = slider(index)
+            .driven_by([signal(index)])
+            .lagged([0.1 + number(index)]);
+        (problem.on(Slider::MIDDLE).record(), end(index))
+    };
+    let found = alone_and_together(11, lagged, Taylor::new());
+    assert!(found.iter().flatten().all(|found| found.z.1[0] != 0.0));
+    // A closure that is a law has no series: one after the other.
+    let fed_back = |index| {
+        let gain = 1.0 + number(index + 9);
+        let problem = slider(index).feedback(move |x: &State<f64, 1>| -gain * x.v[0]);
+        (problem.on(Slider::MIDDLE).rising().record(), end(index))
+    };
+    alone_and_together(5, fed_back, Dop853::new());
+}
+
+/// Each with a period and a memory of its own, and an actuator behind it.
+#[test]
+fn sampled_members_are_as_they_are_alone() {
+    let end = |index| 2.0 + 2.0 * number(index + 8);
+    let sampled = |index| {
+        let target = number(index + 9);
+        let period = 0.02 + 0.1 * number(index + 10);
+        slider(index).sampled_feedback(period, [0.0], move |x, sum| {
+            let error = target - x.q[0];
+            sum[0] += period * error;
+            8.0 * error + 4.0 * sum[0] - 2.0 * x.v[0]
+        })
+    };
+    let member = |index| {
+        let problem = sampled(index).on(Slider::MIDDLE).record().save(Every(0.3));
+        (problem, end(index))
+    };
+    let found = alone_and_together(13, member, Taylor::new());
+    assert!(found.iter().flatten().all(|found| found.z.samplings > 10.0));
+    let member = |index| {
+        let slow = sampled(index).lagged([0.05 + 0.1 * number(index + 11)]);
+        (slow.on(Slider::MIDDLE).record(), end(index))
+    };
+    alone_and_together(13, member, Taylor::new());
+}
+
+/// A struct with a type parameter for its scalar.
+#[derive(Lagrangian, Clone)]
+#[lagrangian(
+    taylor,
+    coordinates(y[2]),
+    kinetic = (0..2).map(|i| 0.5 * m[i] * dot(y[i]).powi(2)).sum(),
+    potential = 0.5 * k * (y[1] - y[0]).powi(2) + pull.x * y[0] + pull.y * y[1],
+    event(touch = y[1] - y[0]),
+)]
+struct Pair<T: Scalar> {
+    m: [T; 2],
+    k: T,
+    pull: Vector2<T>,
+}
+
+#[test]
+fn members_of_a_generic_struct_are_as_they_are_alone() {
+    let member = |index: usize| {
+        let pair = Pair {
+            m: [1.0 + number(index), 1.0 + number(index + 1)],
+            k: 4.0 * number(index + 2),
+            pull: Vector2::new(number(index + 3), -number(index + 4)),
+        };
+        let start = State::new(0.0, [0.0, number(index + 5)], [number(index + 6), 0.0]);
+        (
+            Problem::new(pair, start).on(Pair::<f64>::TOUCH).record(),
+            5.0 * number(index + 7),
+        )
+    };
+    alone_and_together(19, member, Taylor::new());
+}
+
+/// From x = ẋ = x₀ the motion is x₀/(1 − x₀ t), with an inertia that vanishes for some members.
+#[derive(Lagrangian, Clone)]
+#[lagrangian(
+    taylor,
+    coordinates(x, y),
+    kinetic = 0.5 * (dot(x).powi(2) + (x - edge).powi(2) * dot(y).powi(2)),
+    force(x = 2.0 * x.powi(3)),
+)]
+struct Hostile {
+    edge: f64,
+}
+
+/// Errors come with what was found before them, in place of a motion, and in the middle of one.
+#[test]
+fn members_fail_as_they_do_alone() {
+    let member = |index: usize| {
+        let [x, edge] = [
+            (0.5, -1.0),
+            (0.3, 0.9),
+            (1.0, -1.0),
+            (f64::NAN, 0.0),
+            (0.5, 0.5),
+        ][index % 5]
+            .into();
+        let start = State::new(0.0, [x, 0.0], [x * x, 0.0]);
+        let end = [1.0, 2.5, 1.5, 1.0, 1.0][index % 5];
+        (Problem::new(Hostile { edge }, start).save(Every(0.25)), end)
+    };
+    let found = alone_and_together(20, member, Taylor::new());
+    let errors = found.iter().filter_map(|found| found.as_ref().err());
+    let partial = errors
+        .clone()
+        .filter(|error| !error.solution().samples().is_empty());
+    assert!(errors.count() >= 12 && partial.count() >= 4);
+}
+
+/// Projected steps, events and sizes of each lane.
+#[test]
+fn projected_members_are_as_they_are_alone() {
+    let member = |index: usize| {
+        let size = 0.5 + number(index);
+        let sizes = SVector::from([size, 2.0, size, 1.0]);
+        let start = ROD.released(0.5 + number(index + 1));
+        let problem = Problem::new(ROD.with_sizes(sizes), start)
+            .when(|x| x[0])
+            .rising()
+            .record()
+            .save(Every(0.2));
+        (problem, 2.0 + 3.0 * number(index + 2))
+    };
+    let method = Taylor::order_16().absolute_tolerance(1e-10);
+    let found = alone_and_together(9, member, method);
+    assert!(
+        found
+            .iter()
+            .flatten()
+            .all(|found| found.statistics.projection > 0.0)
+    );
+}
