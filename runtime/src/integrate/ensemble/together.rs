@@ -3,7 +3,6 @@
 use core::iter::{Enumerate, Fuse};
 
 use super::EnsembleIntegrator;
-use crate::integrate::dynamics::Dynamics as _;
 use crate::integrate::event::Watched;
 use crate::integrate::in_lanes::InLanes;
 use crate::integrate::loop_state::Taken;
@@ -11,6 +10,8 @@ use crate::integrate::observer::Observer;
 use crate::integrate::problem::{Found, Keep, Member, Problem, Reactions};
 use crate::integrate::stepper::{Statistics, Stepper as _};
 use crate::integrate::taylor::{Series, Taylor, TaylorLanes, TaylorStepper};
+use crate::linalg::LaneStates;
+use crate::scalar::Lanes;
 
 impl<D, const L: usize, const HALF: usize> EnsembleIntegrator<f64, D, L> for Taylor<HALF>
 where
@@ -97,6 +98,20 @@ where
         self.before.evaluations = self.before.evaluations.saturating_sub(1);
     }
 
+    /// Whether the last step of a lane is nothing but a part of the way, in which the member looks at nothing.
+    #[inline]
+    fn passes_over<const L: usize>(
+        &self,
+        lane: usize,
+        lanes: &TaylorLanes<D::States, L, HALF>,
+    ) -> bool
+    where
+        D: InLanes<L>,
+    {
+        let attempts = || self.before.plus(lanes.statistics(lane)).attempts();
+        lanes.error(lane).is_none() && self.member.passes_over(lanes.time(lane), attempts)
+    }
+
     /// Goes on behind a step of a lane. Whether the member has not ended.
     fn follow<const L: usize>(
         &mut self,
@@ -108,19 +123,19 @@ where
         D: InLanes<L>,
     {
         let member = &mut self.member;
-        let taken = if let Some(error) = lanes.error(lane) {
-            member.stepper_mut().forget_last_step();
-            Taken::Failed(error)
-        } else {
-            let with_polynomial = !is_regular || member.looks_within(lanes.time(lane));
-            let stepper = member.stepper_mut();
-            stepper.follow((lanes, lane), self.before, with_polynomial);
-            if is_regular {
-                Taken::Regular
-            } else {
-                Taken::Unchecked
+        let failure = lanes.error(lane);
+        let is_within = failure.is_none() && (!is_regular || member.looks_within(lanes.time(lane)));
+        let stepper = member.stepper_mut();
+        stepper.follow((lanes, lane), self.before, is_within);
+        let taken = match failure {
+            Some(error) => {
+                stepper.forget_last_step();
+                Taken::Failed(error)
             }
+            None if is_regular => Taken::Regular,
+            None => Taken::Unchecked,
         };
+        member.catch_up();
         let target = member.stepped(taken);
         self.target = target.unwrap_or(self.target);
         target.is_some()
@@ -196,15 +211,18 @@ where
         }
     }
 
-    /// Takes a step in all lanes, after which each member goes on by itself. Whether a lane has become free.
+    /// Takes steps in all lanes until a member looks at one, and goes on by itself. Whether a lane has become free.
     fn step(&mut self) -> bool {
         let Some(steppers) = &mut self.steppers else {
             return true;
         };
-        let is_regular = step(&self.members, steppers);
+        let is_regular = steps(&self.members, steppers);
         let mut is_free = false;
         for (lane, place) in self.members.iter_mut().enumerate() {
             let Some(begun) = place else { continue };
+            if is_regular && begun.passes_over(lane, &steppers.0) {
+                continue;
+            }
             if !begun.follow(lane, &steppers.0, is_regular) {
                 if let Some(InLane { index, member, .. }) = place.take() {
                     (self.report)(index, member.finish());
@@ -218,8 +236,9 @@ where
     }
 }
 
-/// Takes a step in all lanes. Whether it is certain that none has led to a singularity, or beyond one.
-fn step<D, K, C, R, O, const L: usize, const HALF: usize>(
+/// Takes steps in all lanes until a member looks at one. Whether it is certain that the last has led to no singularity, and beyond
+/// none.
+fn steps<D, K, C, R, O, const L: usize, const HALF: usize>(
     members: &[Option<InLane<D, K, C, R, O, HALF>>; L],
     (lanes, parameters): &mut Steppers<D, L, HALF>,
 ) -> bool
@@ -230,30 +249,47 @@ where
     O: Observer<D::State>,
     K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
 {
-    let Some(one) = members.iter().flatten().next() else {
+    let busy = || {
+        members
+            .iter()
+            .enumerate()
+            .filter_map(|(lane, begun)| Some((lane, begun.as_ref()?)))
+    };
+    let Some((_, one)) = busy().next() else {
         return true;
     };
     let equations = one.member.dynamics().together(parameters);
     // Lanes without a member rest where they are.
-    let targets = core::array::from_fn(|lane| match &members[lane] {
-        Some(begun) => begun.target,
-        None => lanes.time(lane),
-    });
-    lanes.step(&equations, &targets);
-    let pivots = members
-        .iter()
-        .flatten()
-        .map(|begun| begun.member.min_pivot());
-    let min_pivot = pivots.fold(0.0, f64::max);
+    let mut targets = lanes.times().0;
+    let mut min_pivot = 0.0_f64;
+    for (lane, begun) in busy() {
+        targets[lane] = begun.target;
+        min_pivot = min_pivot.max(begun.member.min_pivot());
+    }
+    loop {
+        lanes.step(&equations, &targets);
+        let is_regular = is_regular(&equations, lanes, min_pivot);
+        if !is_regular || !busy().all(|(lane, begun)| begun.passes_over(lane, lanes)) {
+            return is_regular;
+        }
+    }
+}
+
+/// Whether it is certain that the last steps have led to no singularity, and beyond none.
+fn is_regular<D, const L: usize, const HALF: usize>(
+    equations: &D,
+    lanes: &TaylorLanes<D::State, L, HALF>,
+    min_pivot: f64,
+) -> bool
+where
+    D: Series<Lanes<L>, State: LaneStates<L>>,
+{
     if min_pivot <= 0.0 {
         return true;
     }
     let (times, states) = (lanes.times(), lanes.states());
     let before = lanes.previous_states();
-    equations
-        .singularity_in_motion(times, states, min_pivot)
-        .is_none()
-        && equations
-            .singularity_between(before, (times, states))
-            .is_none()
+    let found = equations.singularity_in_motion(times, states, min_pivot);
+    let pole = equations.singularity_between(before, (times, states));
+    found.is_none() && pole.is_none()
 }

@@ -7,6 +7,7 @@ use super::part::{KeptSoFar, Part};
 use super::reaction::Reactions;
 use super::solution::{Events, Solution};
 use super::{Limits, Problem};
+use crate::integrate::at::At;
 use crate::integrate::driver::{Driver, Next};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
@@ -16,6 +17,7 @@ use crate::integrate::loop_state::{Beginning, LoopState, Steps, Taken};
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::Outcome;
 use crate::integrate::partial::Partial;
+use crate::integrate::stepper::Stepper as _;
 use crate::scalar::Scalar;
 
 /// What the integration of a problem returns.
@@ -168,17 +170,47 @@ where
         self.state.min_pivot
     }
 
+    /// The state from which the last step was taken becomes the last that is known, or the one reached if none could be taken.
+    pub(crate) fn catch_up(&mut self) {
+        let (t, x) = (self.stepper.previous_time(), self.stepper.previous_state());
+        let x = x.unwrap_or(self.stepper.state()).clone();
+        self.outcome.last = At { t, x };
+    }
+
+    /// Whether there is nothing to look at in a step to this time, nor at its end, after so many attempted steps.
+    #[inline]
+    pub(crate) fn passes_over(&self, time: f64, attempts: impl Fn() -> u64) -> bool {
+        let LoopState { end, update, .. } = self.state;
+        let is_asked = C::COUNT > 0 || O::COUNT > 0 || K::READS_STEPS;
+        !is_asked
+            && time - end != 0.0
+            && update.is_none_or(|update| time - update != 0.0)
+            && !self
+                .samples_are_due(|sample| sample - time == 0.0 || self.comes_before(sample, time))
+            && attempts() < self.state.step_limit
+    }
+
     /// Whether states within a step to this time are asked for: by events, by what is kept, or by a sample.
     pub(crate) fn looks_within(&self, time: f64) -> bool {
+        let is_asked = C::COUNT > 0 || K::READS_STEPS;
+        is_asked || self.samples_are_due(|sample| self.comes_before(sample, time))
+    }
+
+    /// Whether the next sample, if there is one, is due.
+    #[inline]
+    fn samples_are_due(&self, is_due: impl Fn(f64) -> bool) -> bool {
         let times = self.times.as_ref();
         let next = times.get(times.len().saturating_sub(self.waiting));
-        let is_in = |sample: &f64| {
-            if self.state.end >= self.state.start {
-                *sample < time
-            } else {
-                *sample > time
-            }
-        };
-        C::COUNT > 0 || K::READS_STEPS || next.is_some_and(is_in)
+        next.is_some_and(|sample| is_due(*sample))
+    }
+
+    /// Whether `a` comes before `b` in the course of the integration.
+    #[inline]
+    fn comes_before(&self, a: f64, b: f64) -> bool {
+        if self.state.end >= self.state.start {
+            a < b
+        } else {
+            a > b
+        }
     }
 }
