@@ -174,6 +174,7 @@ where
     }
 
     /// The next member that takes a step. Those that end before that are reported.
+    #[inline]
     fn next(&mut self) -> Option<InLane<D, K, C, R, O, HALF>> {
         for (index, (problem, end)) in self.waiting.by_ref() {
             let found = match problem.into_member(end, self.method) {

@@ -50,6 +50,7 @@ where
 
 impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     /// The problem in progress by a method, until the time `end`; what an integration finds where it does not begin.
+    #[inline]
     pub(crate) fn into_member<I>(
         self,
         end: f64,
@@ -143,6 +144,7 @@ where
     }
 
     /// What the integration has found.
+    #[inline]
     pub(crate) fn finish(mut self) -> Found<S, D::State, K::Kept> {
         let result = self.result.and(self.limits.check(&mut self.outcome));
         let kept = K::finish(self.collection, &self.outcome);

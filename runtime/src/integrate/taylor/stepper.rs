@@ -90,10 +90,9 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         };
         let of_motion = tolerance.over(S::from_f64(VELOCITY_TIMES * time_scale));
         check_start(dynamics, t, &x, &of_motion)?;
-        let polynomial = TaylorInterpolant::at_rest(t, x);
         Ok(Self {
             method,
-            polynomials: [polynomial.clone(), polynomial],
+            polynomials: core::array::from_fn(|_| TaylorInterpolant::at_rest(t, x.clone())),
             exchanged: false,
             unit: unit_near(FIRST_UNIT * time_scale),
             proposal: None,
