@@ -46,6 +46,11 @@ pub trait MembersInLanes<const L: usize> {
 }
 
 /// Models on every scalar, which have the trait by themselves.
+#[diagnostic::on_unimplemented(
+    message = "members of `{Self}` with different parameters do not share SIMD lanes",
+    note = "an external function of its declaration reads `self`, which is that of one member, or its parameters are no plain \
+            numbers; `Dop853` integrates such members one after the other"
+)]
 pub trait SharesLanes {}
 
 impl<M: SharesLanes, const L: usize> MembersInLanes<L> for M {
