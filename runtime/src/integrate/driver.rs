@@ -74,29 +74,6 @@ struct Reacted<X> {
 }
 
 impl<I, C, O> Driver<I, C, O> {
-    /// Integrates, and passes each sample and each step to the collector. The outcome is known after an error, too.
-    pub(crate) fn run<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
-        &mut self,
-        (dynamics, reactions): (&mut D, &mut R),
-        initial: &At<f64, D::State>,
-        course: Course<'_>,
-        collector: &mut dyn Collector<S, D, I::Stepper>,
-    ) -> (Outcome<D::State>, Result<(), IntegrationError>)
-    where
-        I: Integrator<S, D>,
-        C: Detection<S, D>,
-        O: Observer<D::State>,
-    {
-        let checked = course.check(initial.t);
-        match checked.and_then(|()| self.begin(dynamics, initial)) {
-            Ok(mut stepper) => {
-                let parts = (&mut stepper, &mut None);
-                self.advance((dynamics, reactions), parts, course, collector)
-            }
-            Err(error) => (Outcome::at(initial.clone()), Err(error)),
-        }
-    }
-
     /// Goes on along a course, which is checked.
     pub(crate) fn advance<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
@@ -185,7 +162,9 @@ impl<I, C, O> Driver<I, C, O> {
                 collector: &mut *collector,
                 outcome: &mut *outcome,
             };
-            let interruption = part.run();
+            let begun = part.begin();
+            let completed = part.complete(begun);
+            let interruption = completed.map(|interruption| part.finish(interruption));
             *state = part.state;
             let (occurring, stop) = match interruption? {
                 Interruption::Stop(reason) => return Ok(Next::End(reason)),

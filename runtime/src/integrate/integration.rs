@@ -43,49 +43,38 @@ where
     C: Detection<S, D>,
     O: Observer<D::State>,
 {
-    /// Steps until there is a reason to stop or to react, and counts the cost.
-    pub(crate) fn run(&mut self) -> Result<Interruption, IntegrationError> {
+    /// What lies before the next step: at the initial time the samples and the condition, behind a change its observation.
+    pub(crate) fn begin(&mut self) -> Result<(), StopReason> {
         self.outcome.statistics = self.stepper.statistics();
-        let mut is_regular = false;
-        let begun = match self.state.beginning {
-            Beginning::Initial => self.begin(),
+        match self.state.beginning {
+            Beginning::Initial => {
+                self.samples_until(self.state.start)?;
+                self.check_condition()
+            }
             Beginning::Changed => self.notify(ObservationKind::Step),
             Beginning::Unchanged => Ok(()),
             Beginning::Stepped(Taken::Failed(error)) => {
                 self.close(StopReason::Error);
-                return Err(error);
+                Err(self.fail(error))
             }
-            Beginning::Stepped(taken) => {
+            Beginning::Stepped(_) => {
                 self.state.is_visited = false;
-                is_regular = matches!(taken, Taken::Regular);
                 Ok(())
             }
-        };
-        let interruption = match begun {
-            Ok(()) => self.complete(is_regular)?,
-            Err(reason) => reason.into(),
-        };
-        let interruption = match interruption {
-            Interruption::Stop(reason) => self.close(reason),
-            Interruption::Reaction(occurring, Some(reason)) => self.close(reason).after(occurring),
-            other => other,
-        };
-        if !self.state.is_visited {
-            // The motion ends, or a reaction is called for, within the last step.
-            self.record_until(self.outcome.last.t);
         }
-        self.outcome.statistics = self.stepper.statistics();
-        Ok(interruption)
     }
 
-    /// Samples and condition at the initial time.
-    fn begin(&mut self) -> Result<(), StopReason> {
-        self.samples_until(self.state.start)?;
-        self.check_condition()
-    }
-
-    /// Steps until there is a reason to stop or to react. Events may be left in the last step, whose end may be known to be regular.
-    fn complete(&mut self, mut is_regular: bool) -> Result<Interruption, IntegrationError> {
+    /// Steps until there is a reason to stop or to react, unless there is one from the beginning. Events may be left in the last
+    /// step.
+    pub(crate) fn complete(
+        &mut self,
+        begun: Result<(), StopReason>,
+    ) -> Result<Interruption, IntegrationError> {
+        if let Err(reason) = begun {
+            return self.failure.take().map_or(Ok(reason.into()), Err);
+        }
+        let beginning = self.state.beginning;
+        let mut is_regular = matches!(beginning, Beginning::Stepped(Taken::Regular));
         loop {
             let broken = if is_regular { None } else { self.broken_step() };
             is_regular = false;
@@ -117,12 +106,30 @@ where
             if self.steps == Steps::Shared {
                 return Ok(Interruption::Step(self.target()));
             }
-            if let Err(error) = self.step() {
+            let target = self.target();
+            let stepped = self.stepper.step(self.dynamics, target);
+            self.outcome.statistics = self.stepper.statistics();
+            if let Err(error) = stepped {
                 self.close(StopReason::Error);
                 return Err(error);
             }
             self.state.is_visited = false;
         }
+    }
+
+    /// Reports what belongs to the end of a part, and counts the cost.
+    pub(crate) fn finish(&mut self, interruption: Interruption) -> Interruption {
+        let interruption = match interruption {
+            Interruption::Stop(reason) => self.close(reason),
+            Interruption::Reaction(occurring, Some(reason)) => self.close(reason).after(occurring),
+            other => other,
+        };
+        if !self.state.is_visited {
+            // The motion ends, or a reaction is called for, within the last step.
+            self.record_until(self.outcome.last.t);
+        }
+        self.outcome.statistics = self.stepper.statistics();
+        interruption
     }
 
     /// Reports the events that belong to what ends here, where rounding does not tell them from its end.
@@ -165,14 +172,6 @@ where
         let target = next.copied().unwrap_or(self.state.end);
         let update = self.state.update;
         update.map_or(target, |update| update.min(target))
-    }
-
-    /// Takes one step.
-    fn step(&mut self) -> Result<(), IntegrationError> {
-        let target = self.target();
-        let result = self.stepper.step(self.dynamics, target);
-        self.outcome.statistics = self.stepper.statistics();
-        result
     }
 
     /// The error of a step that leads to a singularity, or beyond a pole, and the last time within it that is before that.
@@ -246,7 +245,10 @@ where
             let there = there.map_err(|error| self.fail(error))?;
             self.visit_event(occurring, &there)?;
         }
-        Ok(self.samples_until(t)?)
+        if !self.waiting.is_empty() {
+            self.samples_until(t)?;
+        }
+        Ok(())
     }
 
     fn visit_event(

@@ -17,9 +17,10 @@ mod watch;
 #[cfg(feature = "alloc")]
 pub use keep::{Dense, Every, StepEnds};
 pub use keep::{End, Keep};
-pub(crate) use member::{Found, Member};
+pub(crate) use member::Member;
 pub use run::Run;
 use solution::Events;
+pub(crate) use solution::Found;
 pub use solution::Solution;
 pub use system::System;
 pub use watch::{DeclaredBy, When};
@@ -27,19 +28,18 @@ pub use watch::{DeclaredBy, When};
 use core::marker::PhantomData;
 
 use super::at::At;
-use super::collector::Collector;
 use super::driver::{Course, Driver};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::event::Watched;
 use super::integrator::Integrator;
+use super::loop_state::Steps;
 use super::observer::{EachStep, Flow, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::partial::Partial;
 use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
-use keep::{Begun, Collecting, Saved};
-use part::{KeptSoFar, Part};
+use keep::Saved;
 pub use reaction::Reactions;
 
 /// An initial value problem: dynamics with an initial state, and what is asked of their integration.
@@ -126,6 +126,26 @@ impl Limits {
             samples,
             end,
             max_steps: self.max_steps.unwrap_or(MAX_STEPS),
+        }
+    }
+
+    /// What an integration has found, which an error ends, or the largest number of steps.
+    fn found<S, D, T, K>(
+        self,
+        (mut outcome, result): (Outcome<D::State>, Result<(), IntegrationError>),
+        collection: K::Collection,
+        events: Events<S, D::State>,
+    ) -> Found<S, D::State, K::Kept>
+    where
+        S: Scalar,
+        D: Dynamics<S>,
+        K: Keep<S, D, T>,
+    {
+        let result = result.and(self.check(&mut outcome));
+        let solution = Solution::new(K::finish(collection, &outcome), events, outcome);
+        match result {
+            Ok(()) => Ok(solution),
+            Err(error) => Err(Partial::new(error, solution)),
         }
     }
 
@@ -284,7 +304,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     ///
     /// Any of [`IntegrationError`](crate::IntegrationError), with the solution up to there.
     pub fn solve<I>(
-        mut self,
+        self,
         end: f64,
         method: I,
     ) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>>
@@ -295,21 +315,14 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         O: Observer<D::State>,
         K: Keep<S, D, I::Stepper>,
     {
-        let (limits, start, mut watch) = (self.limits, self.start, self.watch);
-        let mut driver = limits.driver(method, watch.conditions, watch.observer);
-        let begun = self.keep.begin(&start, Part::whole(start.t, end));
-        let mut kept = KeptSoFar::default();
-        let system = (&mut self.dynamics, &mut watch.reactions);
-        collected::<_, _, _, K>(
-            begun,
-            &mut kept,
-            start,
-            limits,
-            |start, samples, collector| {
-                let course = limits.course(samples, end);
-                driver.run(system, start, course, collector)
-            },
-        )
+        match self.into_member(end, method) {
+            Ok(mut member) => {
+                // No step is left to be taken.
+                let _ = member.go_on(Steps::Own);
+                member.finish()
+            }
+            Err(found) => found,
+        }
     }
 }
 
@@ -328,45 +341,5 @@ impl<S: Scalar, D: Dynamics<S>, N, C, R, O> Problem<S, D, N, C, R, O> {
             limits: self.limits,
             scalar: PhantomData,
         }
-    }
-}
-
-/// What an integration finds, as it collects what is kept.
-fn collected<S, D, T, K>(
-    begun: Begun<K::Times, K::Collection>,
-    kept: &mut KeptSoFar,
-    start: At<f64, D::State>,
-    limits: Limits,
-    integrate: impl FnOnce(
-        &At<f64, D::State>,
-        &[f64],
-        &mut dyn Collector<S, D, T>,
-    ) -> (Outcome<D::State>, Result<(), IntegrationError>),
-) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>>
-where
-    S: Scalar,
-    D: Dynamics<S>,
-    K: Keep<S, D, T>,
-{
-    let Begun {
-        times,
-        mut collection,
-        checked,
-    } = begun;
-    let mut events = Events::default();
-    let mut collector = Collecting {
-        kept: &mut collection,
-        events: &mut events,
-        so_far: kept,
-    };
-    let (mut outcome, result) = match checked {
-        Ok(()) => integrate(&start, times.as_ref(), &mut collector),
-        Err(error) => (Outcome::at(start), Err(error)),
-    };
-    let result = result.and(limits.check(&mut outcome));
-    let solution = Solution::new(K::finish(collection, &outcome), events, outcome);
-    match result {
-        Ok(()) => Ok(solution),
-        Err(error) => Err(Partial::new(error, solution)),
     }
 }

@@ -5,7 +5,7 @@ use core::iter::{Enumerate, Fuse};
 use super::EnsembleIntegrator;
 use crate::integrate::event::Watched;
 use crate::integrate::in_lanes::InLanes;
-use crate::integrate::loop_state::Taken;
+use crate::integrate::loop_state::{Steps, Taken};
 use crate::integrate::observer::Observer;
 use crate::integrate::problem::{Found, Keep, Member, Problem, Reactions};
 use crate::integrate::stepper::{Statistics, Stepper as _};
@@ -178,7 +178,7 @@ where
     fn next(&mut self) -> Option<InLane<D, K, C, R, O, HALF>> {
         for (index, (problem, end)) in self.waiting.by_ref() {
             let found = match problem.into_member(end, self.method) {
-                Ok(mut member) => match member.go_on() {
+                Ok(mut member) => match member.go_on(Steps::Shared) {
                     Some(target) => {
                         return Some(InLane {
                             index,

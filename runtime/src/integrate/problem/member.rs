@@ -1,11 +1,11 @@
-//! Problems in progress whose steps are taken by an ensemble.
+//! Problems in progress, until their end.
 
 #![allow(clippy::type_complexity)] // The settings of a problem are in its type.
 
 use super::keep::{Begun, Collecting, Keep};
 use super::part::{KeptSoFar, Part};
 use super::reaction::Reactions;
-use super::solution::{Events, Solution};
+use super::solution::{Events, Found};
 use super::{Limits, Problem};
 use crate::integrate::at::At;
 use crate::integrate::driver::{Driver, Next};
@@ -16,14 +16,10 @@ use crate::integrate::integrator::Integrator;
 use crate::integrate::loop_state::{Beginning, LoopState, Steps, Taken};
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::Outcome;
-use crate::integrate::partial::Partial;
 use crate::integrate::stepper::Stepper as _;
 use crate::scalar::Scalar;
 
-/// What the integration of a problem returns.
-pub(crate) type Found<S, X, K> = Result<Solution<S, X, K>, Partial<Solution<S, X, K>>>;
-
-/// A problem in progress, whose steps are taken by an ensemble.
+/// A problem in progress, whose steps are its own or those of an ensemble.
 pub(crate) struct Member<S, D, I, K, C, R, O>
 where
     S: Scalar,
@@ -76,9 +72,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
             Ok(stepper) => stepper,
             Err(error) => {
                 let outcome = Outcome::at(start);
-                let kept = K::finish(collection, &outcome);
-                let solution = Solution::new(kept, Events::default(), outcome);
-                return Err(Err(Partial::new(error, solution)));
+                let ended = (outcome, Err(error));
+                return Err(limits.found::<_, _, _, K>(ended, collection, Events::default()));
             }
         };
         let (state, outcome) = driver.set_out(&stepper, course);
@@ -110,8 +105,8 @@ where
     O: Observer<D::State>,
     K: Keep<S, D, I::Stepper>,
 {
-    /// Goes on until a step is to be taken: the time towards which. `None` at the end.
-    pub(crate) fn go_on(&mut self) -> Option<f64> {
+    /// Goes on until the caller is to take a step: the time towards which. `None` at the end.
+    pub(crate) fn go_on(&mut self, steps: Steps) -> Option<f64> {
         let times = self.times.as_ref();
         let mut samples = &times[times.len().saturating_sub(self.waiting)..];
         // The times that were kept matter to the parts of a run alone.
@@ -124,7 +119,7 @@ where
         let next = self.driver.go_on(
             (&mut self.dynamics, &mut self.reactions),
             (&mut self.stepper, &mut self.memory, &mut samples),
-            (&mut self.state, Steps::Shared),
+            (&mut self.state, steps),
             &mut collector,
             &mut self.outcome,
         );
@@ -140,19 +135,15 @@ where
     /// Goes on behind a step, which the stepper knows.
     pub(crate) fn stepped(&mut self, taken: Taken) -> Option<f64> {
         self.state.beginning = Beginning::Stepped(taken);
-        self.go_on()
+        self.go_on(Steps::Shared)
     }
 
     /// What the integration has found.
     #[inline]
-    pub(crate) fn finish(mut self) -> Found<S, D::State, K::Kept> {
-        let result = self.result.and(self.limits.check(&mut self.outcome));
-        let kept = K::finish(self.collection, &self.outcome);
-        let solution = Solution::new(kept, self.events, self.outcome);
-        match result {
-            Ok(()) => Ok(solution),
-            Err(error) => Err(Partial::new(error, solution)),
-        }
+    pub(crate) fn finish(self) -> Found<S, D::State, K::Kept> {
+        let ended = (self.outcome, self.result);
+        self.limits
+            .found::<_, _, _, K>(ended, self.collection, self.events)
     }
 
     pub(crate) fn dynamics(&self) -> &D {

@@ -2,11 +2,11 @@
 
 use core::marker::PhantomData;
 
-use super::keep::Keep;
+use super::keep::{Begun, Collecting, Keep};
 use super::part::{KeptSoFar, Part};
 use super::reaction::Reactions;
-use super::solution::Solution;
-use super::{End, Limits, Problem, Watch, collected};
+use super::solution::{Events, Found, Solution};
+use super::{End, Limits, Problem, Watch};
 use crate::integrate::at::At;
 use crate::integrate::checkpoint::{Checkpoint, EventSigns, Resume};
 use crate::integrate::collector::Collector;
@@ -317,11 +317,7 @@ where
         }
     }
 
-    fn advance_by(
-        &mut self,
-        end: f64,
-        limits: Limits,
-    ) -> Result<Solution<S, D::State, K::Kept>, Partial<Solution<S, D::State, K::Kept>>> {
+    fn advance_by(&mut self, end: f64, limits: Limits) -> Found<S, D::State, K::Kept> {
         let (t, x) = (self.stepper.time(), self.stepper.state().clone());
         let start = At { t, x };
         let part = Part {
@@ -330,17 +326,23 @@ where
             kept: self.kept,
             is_one_of_several: true,
         };
-        let begun = self.keep.clone().begin(&start, part);
-        let mut kept = self.kept;
-        let solution = collected::<_, _, _, K>(
-            begun,
-            &mut kept,
-            start,
-            limits,
-            |start, samples, collector| self.go_on(start, limits.course(samples, end), collector),
-        );
+        let Begun {
+            times,
+            mut collection,
+            checked,
+        } = self.keep.clone().begin(&start, part);
+        let (mut events, mut kept) = (Events::default(), self.kept);
+        let mut collector = Collecting {
+            kept: &mut collection,
+            events: &mut events,
+            so_far: &mut kept,
+        };
+        let (outcome, result) = match checked {
+            Ok(()) => self.go_on(&start, limits.course(times.as_ref(), end), &mut collector),
+            Err(error) => (Outcome::at(start), Err(error)),
+        };
         self.kept = kept;
-        solution
+        limits.found::<_, _, _, K>((outcome, result), collection, events)
     }
 
     /// Advances, then restarts the stepper where the integration has stopped.

@@ -42,6 +42,9 @@ pub struct Solution<S, X, K = ()> {
     kept: K,
 }
 
+/// What an integration returns.
+pub(crate) type Found<S, X, K> = Result<Solution<S, X, K>, Partial<Solution<S, X, K>>>;
+
 /// The events that occurred; nothing without memory for them.
 #[cfg(feature = "alloc")]
 pub(crate) type Events<S, X> = Vec<Occurrence<X, S>>;
