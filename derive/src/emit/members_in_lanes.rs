@@ -2,15 +2,15 @@
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
-use syn::{GenericParam, Generics};
+use syn::{GenericParam, Generics, WherePredicate};
 
 use super::parameters::mentions;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::hygienic_ident;
 use crate::syntax::scalar::Scalar;
 
-/// The impl, for a model whose external functions do not read the fields of one member, and that is on every scalar or has a type
-/// parameter for it. Without equations it has no body.
+/// The impl, for a model with Taylor series whose external functions do not read the fields of one member, and that is on every scalar
+/// or has a type parameter for it. Without equations it has no body.
 pub(super) fn members_in_lanes(
     declaration: &Declaration,
     scalar: &Scalar<'_>,
@@ -23,6 +23,7 @@ pub(super) fn members_in_lanes(
     if scalar.is_generic() {
         return Some(of_plain_numbers(declaration));
     }
+    declaration.clauses.taylor.as_ref()?;
     let parameter = scalar_parameter(&declaration.generics, scalar)?;
     Some(of_type_parameter(declaration, &parameter, has_equations))
 }
@@ -30,12 +31,33 @@ pub(super) fn members_in_lanes(
 /// The name of the type parameter that is the scalar and nothing else: its place may be taken by `f64` and lanes.
 fn scalar_parameter(generics: &Generics, scalar: &Scalar<'_>) -> Option<String> {
     let name = scalar.to_token_stream().to_string();
-    let is_parameter = generics
-        .type_params()
-        .any(|parameter| parameter.ident == name);
-    let conditions = generics.where_clause.to_token_stream();
-    let is_free = !scalar.is_ambiguous() && !mentions(&conditions, &name);
-    (is_parameter && is_free).then_some(name)
+    let (own, others): (Vec<_>, Vec<_>) = generics
+        .params
+        .iter()
+        .partition(|other| matches!(other, GenericParam::Type(other) if other.ident == name));
+    let mut others = others.iter().map(ToTokens::to_token_stream);
+    let conditions = conditions_beside(generics, &name);
+    let is_free = !scalar.is_ambiguous()
+        && !others.any(|other| mentions(&other, &name))
+        && !conditions
+            .into_iter()
+            .any(|condition| mentions(&condition, &name));
+    (!own.is_empty() && is_free).then_some(name)
+}
+
+/// The conditions of a `where` clause, but those on the scalar itself.
+fn conditions_beside(generics: &Generics, scalar: &str) -> Vec<TokenStream> {
+    let conditions = generics.where_clause.iter();
+    let conditions = conditions.flat_map(|conditions| &conditions.predicates);
+    let beside = conditions.filter_map(|condition| match condition {
+        WherePredicate::Type(of_type)
+            if of_type.bounded_ty.to_token_stream().to_string() == scalar =>
+        {
+            None
+        }
+        other => Some(other.to_token_stream()),
+    });
+    beside.collect()
 }
 
 /// A model on every scalar: a member serves all lanes.
@@ -66,7 +88,7 @@ fn of_type_parameter(
         fields,
         ..
     } = declaration;
-    let lanes = hygienic_ident("L", name);
+    let lanes = hygienic_ident("__LANES", name);
     let alone = quote!(::core::primitive::f64);
     let together = quote!(#root::Lanes<#lanes>);
     let mut others = generics.clone();
@@ -80,13 +102,8 @@ fn of_type_parameter(
         .params
         .push(syn::parse_quote!(const #lanes: ::core::primitive::usize));
     let (parameters, _, _) = others.split_for_impl();
-    let (_, arguments, conditions) = generics.split_for_impl();
-    let conditions = conditions.map(|conditions| &conditions.predicates);
-    let mut bounds: Vec<TokenStream> = conditions
-        .into_iter()
-        .flatten()
-        .map(ToTokens::to_token_stream)
-        .collect();
+    let (_, arguments, _) = generics.split_for_impl();
+    let mut bounds = conditions_beside(generics, parameter);
     let on = |tokens: TokenStream, scalar: &TokenStream| replaced(tokens, parameter, scalar);
     let arguments = arguments.to_token_stream();
     let [member, model] = [&alone, &together].map(|scalar| on(arguments.clone(), scalar));

@@ -19,8 +19,9 @@ use crate::scalar::Scalar;
 ///
 /// [`Taylor`](crate::Taylor) integrates several members at once in SIMD lanes ([`InLanes`](crate::InLanes)), each with steps and a
 /// final time of its own; a lane whose member has ended takes the next one. [`Dop853`] and [`RungeKutta`] integrate one after the
-/// other. No member depends on the others: it has the bits that it has alone in an ensemble, whatever the order and the number of
-/// lanes. An error ends one member and is its result.
+/// other. No member depends on the others: whatever their order, it has the bits that it has alone in two or more lanes. In one
+/// lane, and by [`Problem::solve`], its series are summed in another order, and differ by rounding. An error ends one member and is its
+/// result.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -78,6 +79,7 @@ impl<P, const L: usize> Ensemble<P, L> {
     /// end. The end is a time for all of them, or a function of the position.
     ///
     /// No more problems are taken from the iterator than there are lanes, and nothing is allocated but by what they keep.
+    #[allow(clippy::needless_pass_by_value)] // As `Problem::solve` takes them.
     pub fn solve_each<S, D, K, C, R, O, I>(
         self,
         end: impl Ends,

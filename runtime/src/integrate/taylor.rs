@@ -204,7 +204,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> Integrator<S, D> for T
 
     fn start(&self, dynamics: &D, t: f64, x: D::State) -> Result<Self::Stepper, IntegrationError> {
         self.check()?;
-        TaylorStepper::new(*self, dynamics, t, x)
+        TaylorStepper::new(*self, dynamics, t, &x)
     }
 
     fn singularity_tolerance(&self) -> f64 {

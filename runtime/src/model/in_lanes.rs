@@ -15,7 +15,9 @@ use crate::scalar::Lanes;
 
 /// What the equations of all lanes read: inputs, what [`Quantities::prepare`] computes of each member's parameters, and laws.
 #[derive(Clone, Debug)]
-pub struct ParametersInLanes<V, P, W, const L: usize> {
+pub struct ParametersInLanes<M, V, P, W, const L: usize> {
+    /// The model of all lanes, unless each member may serve.
+    model: Option<M>,
     inputs: V,
     prepared: P,
     laws: [W; L],
@@ -34,6 +36,7 @@ where
     type States = Phase<Lanes<L>, N, <W::States as StatesInLanes<L>>::InLanes>;
 
     type Parameters = ParametersInLanes<
+        ModelOf<M, N, L>,
         SVector<Lanes<L>, U>,
         <ModelOf<M, N, L> as Quantities<N, Lanes<L>>>::Prepared,
         W,
@@ -50,6 +53,10 @@ where
         let mut parameters = ParametersInLanes {
             inputs: SVector::broadcast(&self.inputs),
             prepared: Lagrangian::<N, Lanes<L>>::model(&model).prepare(),
+            model: match model {
+                ModelInLanes::Made(model) => Some(model),
+                ModelInLanes::Member(_) => None,
+            },
             laws: core::array::from_fn(|_| self.law.clone()),
         };
         for lane in 0..L {
@@ -71,7 +78,10 @@ where
 
     fn together<'a>(&'a self, parameters: &'a Self::Parameters) -> Self::Together<'a> {
         EquationsOfMotion {
-            model: self.model.model().in_lanes(),
+            model: match &parameters.model {
+                Some(model) => ModelInLanes::Member(model),
+                None => self.model.model().in_lanes(),
+            },
             inputs: parameters.inputs,
             prepared: parameters.prepared.clone(),
             law: LawsInLanes::new(&parameters.laws),

@@ -33,8 +33,9 @@ use crate::scalar::Scalar;
 /// ```
 #[diagnostic::on_unimplemented(
     message = "members of `{Self}` with different parameters do not share SIMD lanes",
-    note = "an external function of its declaration reads `self`, which is that of one member, or its parameters are no plain \
-            numbers; `Dop853` integrates such members one after the other"
+    note = "an external function of its declaration reads `self`, which is that of one member; or it has a type parameter with other \
+            bounds than `Scalar`, or that is within the type of a field that is no number, vector or array; `Dop853` integrates such \
+            members one after the other"
 )]
 pub trait MembersInLanes<const L: usize> {
     /// The model on which lanes are evaluated: the same struct, or, of a struct with a type parameter for its scalar, the one with
@@ -48,8 +49,9 @@ pub trait MembersInLanes<const L: usize> {
 /// Models on every scalar, which have the trait by themselves.
 #[diagnostic::on_unimplemented(
     message = "members of `{Self}` with different parameters do not share SIMD lanes",
-    note = "an external function of its declaration reads `self`, which is that of one member, or its parameters are no plain \
-            numbers; `Dop853` integrates such members one after the other"
+    note = "an external function of its declaration reads `self`, which is that of one member; or it has a type parameter with other \
+            bounds than `Scalar`, or that is within the type of a field that is no number, vector or array; `Dop853` integrates such \
+            members one after the other"
 )]
 pub trait SharesLanes {}
 

@@ -17,7 +17,7 @@ const IN_LOOPS: bool = cfg!(debug_assertions);
 /// The operations are written so that the compiler makes vector instructions of them where the target has
 /// them; sines and cosines of all lanes are computed together. 4 or 8 lanes suit most processors, with
 /// `-C target-cpu=native`. A lane has the bits of the same computation on `f64`, unless another lane
-/// requires a different factorization of M ([`Scalar`]).
+/// requires a different factorization of M ([`Scalar`]), and except for Taylor series, whose sums have another order on one number.
 ///
 /// In an [`Ensemble`](crate::Ensemble) each lane has steps of its own. Elsewhere all lanes share the time and the steps
 /// of an integration: an adaptive method takes the steps that the most demanding lane requires.

@@ -172,8 +172,12 @@ fn an_ensemble_of_members_has_the_motions_of_each_alone() {
     assert_eq!(found.len(), 30);
     for (index, found) in found.into_iter().enumerate() {
         let found = found.expect("it is regular");
-        let alone = problem(index).solve(end(index), Taylor::new());
+        let alone = Ensemble::new([problem(index)]).lanes::<2>();
+        let alone = alone.solve(end(index), Taylor::new()).remove(0);
         assert_eq!(found.last, alone.expect("it is regular").last);
+        let plain = problem(index).solve(end(index), Taylor::new());
+        let plain = plain.expect("it is regular");
+        assert!((found.q - plain.q).norm() < 1e-10 && (found.v - plain.v).norm() < 1e-10);
     }
 }
 

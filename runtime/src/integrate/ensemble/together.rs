@@ -1,5 +1,7 @@
 //! Members of an ensemble in the lanes of a Taylor method.
 
+#![allow(clippy::type_complexity)] // The settings of a problem are in its type.
+
 use core::iter::{Enumerate, Fuse};
 
 use super::EnsembleIntegrator;

@@ -69,16 +69,16 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         method: Taylor<HALF>,
         dynamics: &D,
         t: f64,
-        x: X,
+        x: &X,
     ) -> Result<Self, IntegrationError>
     where
         X: VectorSpace<S>,
     {
-        let derivative = checked_derivative(dynamics, t, &x)?;
+        let derivative = checked_derivative(dynamics, t, x)?;
         let tolerance = method.tolerance::<S>();
-        let time_scale = tolerance.time_scale(dynamics, &x, &derivative);
+        let time_scale = tolerance.time_scale(dynamics, x, &derivative);
         let time_scale = time_scale.unwrap_or_else(|| {
-            let allowed = dynamics.allowed_error(&x, &tolerance.over(S::one()));
+            let allowed = dynamics.allowed_error(x, &tolerance.over(S::one()));
             let weights = Tolerance::weights(&allowed);
             let largest = tolerance.relative.max(tolerance.absolute);
             1.0 / (weighted_norm(&derivative, &weights) * largest)
@@ -89,7 +89,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             1.0 / FIRST_UNIT
         };
         let of_motion = tolerance.over(S::from_f64(VELOCITY_TIMES * time_scale));
-        check_start(dynamics, t, &x, &of_motion)?;
+        check_start(dynamics, t, x, &of_motion)?;
         Ok(Self {
             method,
             polynomials: core::array::from_fn(|_| TaylorInterpolant::at_rest(t, x.clone())),
@@ -327,7 +327,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
 
     fn restart_at(&mut self, dynamics: &D, t: f64, x: X) -> Result<(), IntegrationError> {
         let statistics = self.statistics;
-        *self = Self::new(self.method, dynamics, t, x)?;
+        *self = Self::new(self.method, dynamics, t, &x)?;
         self.statistics = self.statistics.plus(statistics);
         Ok(())
     }

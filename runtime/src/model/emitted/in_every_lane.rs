@@ -1,5 +1,7 @@
 //! Fields of a struct with a type parameter for its scalar, with the same values in every lane.
 
+use core::marker::PhantomData;
+
 use nalgebra::SMatrix;
 
 use crate::scalar::{Lanes, Scalar as _};
@@ -34,6 +36,14 @@ impl<P: InEveryLane<L>, const K: usize, const L: usize> InEveryLane<L> for [P; K
 
     fn in_every_lane(&self) -> Self::InLanes {
         core::array::from_fn(|i| self[i].in_every_lane())
+    }
+}
+
+impl<const L: usize> InEveryLane<L> for PhantomData<f64> {
+    type InLanes = PhantomData<Lanes<L>>;
+
+    fn in_every_lane(&self) -> Self::InLanes {
+        PhantomData
     }
 }
 
