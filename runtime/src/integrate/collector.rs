@@ -11,9 +11,9 @@ pub trait Collector<S: Scalar, D: Dynamics<S> + ?Sized, T> {
         let _ = sample;
     }
 
-    /// An event of that index, when it occurred, and the state there.
-    fn event(&mut self, event: usize, t: S, x: &D::State) {
-        let _ = (event, t, x);
+    /// An event of that number, and of that index in a declaration, when it occurred, and the state there.
+    fn event(&mut self, (event, declared): (usize, Option<usize>), t: S, x: &D::State) {
+        let _ = (event, declared, t, x);
     }
 
     /// The last step of `stepper`, which is part of the motion until `end`.

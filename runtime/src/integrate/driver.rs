@@ -285,6 +285,7 @@ impl<I, C, O> Driver<I, C, O> {
         I: Integrator<S, D>,
         C: Detection<S, D>,
     {
+        dynamics.check()?;
         self.conditions.check(dynamics)?;
         if let Some(tolerance) = self
             .singularity_tolerance

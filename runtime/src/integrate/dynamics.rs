@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use super::error::IntegrationError;
 use super::projection::Projection;
 use super::singularity::Singularity;
 use crate::linalg::{ErrorTolerance, VectorSpace};
@@ -105,6 +106,16 @@ pub trait Dynamics<S: Scalar = f64> {
     fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
         let _ = lane;
         self.vanishing_inertia(t, x)
+    }
+
+    /// An error if a parameter has no meaning, such as a period that is not positive. It is asked where an integration begins, and
+    /// behind each change of the dynamics.
+    ///
+    /// # Errors
+    ///
+    /// None by default.
+    fn check(&self) -> Result<(), IntegrationError> {
+        Ok(())
     }
 
     /// The next time at which the state is updated (a sampled controller, a difference equation beside the differential ones),
@@ -233,6 +244,10 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for &D {
 
     fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &D::State) -> Option<Singularity> {
         (**self).vanishing_inertia_in_lane(lane, t, x)
+    }
+
+    fn check(&self) -> Result<(), IntegrationError> {
+        (**self).check()
     }
 
     fn next_update(&self, x: &D::State) -> Option<f64> {

@@ -154,7 +154,19 @@ pub enum IntegrationError {
         /// That interval.
         interval: f64,
     },
-    /// The update of a state does not come later each time: the period of a sampled controller is not a positive finite number.
+    /// The period of a sampled controller is not a positive finite number.
+    InvalidPeriod {
+        /// That period.
+        period: f64,
+    },
+    /// The time constant with which an actuator lags is not a positive finite number.
+    InvalidTimeConstant {
+        /// The index of the input.
+        input: usize,
+        /// That time constant.
+        time_constant: f64,
+    },
+    /// The update of a state does not come later each time, as where a period is shorter than the times resolve.
     InvalidUpdate {
         /// The time of the update.
         time: f64,
@@ -297,6 +309,8 @@ impl fmt::Display for IntegrationError {
             | Self::UnorderedTimes { .. }
             | Self::OutsideSpan { .. }
             | Self::InvalidSampleInterval { .. }
+            | Self::InvalidPeriod { .. }
+            | Self::InvalidTimeConstant { .. }
             | Self::InvalidUpdate { .. } => self.write_invalid_setting(f),
         }
     }

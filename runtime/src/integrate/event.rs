@@ -130,11 +130,43 @@ pub struct Reaction {
 /// `occurrence.q[0]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Occurrence<X, S = f64> {
-    /// The index of the event.
+    /// The number of the event, in the order in which the problem was told of events and conditions: those of an array count one by
+    /// one. Whether it is a declared one tells [`is`](Self::is).
     pub event: usize,
     /// The state at the event. Its time has derivative parts and the digits of a double-double; the derivative parts of the
     /// state are those at the event, whose time moves, too.
     pub state: At<S, X>,
+    /// The index of the event in the declaration, if it is in one.
+    pub(crate) declared: Option<usize>,
+}
+
+impl<X, S> Occurrence<X, S> {
+    /// Whether it is this event of the declaration.
+    ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    ///
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     coordinates(height),
+    ///     kinetic = 0.5 * dot(height).powi(2),
+    ///     potential = 10.0 * height,
+    ///     event(floor = height, apex = dot(height)),
+    /// )]
+    /// struct Ball;
+    ///
+    /// let motion = Problem::new(&Ball, State::new(0.0, [0.0], [20.0]))
+    ///     .when(|ball| ball.q[0] - 15.0).record()
+    ///     .on([Ball::APEX, Ball::FLOOR]).record()
+    ///     .solve(5.0, Dop853::new())?;
+    /// let apex = motion.events().iter().find(|event| event.is(Ball::APEX));
+    /// assert!((apex.map_or(0.0, |apex| apex.t) - 2.0).abs() < 1e-9);
+    /// # Ok::<(), IntegrationError>(())
+    /// ```
+    #[must_use]
+    pub fn is<M>(&self, event: DeclaredEvent<M>) -> bool {
+        self.declared == Some(event.index())
+    }
 }
 
 impl<X, S> Deref for Occurrence<X, S> {

@@ -304,7 +304,9 @@ where
                 t: there.t,
                 x: moved(self.dynamics, t, &there.x, delay),
             };
-            self.collector.event(event, t + delay, &self.outcome.last.x);
+            let names = (event, self.condition.declared(event));
+            let x = &self.outcome.last.x;
+            self.collector.event(names, t + delay, x);
             told = told.and(self.notify(ObservationKind::Event(event)));
             stopping = stopping.or(self.outcome.met);
         }

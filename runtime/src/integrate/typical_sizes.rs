@@ -1,6 +1,7 @@
 //! Systems with typical sizes of their coordinates, for the absolute tolerance.
 
 use super::dynamics::{ComponentName, Dynamics};
+use super::error::IntegrationError;
 use super::projection::Projection;
 use super::singularity::Singularity;
 use super::taylor::{BranchVisitor, Series, SwitchingFunction, TaylorCoefficients};
@@ -124,6 +125,10 @@ impl<S: Scalar, D: Dynamics<S>> Dynamics<S> for WithSizes<D, D::State> {
 
     fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
         self.dynamics.vanishing_inertia_in_lane(lane, t, x)
+    }
+
+    fn check(&self) -> Result<(), IntegrationError> {
+        self.dynamics.check()
     }
 
     fn next_update(&self, x: &Self::State) -> Option<f64> {

@@ -119,7 +119,7 @@ where
 {
     /// Compares the constants with their initial values.
     pub fn observe(&mut self, progress: &Progress<'_, Phase<S, N>>) {
-        let state = progress.x.at(S::from_f64(progress.t));
+        let state = progress.x.at_time(S::from_f64(progress.t));
         let constants = self.model.constants_of_motion(&state);
         for (largest, value) in self.largest.iter_mut().zip(constants.iter()) {
             let change = *value - largest.initial;

@@ -103,6 +103,8 @@ where
     /// Sampled feedback: a controller with a memory, from `initial` on, that is evaluated at the start and once each `period` from
     /// there. Its inputs are held in between (zero-order hold), and steps end where it is evaluated.
     ///
+    /// It is evaluated forwards in time: backwards, the inputs stay what they are.
+    ///
     /// Inputs and memory are part of the state, in [`z`](Phase::z): samples and checkpoints have them.
     ///
     /// ```
@@ -135,7 +137,7 @@ where
     /// # Errors
     ///
     /// A period that is not a positive finite number is an error of the integration,
-    /// [`InvalidUpdate`](crate::IntegrationError::InvalidUpdate).
+    /// [`InvalidPeriod`](crate::IntegrationError::InvalidPeriod).
     pub fn sampled_feedback<I, F, A, const U: usize, const J: usize>(
         self,
         period: f64,
@@ -246,6 +248,11 @@ where
     /// assert!((end.z.1[0] - (1.0 - (-4.0_f64).exp())).abs() < 1e-14);
     /// # Ok::<(), IntegrationError>(())
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// A time constant that is not a positive finite number is an error of the integration,
+    /// [`InvalidTimeConstant`](crate::IntegrationError::InvalidTimeConstant).
     pub fn lagged<const U: usize>(
         self,
         time_constants: impl IntoVector<S, U>,

@@ -10,7 +10,7 @@ use super::quantities::Quantities;
 use super::singular_configuration;
 use super::state::State;
 use super::whole_periods::{is_large, less_whole_periods};
-use crate::integrate::{ComponentName, Dynamics, Singularity};
+use crate::integrate::{ComponentName, Dynamics, IntegrationError, Singularity};
 use crate::linalg::{ErrorTolerance, VectorSpace as _};
 use crate::scalar::Scalar;
 
@@ -201,7 +201,7 @@ where
         let model = self.model.model();
         Phase {
             q: x.v,
-            v: model.accelerations(&x.at(t), &inputs, &self.prepared),
+            v: model.accelerations(&x.at_time(t), &inputs, &self.prepared),
             z,
         }
     }
@@ -245,7 +245,12 @@ where
 
     #[inline]
     fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singular_configuration::singularity(self.model.model(), &self.prepared, &x.at(t), min_pivot)
+        singular_configuration::singularity(
+            self.model.model(),
+            &self.prepared,
+            &x.at_time(t),
+            min_pivot,
+        )
     }
 
     #[inline]
@@ -253,7 +258,7 @@ where
         singular_configuration::singularity_in_motion(
             self.model.model(),
             &self.prepared,
-            &x.at(t),
+            &x.at_time(t),
             min_pivot,
         )
     }
@@ -264,11 +269,11 @@ where
         before: &Self::State,
         (t, after): (S, &Self::State),
     ) -> Option<Singularity> {
-        singular_configuration::singularity_between::<M::Model, S, N>(&before.q, &after.at(t))
+        singular_configuration::singularity_between::<M::Model, S, N>(&before.q, &after.at_time(t))
     }
 
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
-        singular_configuration::vanishing_inertia(self.model.model(), &self.prepared, &x.at(t))
+        singular_configuration::vanishing_inertia(self.model.model(), &self.prepared, &x.at_time(t))
     }
 
     fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
@@ -276,8 +281,12 @@ where
             self.model.model(),
             &self.prepared,
             lane,
-            &x.at(t),
+            &x.at_time(t),
         )
+    }
+
+    fn check(&self) -> Result<(), IntegrationError> {
+        self.law.check()
     }
 
     fn next_update(&self, x: &Self::State) -> Option<f64> {

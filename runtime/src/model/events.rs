@@ -77,7 +77,7 @@ where
     fn event_functions(&self, t: S, x: &Self::State) -> Self::Values {
         let (inputs, _) = self.law.evaluate(&self.inputs, t, x);
         let model = self.model.model();
-        model.event_functions(&x.at(t), &inputs, &self.prepared)
+        model.event_functions(&x.at_time(t), &inputs, &self.prepared)
     }
 
     #[inline]
@@ -88,7 +88,7 @@ where
         unit: S,
         motion: &TaylorCoefficients<Self::State, HALF>,
     ) -> Option<TaylorCoefficients<Self::Values, HALF>> {
-        let (model, state) = (self.model.model(), x.at(t));
+        let (model, state) = (self.model.model(), x.at_time(t));
         self.law
             .series::<HALF, _>(&self.inputs, (t, x), unit, |inputs, _| {
                 L::States::of_motion(motion, |motion| {

@@ -19,6 +19,7 @@ pub use sampled_feedback::{Sampled, SampledFeedback};
 pub use states::LawStates;
 
 use super::phase::Phase;
+use crate::integrate::IntegrationError;
 use crate::scalar::Scalar;
 
 /// A law for the inputs, of type `V`, of a model with `N` coordinates: an `SVector<S, U>` for `U` inputs.
@@ -68,6 +69,15 @@ pub trait Law<const N: usize, V, S: Scalar = f64> {
 
     /// The inputs u and the derivative ż, where the model has the inputs `given` without the law.
     fn evaluate(&self, given: &V, t: S, x: &Phase<S, N, Self::States>) -> (V, Self::States);
+
+    /// An error if a parameter of the law has no meaning.
+    ///
+    /// # Errors
+    ///
+    /// None by default.
+    fn check(&self) -> Result<(), IntegrationError> {
+        Ok(())
+    }
 
     /// The next time at which the law is updated, as far as its states tell; none by default.
     fn next_update(&self, z: &Self::States) -> Option<f64> {

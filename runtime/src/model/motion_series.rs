@@ -61,7 +61,7 @@ where
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     ) {
-        let (model, state) = (self.model.model(), x.at(t));
+        let (model, state) = (self.model.model(), x.at_time(t));
         self.law
             .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, states| {
                 L::States::expand(x, states, coefficients, |motion| {
@@ -78,7 +78,7 @@ where
         motion: &TaylorCoefficients<Self::State, HALF>,
         visit: &mut BranchVisitor<'_, S>,
     ) {
-        let (model, state) = (self.model.model(), x.at(t));
+        let (model, state) = (self.model.model(), x.at_time(t));
         self.law
             .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, _| {
                 L::States::of_motion(motion, |motion| {

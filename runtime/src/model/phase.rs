@@ -67,7 +67,7 @@ impl<S: Scalar, const N: usize, Z> Phase<S, N, Z> {
     /// The state of the mechanical system at time `t`.
     #[inline]
     #[must_use]
-    pub(crate) fn at(&self, t: S) -> State<S, N> {
+    pub(crate) fn at_time(&self, t: S) -> State<S, N> {
         At {
             t,
             x: self.motion(),

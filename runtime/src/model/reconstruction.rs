@@ -57,7 +57,7 @@ where
     #[inline]
     fn derivative(&self, t: S, x: &Self::State) -> Self::State {
         let model = self.reduced.model;
-        let velocities = model.eliminated_velocities(&x.at(t), &self.reduced.prepared);
+        let velocities = model.eliminated_velocities(&x.at_time(t), &self.reduced.prepared);
         self.reduced.derivative(t, &x.motion()).with(velocities)
     }
 
@@ -125,7 +125,7 @@ where
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     ) {
-        let state = x.at(t);
+        let state = x.at_time(t);
         let mut motion = TaylorCoefficients::<Phase<S, N>, HALF>::new(x.motion());
         self.reduced.series(t, &x.motion(), unit, &mut motion);
         let model = self.reduced.model;

@@ -40,7 +40,7 @@ impl<S: Scalar, const N: usize, Z> State<S, N, Z> {
     #[inline]
     #[must_use]
     pub fn state(&self) -> State<S, N> {
-        self.x.at(self.t)
+        self.x.at_time(self.t)
     }
 }
 

@@ -179,3 +179,31 @@ fn a_law_acts_on_an_owned_model_that_changes() -> Result<(), IntegrationError> {
     assert_close(motion.v[0], exact[1], 1e-11);
     Ok(())
 }
+
+/// Actuators lag by a time that is positive and finite, whichever law they follow and however the integration begins.
+#[test]
+fn time_constants_are_positive_numbers() {
+    for time_constant in [0.0, -0.5, f64::NAN, f64::INFINITY] {
+        let problem = || {
+            let problem = Problem::new(&SPRING, start());
+            problem.lagged([0.5, time_constant])
+        };
+        let solved = problem().solve(1.0, Dop853::new()).unwrap_err().error();
+        let started = problem().start(Taylor::new()).map(|_| ()).unwrap_err();
+        let together = Ensemble::new([problem()]).solve(1.0, Taylor::new());
+        let together = together.into_iter().map(|found| found.unwrap_err().error());
+        for error in [solved, started].into_iter().chain(together) {
+            assert!(
+                matches!(
+                    error,
+                    IntegrationError::InvalidTimeConstant { input: 1, .. }
+                ),
+                "{error}"
+            );
+            assert!(
+                error.to_string().contains(&format!("is {time_constant}:")),
+                "{error}"
+            );
+        }
+    }
+}

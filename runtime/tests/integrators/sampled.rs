@@ -148,10 +148,23 @@ fn a_period_is_a_positive_number() {
             .unwrap_err()
             .error();
         assert!(
-            matches!(refused, IntegrationError::InvalidUpdate { .. }),
+            matches!(refused, IntegrationError::InvalidPeriod { .. }),
+            "{refused}"
+        );
+        let backwards = sampled!(period).solve(-1.0, Taylor::new());
+        let backwards = backwards.unwrap_err().error();
+        assert_eq!(backwards.to_string(), refused.to_string());
+        assert!(
+            refused.to_string().contains(&format!("is {period}")),
             "{refused}"
         );
     }
+    let too_short = sampled!(1e-300).solve(1.0, Dop853::new());
+    let refused = too_short.unwrap_err().error();
+    assert!(
+        matches!(refused, IntegrationError::InvalidUpdate { .. }),
+        "{refused}"
+    );
 }
 
 /// ẋ = u, whose sign changes once a second: x, u and how often it has changed.

@@ -68,10 +68,23 @@ impl IntegrationError {
                 "the interval between samples is {}: it must be positive, finite, and above the resolution of the times",
                 Readable(interval)
             ),
+            Self::InvalidPeriod { period } => write!(
+                f,
+                "the period of a sampled controller is {}: it must be positive and finite",
+                Readable(period)
+            ),
+            Self::InvalidTimeConstant {
+                input,
+                time_constant,
+            } => write!(
+                f,
+                "the time constant with which input {input} lags is {}: it must be positive and finite; an actuator without a lag has none",
+                Readable(time_constant)
+            ),
             Self::InvalidUpdate { time, next } => write!(
                 f,
-                "the update of the state at t = {} is followed by one at t = {}: the period of a sampled controller is a positive finite \
-                 number",
+                "the update of the state at t = {} is followed by one at t = {}: the period of a sampled controller has to be above the \
+                 resolution of the times",
                 Readable(time),
                 Readable(next)
             ),

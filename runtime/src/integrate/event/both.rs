@@ -91,6 +91,13 @@ where
         }
     }
 
+    fn declared(&self, event: usize) -> Option<usize> {
+        match event.checked_sub(A::COUNT) {
+            Some(event) => self.1.declared(event),
+            None => self.0.declared(event),
+        }
+    }
+
     fn function(&mut self, dynamics: &D, t: S, x: &D::State, event: usize) -> Option<S> {
         match event.checked_sub(A::COUNT) {
             Some(event) => self.1.function(dynamics, t, x, event),

@@ -99,6 +99,10 @@ where
     D: EventDynamics<S> + ?Sized,
 {
     detection_by_functions!(S, D);
+
+    fn declared(&self, event: usize) -> Option<usize> {
+        self.events.get(event).map(|(index, _)| *index)
+    }
 }
 
 impl<const K: usize> DeclaredEvents<K> {

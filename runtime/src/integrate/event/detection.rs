@@ -45,6 +45,12 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
         false
     }
 
+    /// The index of an event in the declaration of the model, if it is there.
+    fn declared(&self, event: usize) -> Option<usize> {
+        let _ = event;
+        None
+    }
+
     /// The function of an event as a number of the scalar; none where events have one time for several motions.
     fn function(&mut self, dynamics: &D, t: S, x: &D::State, event: usize) -> Option<S> {
         let _ = (dynamics, t, x, event);

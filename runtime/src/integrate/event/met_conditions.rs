@@ -1,9 +1,18 @@
 //! Sets of conditions and events.
 
-/// Which stop conditions are met, or which events occur: a set of indices below 64.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+use core::fmt;
+
+/// Which stop conditions are met, or which events occur: a set of numbers below 64, which count events and conditions in the order in
+/// which the problem was told of them.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MetConditions(u64);
+
+impl fmt::Debug for MetConditions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_set().entries(self.indices()).finish()
+    }
+}
 
 impl MetConditions {
     /// How many conditions there can be.

@@ -400,10 +400,11 @@ where
     }
 
     #[cfg(feature = "alloc")]
-    fn event(&mut self, event: usize, t: S, x: &D::State) {
+    fn event(&mut self, (event, declared): (usize, Option<usize>), t: S, x: &D::State) {
         let x = x.clone();
         self.events.push(Occurrence {
             event,
+            declared,
             state: At { t, x },
         });
     }

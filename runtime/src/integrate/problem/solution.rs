@@ -82,15 +82,6 @@ impl<S, X, K> Solution<S, X, K> {
 }
 
 #[cfg(feature = "alloc")]
-impl<S, X> Solution<S, X, Vec<At<S, X>>> {
-    /// The samples, in the order of time.
-    #[must_use]
-    pub fn samples(&self) -> &[At<S, X>] {
-        &self.kept
-    }
-}
-
-#[cfg(feature = "alloc")]
 impl<S, X> IntoIterator for Solution<S, X, Vec<At<S, X>>> {
     type Item = At<S, X>;
     type IntoIter = alloc::vec::IntoIter<At<S, X>>;
@@ -102,23 +93,27 @@ impl<S, X> IntoIterator for Solution<S, X, Vec<At<S, X>>> {
 }
 
 #[cfg(feature = "alloc")]
-impl<S, X, P> Solution<S, X, DenseSolution<X, P, S>>
-where
-    S: Scalar,
-    X: VectorSpace<S>,
-    P: Interpolant<S, X>,
-{
+impl<S: Scalar, X, K> Solution<S, X, K> {
+    /// The samples, in the order of time.
+    #[must_use]
+    pub fn samples(&self) -> &[At<S, X>]
+    where
+        K: KeptSamples<S, X>,
+    {
+        self.kept.samples()
+    }
+
     /// The state at a time between the start and the last; at a jump, the state after it.
     ///
     /// # Errors
     ///
     /// [`OutsideSolution`](IntegrationError::OutsideSolution).
-    pub fn at(&self, t: f64) -> Result<At<S, X>, IntegrationError> {
-        let x = self.kept.at(t)?;
-        Ok(At {
-            t: S::from_f64(t),
-            x,
-        })
+    pub fn at(&self, t: f64) -> Result<At<S, X>, IntegrationError>
+    where
+        K: KeptMotion<S, X>,
+    {
+        let (x, t) = (self.kept.state(t)?, S::from_f64(t));
+        Ok(At { t, x })
     }
 
     /// The state at a time, before a jump where there is one.
@@ -126,12 +121,12 @@ where
     /// # Errors
     ///
     /// [`OutsideSolution`](IntegrationError::OutsideSolution).
-    pub fn before(&self, t: f64) -> Result<At<S, X>, IntegrationError> {
-        let x = self.kept.before(t)?;
-        Ok(At {
-            t: S::from_f64(t),
-            x,
-        })
+    pub fn before(&self, t: f64) -> Result<At<S, X>, IntegrationError>
+    where
+        K: KeptMotion<S, X>,
+    {
+        let (x, t) = (self.kept.state_before(t)?, S::from_f64(t));
+        Ok(At { t, x })
     }
 
     /// The derivative of the state at a time, of the polynomial of the step; none where no step was taken.
@@ -139,13 +134,82 @@ where
     /// # Errors
     ///
     /// [`OutsideSolution`](IntegrationError::OutsideSolution).
-    pub fn derivative(&self, t: f64) -> Result<Option<X>, IntegrationError> {
-        self.kept.derivative(t)
+    pub fn derivative(&self, t: f64) -> Result<Option<X>, IntegrationError>
+    where
+        K: KeptMotion<S, X>,
+    {
+        self.kept.slope(t)
     }
 
     /// The start, the ends of the steps, and the events at which a reaction or the end cuts one.
-    pub fn times(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
-        self.kept.times()
+    pub fn times<'a>(&'a self) -> impl DoubleEndedIterator<Item = f64> + use<'a, S, X, K>
+    where
+        K: KeptMotion<S, X>,
+        X: 'a,
+    {
+        self.kept.ends_of_steps()
+    }
+}
+
+/// What is kept by `save(Every(…))`, a list of times or `StepEnds`.
+#[cfg(feature = "alloc")]
+#[diagnostic::on_unimplemented(
+    message = "no samples were kept",
+    note = "write `.save(Every(0.01))`, `.save(StepEnds)` or a list of times before `.solve(…)`"
+)]
+pub trait KeptSamples<S, X> {
+    /// The samples, in the order of time.
+    fn samples(&self) -> &[At<S, X>];
+}
+
+#[cfg(feature = "alloc")]
+impl<S, X> KeptSamples<S, X> for Vec<At<S, X>> {
+    fn samples(&self) -> &[At<S, X>] {
+        self
+    }
+}
+
+/// What is kept by `save(Dense)`.
+#[cfg(feature = "alloc")]
+#[diagnostic::on_unimplemented(
+    message = "the motion was not kept",
+    note = "write `.save(Dense)` before `.solve(…)`"
+)]
+pub trait KeptMotion<S, X> {
+    /// The state at a time, after a jump.
+    fn state(&self, t: f64) -> Result<X, IntegrationError>;
+
+    /// The state at a time, before a jump.
+    fn state_before(&self, t: f64) -> Result<X, IntegrationError>;
+
+    /// The derivative at a time.
+    fn slope(&self, t: f64) -> Result<Option<X>, IntegrationError>;
+
+    /// The times between which there is one polynomial.
+    fn ends_of_steps(&self) -> impl DoubleEndedIterator<Item = f64>;
+}
+
+#[cfg(feature = "alloc")]
+impl<S, X, P> KeptMotion<S, X> for DenseSolution<X, P, S>
+where
+    S: Scalar,
+    X: VectorSpace<S>,
+    P: Interpolant<S, X>,
+{
+    fn state(&self, t: f64) -> Result<X, IntegrationError> {
+        self.at(t)
+    }
+
+    fn state_before(&self, t: f64) -> Result<X, IntegrationError> {
+        self.before(t)
+    }
+
+    fn slope(&self, t: f64) -> Result<Option<X>, IntegrationError> {
+        self.derivative(t)
+    }
+
+    fn ends_of_steps(&self) -> impl DoubleEndedIterator<Item = f64> {
+        self.times()
     }
 }
 

@@ -4,6 +4,7 @@ use super::Problem;
 use super::reaction::{OfDynamics, OfState, Then};
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
+use crate::integrate::error::IntegrationError;
 use crate::integrate::event::{
     Crossing, DeclaredEvent, DeclaredEvents, Event, EventDynamics, EventValues, FunctionOfState,
     PredicateOfState, SingleNumber, Watched,
@@ -115,8 +116,9 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         }
     }
 
-    /// Stops at the first end of a step at which the condition holds, or at the start if it holds there: a [`Run`](super::Run) does
-    /// not go on while it holds.
+    /// Stops at the first **end of a step** at which the condition holds, or at the start if it holds there: a [`Run`](super::Run) does
+    /// not go on while it holds. Steps may be long, and a condition that holds only within one is not seen: the place at which
+    /// x > 10 begins to hold is found by an event, `when(|x| x.q[0] - 10.0).rising().stop()`.
     pub fn stop_when<F>(self, condition: F) -> Problem<S, D, K, (C, PredicateOfState<F>), R, O>
     where
         F: FnMut(&At<S, D::State>) -> bool,
@@ -192,5 +194,52 @@ where
             count: E::COUNT,
             reaction,
         })
+    }
+}
+
+/// What an event with an action is: a part of a problem.
+#[diagnostic::on_unimplemented(
+    message = "it is not said what happens at the event",
+    note = "write `.record()`, `.stop()` or `.then(|x| …)` behind it"
+)]
+pub trait HasAction {}
+
+/// Namesakes of the methods of a problem, by which the compiler says that the event lacks its action. Nothing calls them.
+#[doc(hidden)]
+#[allow(clippy::missing_errors_doc)]
+impl<P, E> When<P, E> {
+    pub fn solve<T, I>(self, _: T, _: I) -> Result<(), IntegrationError>
+    where
+        Self: HasAction,
+    {
+        Ok(())
+    }
+
+    pub fn start<I>(self, _: I) -> Result<(), IntegrationError>
+    where
+        Self: HasAction,
+    {
+        Ok(())
+    }
+
+    pub fn save<K>(self, _: K) -> P
+    where
+        Self: HasAction,
+    {
+        self.problem
+    }
+
+    pub fn on<V>(self, _: V) -> P
+    where
+        Self: HasAction,
+    {
+        self.problem
+    }
+
+    pub fn max_steps(self, _: u64) -> P
+    where
+        Self: HasAction,
+    {
+        self.problem
     }
 }

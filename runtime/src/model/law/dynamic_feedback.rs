@@ -30,7 +30,7 @@ where
         t: S,
         x: &Phase<S, N, SVector<S, K>>,
     ) -> (SVector<S, U>, SVector<S, K>) {
-        let (inputs, rates) = (self.0)(&x.at(t), &x.z);
+        let (inputs, rates) = (self.0)(&x.at_time(t), &x.z);
         (inputs.into_vector(), rates.into_vector())
     }
 }

@@ -22,6 +22,6 @@ where
 
     #[inline]
     fn evaluate(&self, _: &SVector<S, U>, t: S, x: &Phase<S, N>) -> (SVector<S, U>, ()) {
-        ((self.0)(&x.at(t)).into_vector(), ())
+        ((self.0)(&x.at_time(t)).into_vector(), ())
     }
 }

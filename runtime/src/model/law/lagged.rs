@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::{Law, LawSeries};
+use crate::integrate::IntegrationError;
 use crate::linalg::VectorSpace;
 use crate::model::phase::Phase;
 use crate::scalar::Scalar;
@@ -41,6 +42,21 @@ where
         let inputs = x.z.1;
         let lag = (asked - inputs).component_div(&self.time_constants);
         (inputs, (rates, lag))
+    }
+
+    fn check(&self) -> Result<(), IntegrationError> {
+        let mut time_constants = self.time_constants.iter().enumerate();
+        let invalid = time_constants.find_map(|(input, time_constant)| {
+            let lanes = [time_constant.smallest(), time_constant.largest()];
+            let refused = lanes
+                .into_iter()
+                .find(|tau| !(tau.is_finite() && *tau > 0.0));
+            refused.map(|time_constant| IntegrationError::InvalidTimeConstant {
+                input,
+                time_constant,
+            })
+        });
+        invalid.map_or_else(|| self.law.check(), Err)
     }
 
     fn next_update(&self, z: &Self::States) -> Option<f64> {

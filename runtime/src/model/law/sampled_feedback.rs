@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::{Law, LawSeries, LawStates, StatesInLanes};
-use crate::integrate::SingleNumber;
+use crate::integrate::{IntegrationError, SingleNumber};
 use crate::linalg::{IntoVector, LaneStates, VectorSpace};
 use crate::model::phase::Phase;
 use crate::model::state::State;
@@ -129,16 +129,22 @@ where
         (x.z.inputs, x.z.zeroed())
     }
 
+    fn check(&self) -> Result<(), IntegrationError> {
+        let period = self.period;
+        if period > 0.0 && period.is_finite() {
+            Ok(())
+        } else {
+            Err(IntegrationError::InvalidPeriod { period })
+        }
+    }
+
     /// The next multiple of the period.
     fn next_update(&self, z: &Sampled<S, U, J>) -> Option<f64> {
-        let time = self.start + z.samplings.smallest() * self.period;
-        // Without a period that is a number the time is not one, which is an error.
-        let is_valid = self.period > 0.0 && self.period.is_finite();
-        Some(if is_valid { time } else { f64::NAN })
+        Some(self.start + z.samplings.smallest() * self.period)
     }
 
     fn update(&self, t: S, x: &mut Phase<S, N, Sampled<S, U, J>>) {
-        x.z.inputs = (self.law)(&x.at(t), &mut x.z.memory).into_vector();
+        x.z.inputs = (self.law)(&x.at_time(t), &mut x.z.memory).into_vector();
         x.z.samplings += S::one();
     }
 
