@@ -14,6 +14,7 @@ type Found<X, K> = Result<Solution<f64, X, K>, Partial<Solution<f64, X, K>>>;
 
 /// What is found of each member, in lanes: to the last bit what is found of it in lanes of its own, and, but for the order of sums in
 /// Taylor series, what is found of the problem.
+#[allow(clippy::needless_pass_by_value)] // As `solve` takes the method.
 fn alone_and_together<I, D, K, C, R, O>(
     count: usize,
     member: impl Fn(usize) -> (Problem<f64, D, K, C, R, O>, f64),

@@ -384,6 +384,7 @@ where
 /// What a problem collects: what is kept, and the events.
 pub(super) struct Collecting<'a, C, S, X> {
     pub(super) kept: &'a mut C,
+    #[cfg_attr(not(feature = "alloc"), allow(dead_code))] // Nothing without memory for them.
     pub(super) events: &'a mut Events<S, X>,
     pub(super) so_far: &'a mut KeptSoFar,
 }
