@@ -11,10 +11,12 @@ use super::inertia_tensor::{InertiaTensor, ProductsOfInertia};
 use super::moments::{Moment, MomentSeries, NoMoment};
 use super::rotation_state::RotationState;
 use crate::integrate::recurrences::{Product, Square};
-use crate::integrate::{ComponentName, Dynamics, Series, SingleNumber, TaylorCoefficients};
+use crate::integrate::{
+    ComponentName, Dynamics, Projection, Series, SingleNumber, TaylorCoefficients,
+};
 use crate::limits::rigid_bodies::NO_INERTIA;
 use crate::linalg::Factorization;
-use crate::rotation::quaternion_rate;
+use crate::rotation::{components, quaternion_rate};
 use crate::scalar::Scalar;
 
 /// The rotation of a rigid body about its centre of gravity or a point that is fixed in space, by Euler's equations
@@ -215,6 +217,18 @@ impl<S: Scalar, M: Moment<S>> Dynamics<S> for EulerEquations<S, M> {
             quaternion: quaternion.into(),
             angular_velocity: self.acceleration(moment, &products),
         }
+    }
+
+    /// The quaternion divided by its norm.
+    fn project(&self, _: S, x: &RotationState<S>) -> Option<Projection<S, RotationState<S>>> {
+        Some(Projection::new(RotationState {
+            quaternion: components(&x.orientation()).into(),
+            angular_velocity: x.angular_velocity,
+        }))
+    }
+
+    fn constraint_name(&self, _: usize) -> &'static str {
+        "the norm of the quaternion"
     }
 
     fn component_name(&self, index: usize) -> ComponentName {

@@ -8,8 +8,8 @@ use crate::scalar::{Lanes, Scalar};
 
 /// The orientation of a body, as a unit quaternion, and its angular velocity in axes of the body.
 ///
-/// The quaternion rotates components in axes of the body to those in axes of space. An integration keeps its norm to the
-/// accuracy of the motion; [`orientation`](Self::orientation) divides by it. As the derivative of a state, it has the rates
+/// The quaternion rotates components in axes of the body to those in axes of space. An integration of
+/// [`EulerEquations`](super::EulerEquations) keeps its norm at 1 to rounding; [`orientation`](Self::orientation) divides by it. As the derivative of a state, it has the rates
 /// of the quaternion and the angular acceleration.
 ///
 /// Its components are w, x, y, z of the quaternion, then ω₁, ω₂, ω₃.

@@ -350,3 +350,30 @@ fn heavy_top_through_the_pole_of_its_angles() {
         .absolute_tolerance(1e-13);
     check(&problem.solve(2.0, method).unwrap(), 1e-9);
 }
+
+/// Also where the steps are long and the tolerance is loose; what is no orientation is no start.
+#[test]
+fn quaternions_stay_units() {
+    let body = EulerEquations::new(oblique()).unwrap();
+    let start = At::from((0.0, RotationState::aligned(V::new(1.0, 2.0, -0.5))));
+    let loose = Dop853::new()
+        .relative_tolerance(1e-4)
+        .absolute_tolerance(1e-4);
+    let motion = Problem::new(&body, start)
+        .save(StepEnds)
+        .solve(200.0, loose);
+    for state in motion.unwrap().samples() {
+        assert_close(state.quaternion.norm(), 1.0, 4.0 * f64::EPSILON);
+    }
+    let end = Problem::new(&body, start).solve(200.0, Taylor::order_12());
+    assert_close(end.unwrap().quaternion.norm(), 1.0, 4.0 * f64::EPSILON);
+    let mut off = start;
+    off.x.quaternion *= 1.01;
+    let error = Problem::new(&body, off).solve(1.0, loose).unwrap_err();
+    let text = error.to_string();
+    assert!(text.contains("w") && text.contains("at t = 0"), "{text}");
+    assert!(
+        matches!(error.error(), IntegrationError::OffManifold { .. }),
+        "{text}"
+    );
+}
