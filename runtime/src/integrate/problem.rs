@@ -44,7 +44,8 @@ pub use reaction::Reactions;
 
 /// An initial value problem: dynamics with an initial state, and what is asked of their integration.
 ///
-/// It is made from a model, or from any [`Dynamics`], and the state at which it begins. Then come settings in any order:
+/// It is made from a model, or from any [`Dynamics`], and the state at which it begins. The law of its inputs follows, if there is one
+/// ([`feedback`](Self::feedback), [`driven_by`](Self::driven_by)). Then come settings in any order:
 /// events ([`when`](Self::when), [`on`](Self::on)), conditions ([`stop_when`](Self::stop_when)), observers
 /// ([`each_step`](Self::each_step)), what is kept ([`save`](Self::save)), limits. Each counts, none takes the place of another.
 /// [`solve`](Self::solve) integrates by a method.

@@ -276,7 +276,8 @@ where
     O: Observer<D::State>,
     K: Keep<S, D, I::Stepper> + Clone,
 {
-    /// Integrates until the time `end`, where a step ends, or until an event, a condition or an observer stops. The solution has the samples and
+    /// Integrates until the time `end`, where a step ends, or until an event, a condition or an observer stops. An integration in parts
+    /// has other steps than one in one go, and differs from it by rounding. The solution has the samples and
     /// events of this part, and the cost since the start of the run. Samples are those of the whole integration: each is kept by
     /// the part that comes to it first, and a list of times may go beyond this part.
     ///
