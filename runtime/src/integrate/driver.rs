@@ -10,7 +10,7 @@ use super::integrator::Integrator;
 use super::loop_state::{Beginning, Interruption, LoopState, Steps};
 use super::observer::Observer;
 use super::outcome::{Outcome, StopReason};
-use super::problem::Reactions;
+use super::problem::{Reactions, SampleTimes};
 use super::singularity_check::check_singularity;
 use super::stepper::{Advance, Stepper as _, checked_state};
 use crate::limits::MIN_SINGULARITY_TOLERANCE;
@@ -27,34 +27,21 @@ pub(crate) struct Driver<I, C, O> {
 
 /// What is asked of an integration from where it is.
 #[derive(Clone, Copy)]
-pub(crate) struct Course<'t> {
-    /// The times of samples.
-    pub(crate) samples: &'t [f64],
+pub(crate) struct Course {
     pub(crate) end: f64,
     /// The largest number of steps, rejected ones included.
     pub(crate) max_steps: u64,
 }
 
-impl Course<'_> {
-    /// An error unless the times are finite and advance in the direction from `start` to the end.
-    pub(crate) fn check(&self, start: f64) -> Result<(), IntegrationError> {
-        let times = self.samples.iter().chain([&self.end]);
-        if let Some(&time) = times.clone().find(|time| !time.is_finite()) {
-            return Err(IntegrationError::NonFiniteTime { time });
+impl Course {
+    /// An error unless the end is finite.
+    pub(crate) fn check(self) -> Result<(), IntegrationError> {
+        let time = self.end;
+        if time.is_finite() {
+            Ok(())
+        } else {
+            Err(IntegrationError::NonFiniteTime { time })
         }
-        let backwards = self.end < start;
-        let mut previous = start;
-        for (index, &time) in times.enumerate() {
-            if (time < previous && !backwards) || (time > previous && backwards) {
-                return Err(IntegrationError::UnorderedTimes {
-                    index,
-                    time,
-                    previous,
-                });
-            }
-            previous = time;
-        }
-        Ok(())
     }
 }
 
@@ -78,8 +65,12 @@ impl<I, C, O> Driver<I, C, O> {
     pub(crate) fn advance<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
         system: (&mut D, &mut R),
-        (stepper, memory): (&mut I::Stepper, &mut Option<C::Memory>),
-        course: Course<'_>,
+        (stepper, memory, samples): (
+            &mut I::Stepper,
+            &mut Option<C::Memory>,
+            &mut dyn SampleTimes,
+        ),
+        course: Course,
         collector: &mut dyn Collector<S, D, I::Stepper>,
     ) -> (Outcome<D::State>, Result<(), IntegrationError>)
     where
@@ -87,14 +78,13 @@ impl<I, C, O> Driver<I, C, O> {
         C: Detection<S, D>,
         O: Observer<D::State>,
     {
-        let Course { mut samples, .. } = course;
         let (mut state, mut outcome) = self.set_out::<S, D>(stepper, course);
         let begun = memory.take();
         let mut known = begun.unwrap_or_else(|| {
             self.conditions
                 .begin(system.0, state.start, &outcome.last.x)
         });
-        let parts = (&mut *stepper, &mut known, &mut samples);
+        let parts = (&mut *stepper, &mut known, samples);
         let way = (&mut state, Steps::Own);
         let result = self.go_on(system, parts, way, collector, &mut outcome);
         *memory = Some(known);
@@ -110,7 +100,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub(crate) fn set_out<S: Scalar, D: Dynamics<S>>(
         &self,
         stepper: &I::Stepper,
-        course: Course<'_>,
+        course: Course,
     ) -> (LoopState, Outcome<D::State>)
     where
         I: Integrator<S, D>,
@@ -133,7 +123,7 @@ impl<I, C, O> Driver<I, C, O> {
     pub(crate) fn go_on<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
         (dynamics, reactions): (&mut D, &mut R),
-        (stepper, memory, samples): (&mut I::Stepper, &mut C::Memory, &mut &[f64]),
+        (stepper, memory, samples): (&mut I::Stepper, &mut C::Memory, &mut dyn SampleTimes),
         (state, steps): (&mut LoopState, Steps),
         collector: &mut dyn Collector<S, D, I::Stepper>,
         outcome: &mut Outcome<D::State>,

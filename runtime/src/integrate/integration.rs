@@ -8,17 +8,18 @@ use super::event::{Detection, LastStep, Located, MetConditions, Occurring, moved
 use super::loop_state::{Beginning, Interruption, LoopState, Steps, Taken};
 use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
+use super::problem::SampleTimes;
 use super::singularity::Singularity;
 use super::singularity_check::{check_singularity_in_motion, singular};
 use super::stepper::Advance;
 use crate::scalar::Scalar;
 
 /// An integration in progress, with the same dynamics.
-pub(crate) struct Integration<'a, 't, S: Scalar, D: Dynamics<S>, T, C: Detection<S, D>, O> {
+pub(crate) struct Integration<'a, S: Scalar, D: Dynamics<S>, T, C: Detection<S, D>, O> {
     pub(crate) dynamics: &'a D,
     pub(crate) stepper: &'a mut T,
     /// The sample times that are left.
-    pub(crate) waiting: &'a mut &'t [f64],
+    pub(crate) waiting: &'a mut dyn SampleTimes,
     pub(crate) condition: &'a mut C,
     pub(crate) memory: &'a mut C::Memory,
     pub(crate) state: LoopState,
@@ -35,7 +36,7 @@ pub(crate) struct Integration<'a, 't, S: Scalar, D: Dynamics<S>, T, C: Detection
     pub(crate) outcome: &'a mut Outcome<D::State>,
 }
 
-impl<S, D, T, C, O> Integration<'_, '_, S, D, T, C, O>
+impl<S, D, T, C, O> Integration<'_, S, D, T, C, O>
 where
     S: Scalar,
     D: Dynamics<S>,
@@ -167,9 +168,9 @@ where
         let next = if T::DENSE_OUTPUT {
             None
         } else {
-            self.waiting.first()
+            self.waiting.next()
         };
-        let target = next.copied().unwrap_or(self.state.end);
+        let target = next.unwrap_or(self.state.end);
         let update = self.state.update;
         update.map_or(target, |update| update.min(target))
     }
@@ -245,7 +246,7 @@ where
             let there = there.map_err(|error| self.fail(error))?;
             self.visit_event(occurring, &there)?;
         }
-        if !self.waiting.is_empty() {
+        if self.waiting.next().is_some() {
             self.samples_until(t)?;
         }
         Ok(())
@@ -327,13 +328,13 @@ where
     /// Takes the samples up to `t` within the last step.
     fn samples_until(&mut self, t: f64) -> Result<(), StopReason> {
         let forwards = self.state.end >= self.state.start;
-        while let Some((&time, rest)) = self.waiting.split_first() {
+        while let Some(time) = self.waiting.next() {
             if (forwards && time > t) || (!forwards && time < t) {
                 break;
             }
             let sample = LastStep::new(self.dynamics, &mut *self.stepper).checked_at(time);
             self.outcome.last = sample.map_err(|error| self.fail(error))?;
-            *self.waiting = rest;
+            self.waiting.advance();
             self.collector.sample(&self.outcome.last);
             self.notify(ObservationKind::Sample)?;
         }

@@ -10,6 +10,7 @@ mod member;
 mod part;
 mod reaction;
 mod run;
+mod sample_times;
 mod solution;
 mod system;
 mod watch;
@@ -19,6 +20,7 @@ pub use keep::{Dense, Every, StepEnds};
 pub use keep::{End, Keep};
 pub(crate) use member::Member;
 pub use run::Run;
+pub(crate) use sample_times::SampleTimes;
 use solution::Events;
 pub(crate) use solution::Found;
 pub use solution::Solution;
@@ -122,9 +124,8 @@ impl Limits {
     }
 
     /// The way to an end within these limits.
-    fn course(self, samples: &[f64], end: f64) -> Course<'_> {
+    fn course(self, end: f64) -> Course {
         Course {
-            samples,
             end,
             max_steps: self.max_steps.unwrap_or(MAX_STEPS),
         }

@@ -130,3 +130,24 @@ fn a_changed_state_is_kept_beside_the_end_of_the_step() {
     assert_eq!(before.last(), Some(&after[0].t));
     assert!((after[0].x[1] - 2.0).abs() < 1e-15 && after.len() == 2);
 }
+
+/// Samples that lie far ahead cost nothing until the motion comes there: 10¹² of them are asked for.
+#[test]
+fn samples_of_a_far_end_are_not_listed() {
+    let problem = || Problem::new(Oscillator, start()).save(Every(1e-3));
+    let mut run = problem().start(Taylor::new()).unwrap();
+    let mut samples = Vec::new();
+    for _ in 0..20 {
+        let step = run.step(1e9).unwrap().unwrap();
+        samples.extend_from_slice(step.samples());
+    }
+    let last = run.state().t;
+    let expected = problem().solve(last, Taylor::new()).unwrap();
+    assert_eq!(samples.len(), expected.samples().len());
+    for (found, expected) in samples.iter().zip(expected.samples()) {
+        assert_eq!(found.t.to_bits(), expected.t.to_bits());
+        assert!((found.x - expected.x).amax() < 1e-13);
+    }
+    let limited = problem().max_steps(5).solve(1e9, Taylor::new()).unwrap();
+    assert_eq!(limited.reason, StopReason::StepLimit);
+}

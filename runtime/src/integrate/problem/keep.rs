@@ -4,6 +4,9 @@
 use alloc::vec::Vec;
 
 use super::part::{KeptSoFar, Part};
+use super::sample_times::SampleTimes;
+#[cfg(feature = "alloc")]
+use super::sample_times::{ListedTimes, TimeGrid};
 use super::solution::Events;
 use crate::integrate::at::At;
 use crate::integrate::collector::{Collector, Uncollected};
@@ -53,7 +56,7 @@ pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Saved + Sized {
     type Kept;
     /// The times of samples.
     #[doc(hidden)]
-    type Times: AsRef<[f64]>;
+    type Times: SampleTimes;
     #[doc(hidden)]
     type Collection: Collector<S, D, T>;
 
@@ -95,11 +98,11 @@ pub struct End;
 
 impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for End {
     type Kept = ();
-    type Times = [f64; 0];
+    type Times = ();
     type Collection = Uncollected;
 
-    fn begin(self, _: &At<f64, D::State>, _: Part) -> Begun<[f64; 0], Uncollected> {
-        Begun::valid([], Uncollected)
+    fn begin(self, _: &At<f64, D::State>, _: Part) -> Begun<(), Uncollected> {
+        Begun::valid((), Uncollected)
     }
 
     fn finish(_: Uncollected, _: &Outcome<D::State>) {}
@@ -141,41 +144,15 @@ where
     D: Dynamics<S>,
 {
     type Kept = Vec<At<S, D::State>>;
-    type Times = Self;
+    type Times = ListedTimes;
     type Collection = Samples<S, D::State>;
 
-    fn begin(mut self, start: &At<f64, D::State>, part: Part) -> Begun<Self, Samples<S, D::State>> {
-        let end = part.end;
-        let mut span = start.t.min(end)..=start.t.max(end);
-        if part.is_one_of_several {
-            // The others belong to other parts. What is no time is refused, and so is what lies before the start.
-            let is_before = |t: &f64| (t - part.origin) * (end - part.origin) < 0.0;
-            let before = self.iter().any(|t| is_before(t) && t.is_finite());
-            let is_left = |t: f64| {
-                part.kept
-                    .sample
-                    .is_none_or(|last| (t - last) * (end - last) > 0.0)
-            };
-            self.retain(|t| !t.is_finite() || is_before(t) || span.contains(t) && is_left(*t));
-            if before {
-                span = part.origin.min(end)..=part.origin.max(end);
-            }
-        }
-        let outside = self.iter().find(|time| !span.contains(*time));
-        let checked = match outside {
-            Some(&time) if time.is_finite() && end.is_finite() => {
-                Err(IntegrationError::OutsideSpan {
-                    time,
-                    start: part.origin,
-                    end,
-                })
-            }
-            _ => Ok(()),
-        };
-        let samples = Samples(Vec::with_capacity(self.len()));
+    fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<Self::Times, Self::Collection> {
+        let collection = Samples(Vec::with_capacity(self.len()));
+        let (times, checked) = ListedTimes::of(self, start.t, part);
         Begun {
-            times: self,
-            collection: samples,
+            times,
+            collection,
             checked,
         }
     }
@@ -191,10 +168,10 @@ macro_rules! lists_of_times {
     ($([$($parameter:tt)*] $list:ty;)*) => {$(
         impl<S: Scalar, D: Dynamics<S>, T, $($parameter)*> Keep<S, D, T> for $list {
             type Kept = Vec<At<S, D::State>>;
-            type Times = Vec<f64>;
+            type Times = ListedTimes;
             type Collection = Samples<S, D::State>;
 
-            fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<Vec<f64>, Self::Collection> {
+            fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<ListedTimes, Self::Collection> {
                 Keep::<S, D, T>::begin(self.to_vec(), start, part)
             }
 
@@ -216,69 +193,29 @@ lists_of_times! {
 #[cfg(feature = "alloc")]
 impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for Every {
     type Kept = Vec<At<S, D::State>>;
-    type Times = Vec<f64>;
+    type Times = TimeGrid;
     type Collection = Samples<S, D::State>;
 
-    fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<Vec<f64>, Self::Collection> {
+    fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<TimeGrid, Self::Collection> {
         let (Self(interval), end) = (self, part.end);
         // The interval has to be above the resolution of the times, which are refused with the end if they are not finite.
         let largest = start.t.abs().max(end.abs()).max(part.origin.abs());
         let resolution = 16.0 * f64::EPSILON * largest;
         let is_resolved = interval > resolution || resolution.is_infinite();
         let is_valid = interval > 0.0 && interval.is_finite() && is_resolved;
-        let times = if is_valid {
-            self.times(start.t, part)
-        } else {
-            Vec::new()
-        };
-        // Those that were kept are left out, up to rounding.
-        let part = Part {
-            kept: KeptSoFar::default(),
-            ..part
-        };
-        let begun = Keep::<S, D, T>::begin(times, start, part);
-        if is_valid {
-            begun
-        } else {
-            Begun {
-                checked: Err(IntegrationError::InvalidSampleInterval { interval }),
-                ..begun
-            }
+        Begun {
+            times: TimeGrid::of(interval, start.t, part),
+            collection: Samples(Vec::new()),
+            checked: if is_valid {
+                Ok(())
+            } else {
+                Err(IntegrationError::InvalidSampleInterval { interval })
+            },
         }
     }
 
     fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {
         collection.0
-    }
-}
-
-#[cfg(feature = "alloc")]
-impl Every {
-    /// The multiples of the interval in a part that begins at `start`, counted from where the problem begins. One that differs from
-    /// the start, the end or the last sample by rounding is that.
-    fn times(self, start: f64, part: Part) -> Vec<f64> {
-        let Part { origin, end, .. } = part;
-        let interval = self.0.copysign(end - start);
-        let [first, last] = [start, end].map(|t| (t - origin) / interval);
-        let rounding =
-            4.0 * f64::EPSILON * (first.abs().max(last.abs()) + (origin / interval).abs());
-        let kept = part.kept.sample.map(|t| (t - origin) / interval + rounding);
-        let mut times = Vec::new();
-        let mut k = libm::ceil(first - rounding);
-        // Not a number where the end is not.
-        while last.is_finite() && k <= last + rounding {
-            if kept.is_none_or(|kept| k > kept) {
-                times.push(if (k - last).abs() <= rounding {
-                    end
-                } else if (k - first).abs() <= rounding {
-                    start
-                } else {
-                    origin + k * interval
-                });
-            }
-            k += 1.0;
-        }
-        times
     }
 }
 
@@ -315,16 +252,16 @@ where
     T: Advance<S, D>,
 {
     type Kept = Vec<At<S, D::State>>;
-    type Times = [f64; 0];
+    type Times = ();
     type Collection = CollectedSteps<S, D::State>;
 
     const READS_STEPS: bool = true;
 
-    fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<[f64; 0], Self::Collection> {
+    fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<(), Self::Collection> {
         // The end of the part before is not kept again.
         let is_kept = part.kept.step.is_some_and(|t| t - start.t == 0.0);
         let first = (!is_kept).then(|| start.clone().on_scalar());
-        Begun::valid([], CollectedSteps(first.into_iter().collect()))
+        Begun::valid((), CollectedSteps(first.into_iter().collect()))
     }
 
     fn finish(collection: Self::Collection, _: &Outcome<D::State>) -> Self::Kept {
@@ -359,17 +296,17 @@ where
     T: DenseOutput<S, D>,
 {
     type Kept = DenseSolution<D::State, T::Interpolant, S>;
-    type Times = [f64; 0];
+    type Times = ();
     type Collection = Whole<D::State, T::Interpolant>;
 
     const READS_STEPS: bool = true;
 
-    fn begin(self, start: &At<f64, D::State>, _: Part) -> Begun<[f64; 0], Self::Collection> {
+    fn begin(self, start: &At<f64, D::State>, _: Part) -> Begun<(), Self::Collection> {
         let whole = Whole {
             initial: start.clone(),
             segments: Segments::new(),
         };
-        Begun::valid([], whole)
+        Begun::valid((), whole)
     }
 
     fn finish(collection: Self::Collection, outcome: &Outcome<D::State>) -> Self::Kept {

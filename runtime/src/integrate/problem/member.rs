@@ -5,6 +5,7 @@
 use super::keep::{Begun, Collecting, Keep};
 use super::part::{KeptSoFar, Part};
 use super::reaction::Reactions;
+use super::sample_times::SampleTimes as _;
 use super::solution::{Events, Found};
 use super::{Limits, Problem};
 use crate::integrate::at::At;
@@ -32,9 +33,8 @@ where
     dynamics: D,
     reactions: R,
     limits: Limits,
-    /// The times of samples, of which so many are left.
+    /// The times of samples that are left.
     times: K::Times,
-    waiting: usize,
     collection: K::Collection,
     events: Events<S, D::State>,
     stepper: I::Stepper,
@@ -64,9 +64,9 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
             collection,
             checked,
         } = self.keep.begin(&start, Part::whole(start.t, end));
-        let course = limits.course(times.as_ref(), end);
+        let course = limits.course(end);
         let begun = checked
-            .and_then(|()| course.check(start.t))
+            .and_then(|()| course.check())
             .and_then(|()| driver.begin(&dynamics, &start));
         let stepper = match begun {
             Ok(stepper) => stepper,
@@ -79,7 +79,6 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         let (state, outcome) = driver.set_out(&stepper, course);
         Ok(Member {
             memory: driver.conditions.begin(&dynamics, start.t, &outcome.last.x),
-            waiting: times.as_ref().len(),
             driver,
             dynamics,
             reactions: self.watch.reactions,
@@ -107,8 +106,6 @@ where
 {
     /// Goes on until the caller is to take a step: the time towards which. `None` at the end.
     pub(crate) fn go_on(&mut self, steps: Steps) -> Option<f64> {
-        let times = self.times.as_ref();
-        let mut samples = &times[times.len().saturating_sub(self.waiting)..];
         // The times that were kept matter to the parts of a run alone.
         let mut kept = KeptSoFar::default();
         let mut collector = Collecting {
@@ -118,12 +115,11 @@ where
         };
         let next = self.driver.go_on(
             (&mut self.dynamics, &mut self.reactions),
-            (&mut self.stepper, &mut self.memory, &mut samples),
+            (&mut self.stepper, &mut self.memory, &mut self.times),
             (&mut self.state, steps),
             &mut collector,
             &mut self.outcome,
         );
-        self.waiting = samples.len();
         match next {
             Ok(Next::Step(target)) => return Some(target),
             Ok(Next::End(reason)) => self.outcome.reason = reason,
@@ -192,9 +188,7 @@ where
     /// Whether the next sample, if there is one, is due.
     #[inline]
     fn samples_are_due(&self, is_due: impl Fn(f64) -> bool) -> bool {
-        let times = self.times.as_ref();
-        let next = times.get(times.len().saturating_sub(self.waiting));
-        next.is_some_and(|sample| is_due(*sample))
+        self.times.next().is_some_and(is_due)
     }
 
     /// Whether `a` comes before `b` in the course of the integration.

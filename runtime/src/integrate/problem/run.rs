@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use super::keep::{Begun, Collecting, Keep};
 use super::part::{KeptSoFar, Part};
 use super::reaction::Reactions;
+use super::sample_times::SampleTimes;
 use super::solution::{Events, Found, Solution};
 use super::{End, Limits, Problem, Watch};
 use crate::integrate::at::At;
@@ -328,7 +329,7 @@ where
             is_one_of_several: true,
         };
         let Begun {
-            times,
+            mut times,
             mut collection,
             checked,
         } = self.keep.clone().begin(&start, part);
@@ -339,7 +340,7 @@ where
             so_far: &mut kept,
         };
         let (outcome, result) = match checked {
-            Ok(()) => self.go_on(&start, limits.course(times.as_ref(), end), &mut collector),
+            Ok(()) => self.go_on(&start, (limits.course(end), &mut times), &mut collector),
             Err(error) => (Outcome::at(start), Err(error)),
         };
         self.kept = kept;
@@ -350,15 +351,15 @@ where
     fn go_on(
         &mut self,
         start: &At<f64, D::State>,
-        course: Course<'_>,
+        (course, samples): (Course, &mut dyn SampleTimes),
         collector: &mut dyn Collector<S, D, I::Stepper>,
     ) -> (Outcome<D::State>, Result<(), IntegrationError>) {
-        if let Err(error) = course.check(start.t) {
+        if let Err(error) = course.check() {
             return (Outcome::at(start.clone()), Err(error));
         }
         self.memory = self.recall_events(course.end);
         let system = (&mut self.dynamics, &mut self.reactions);
-        let parts = (&mut self.stepper, &mut self.memory);
+        let parts = (&mut self.stepper, &mut self.memory, samples);
         let (outcome, mut result) = (self.driver).advance(system, parts, course, collector);
         if result.is_err() {
             self.forget_events();
