@@ -72,7 +72,7 @@ use crate::scalar::Lanes;
 /// let start = At { t: 0.0, x: SVector::from([1.0]) };
 /// let members = [1.0, 2.0, 3.0].map(|rate| Problem::new(Decay { rate }, start));
 /// for (found, rate) in Ensemble::new(members).solve(1.0, Taylor::new()).into_iter().zip(1..) {
-///     assert!((found?[0] - (-f64::from(rate)).exp()).abs() < 1e-15);
+///     assert!((found?[0] - (-f64::from(rate)).exp()).abs() < 1e-14);
 /// }
 /// # Ok::<(), IntegrationError>(())
 /// ```
