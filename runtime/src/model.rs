@@ -59,7 +59,7 @@ pub use law::{
     Sampled, SampledFeedback, StatesInLanes,
 };
 pub use linearization::Linearization;
-pub use members_in_lanes::{MembersInLanes, ModelInLanes};
+pub use members_in_lanes::MembersInLanes;
 pub use motion_series::MotionSeries;
 pub use operations::{OperationCount, Operations};
 pub use outputs::Outputs;

@@ -17,6 +17,6 @@
 //! ```
 
 pub use crate::model::{
-    Energies, EnergyBalance, Events, Hamiltonian, Inputs, MembersInLanes, ModelInLanes,
-    MotionSeries, Outputs, Quantities, Regressor, RouthianSeries, Sensitivities,
+    Energies, EnergyBalance, Events, Hamiltonian, Inputs, MembersInLanes, MotionSeries, Outputs,
+    Quantities, Regressor, RouthianSeries, Sensitivities,
 };

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use lagrangian::ComponentName;
+use lagrangian::{ComponentName, IntegrationError};
 
 /// Why there is no such system, or no such state of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +36,11 @@ pub enum SystemError {
         /// The time of the first update.
         time: f64,
     },
+    /// A parameter of the dynamics has no meaning ([`Dynamics::check`](lagrangian::Dynamics::check)).
+    InvalidParameter {
+        /// What it is.
+        error: IntegrationError,
+    },
     /// A slice does not have as many numbers as it must.
     WrongSize {
         /// How many it must have.
@@ -66,6 +71,7 @@ impl fmt::Display for SystemError {
                 "the dynamics update their state at t = {time}, as under a sampled controller: integrate them with \
                  `lagrangian::Problem`, whose steps end there"
             ),
+            Self::InvalidParameter { error } => error.fmt(f),
             Self::WrongSize { expected, found } => {
                 write!(f, "{expected} numbers are expected, not {found}")
             }

@@ -51,8 +51,8 @@ impl<D: Dynamics, J> OdeSystem<D, J> {
     ///
     /// # Errors
     ///
-    /// [`SystemError`] if the initial state, its time or its derivative is not finite, or if the dynamics
-    /// [update](Dynamics::next_update) their state at given times.
+    /// [`SystemError`] if a [parameter](Dynamics::check) of the dynamics has no meaning, if the initial state, its time or its
+    /// derivative is not finite, or if the dynamics [update](Dynamics::next_update) their state at given times.
     pub fn new<K>(
         source: impl Source<K, Dynamics = D, Jacobian = J>,
         start: At<f64, D::State>,
@@ -242,6 +242,9 @@ fn check_finite<D: Dynamics>(dynamics: &D, time: f64, x: &D::State) -> Result<()
 
 /// Whether another solver can begin at this state.
 fn check<D: Dynamics>(dynamics: &D, start: &At<f64, D::State>) -> Result<(), SystemError> {
+    dynamics
+        .check()
+        .map_err(|error| SystemError::InvalidParameter { error })?;
     let At { t: time, ref x } = *start;
     if !time.is_finite() {
         return Err(SystemError::NonFiniteTime { time });

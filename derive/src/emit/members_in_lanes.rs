@@ -123,7 +123,7 @@ fn of_type_parameter(
         }
     }
     let body = if has_equations {
-        quote!(#root::quantities::ModelInLanes::Made(#name { #(#values),* }))
+        quote!(#name { #(#values),* })
     } else {
         quote!(::core::unreachable!())
     };
@@ -133,7 +133,9 @@ fn of_type_parameter(
         where #(#bounds),*
         {
             type InLanes = #name #model;
-            fn in_lanes(&self) -> #root::quantities::ModelInLanes<'_, Self::InLanes> { #body }
+            type Made = #name #model;
+            fn make(&self) -> #name #model { #body }
+            fn in_lanes<'__made>(&'__made self, made: &'__made #name #model) -> &'__made #name #model { made }
         }
     }
 }

@@ -108,8 +108,8 @@ pub trait Dynamics<S: Scalar = f64> {
         self.vanishing_inertia(t, x)
     }
 
-    /// An error if a parameter has no meaning, such as a period that is not positive. It is asked where an integration begins, and
-    /// behind each change of the dynamics.
+    /// An error if a parameter has no meaning, such as a period that is not positive. A [`Problem`](crate::Problem) checks its dynamics
+    /// where it begins, and after each change of them.
     ///
     /// # Errors
     ///

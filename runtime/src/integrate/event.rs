@@ -130,8 +130,8 @@ pub struct Reaction {
 /// `occurrence.q[0]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Occurrence<X, S = f64> {
-    /// The number of the event, in the order in which the problem was told of events and conditions: those of an array count one by
-    /// one. Whether it is a declared one tells [`is`](Self::is).
+    /// The number of the event: events and conditions are counted from 0 in the order of the settings, and each event of an array
+    /// counts. [`is`](Self::is) tells whether it is a certain event of the declaration.
     pub event: usize,
     /// The state at the event. Its time has derivative parts and the digits of a double-double; the derivative parts of the
     /// state are those at the event, whose time moves, too.

@@ -78,10 +78,10 @@ use crate::scalar::Lanes;
 /// ```
 #[diagnostic::on_unimplemented(
     message = "motions of `{Self}` are not integrated in SIMD lanes",
-    note = "a model is by `Taylor` if its declaration has the clause `taylor`, its struct has parameters of plain numbers, and none \
-            of its external functions reads `self`",
-    note = "a control law has to have a series: held inputs, `driven_by`, `sampled_feedback`, and `lagged` behind them; a closure \
-            that is a law has to be `Clone`",
+    note = "`Taylor` integrates a model in lanes if its declaration has the clause `taylor` and none of its external functions reads \
+            `self`",
+    note = "a control law needs a series: held inputs, `driven_by`, `sampled_feedback`, and `lagged` behind them; its closure needs to \
+            be `Clone`",
     note = "`Dop853` and `RungeKutta` take every system, one motion after the other; other systems implement `InLanes`"
 )]
 pub trait InLanes<const L: usize>: Series<f64> {
@@ -99,7 +99,7 @@ pub trait InLanes<const L: usize>: Series<f64> {
     /// The parameters of this system, in every lane.
     fn parameters(&self) -> Self::Parameters;
 
-    /// Sets the parameters of a lane to those of this system; nothing if there is no such lane.
+    /// Gives a lane the parameters of this system; does nothing if there is no such lane.
     fn set_lane(&self, parameters: &mut Self::Parameters, lane: usize);
 
     /// The equations of all lanes with their parameters. `self` is one of the members, whichever it may be.

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::equations_of_motion::EquationsOfMotion;
 use super::lagrangian::Lagrangian;
 use super::law::{LawSeries, LawsInLanes, StatesInLanes};
-use super::members_in_lanes::{MembersInLanes, ModelInLanes};
+use super::members_in_lanes::MembersInLanes;
 use super::motion_series::MotionSeries;
 use super::phase::Phase;
 use super::quantities::Quantities;
@@ -16,8 +16,8 @@ use crate::scalar::Lanes;
 /// What the equations of all lanes read: inputs, what [`Quantities::prepare`] computes of each member's parameters, and laws.
 #[derive(Clone, Debug)]
 pub struct ParametersInLanes<M, V, P, W, const L: usize> {
-    /// The model of all lanes, unless each member may serve.
-    model: Option<M>,
+    /// What is made once for all members.
+    made: M,
     inputs: V,
     prepared: P,
     laws: [W; L],
@@ -36,7 +36,7 @@ where
     type States = Phase<Lanes<L>, N, <W::States as StatesInLanes<L>>::InLanes>;
 
     type Parameters = ParametersInLanes<
-        ModelOf<M, N, L>,
+        <M::Model as MembersInLanes<L>>::Made,
         SVector<Lanes<L>, U>,
         <ModelOf<M, N, L> as Quantities<N, Lanes<L>>>::Prepared,
         W,
@@ -44,19 +44,16 @@ where
     >;
 
     type Together<'a>
-        = EquationsOfMotion<ModelInLanes<'a, ModelOf<M, N, L>>, Lanes<L>, N, LawsInLanes<'a, W, L>>
+        = EquationsOfMotion<&'a ModelOf<M, N, L>, Lanes<L>, N, LawsInLanes<'a, W, L>>
     where
         Self: 'a;
 
     fn parameters(&self) -> Self::Parameters {
-        let model = self.model.model().in_lanes();
+        let made = self.model.model().make();
         let mut parameters = ParametersInLanes {
             inputs: SVector::broadcast(&self.inputs),
-            prepared: Lagrangian::<N, Lanes<L>>::model(&model).prepare(),
-            model: match model {
-                ModelInLanes::Made(model) => Some(model),
-                ModelInLanes::Member(_) => None,
-            },
+            prepared: self.model.model().in_lanes(&made).prepare(),
+            made,
             laws: core::array::from_fn(|_| self.law.clone()),
         };
         for lane in 0..L {
@@ -78,10 +75,7 @@ where
 
     fn together<'a>(&'a self, parameters: &'a Self::Parameters) -> Self::Together<'a> {
         EquationsOfMotion {
-            model: match &parameters.model {
-                Some(model) => ModelInLanes::Member(model),
-                None => self.model.model().in_lanes(),
-            },
+            model: self.model.model().in_lanes(&parameters.made),
             inputs: parameters.inputs,
             prepared: parameters.prepared.clone(),
             law: LawsInLanes::new(&parameters.laws),

@@ -1,12 +1,21 @@
 //! Models of which members with different parameters share SIMD lanes.
 
-use super::generalized_coordinates::GeneralizedCoordinates;
-use super::lagrangian::Lagrangian;
-use super::quantities::Quantities;
-use crate::scalar::Scalar;
+/// The message where members do not share lanes: of the trait, and of the one through which models on every scalar have it.
+macro_rules! with_message {
+    ($item:item) => {
+        #[diagnostic::on_unimplemented(
+            message = "members of `{Self}` with different parameters do not share SIMD lanes",
+            note = "an external function of its declaration reads `self`, which differs from member to member; or its type \
+                    parameter has other bounds than `Scalar`, or stands within the type of a field that is no number, vector or \
+                    array; `Dop853` integrates such members one after the other"
+        )]
+        $item
+    };
+}
 
+with_message! {
 /// A model of which members with different parameters share `L` SIMD lanes: the methods of an integration's loop read parameters
-/// nowhere but in the [prepared](Quantities::Prepared) array, whatever model they are called on.
+/// nowhere but in the [prepared](crate::quantities::Quantities::Prepared) array, whatever model they are called on.
 ///
 /// `#[derive(Lagrangian)]` implements it for structs of plain numbers, and for those with a type parameter that stands for `f64`,
 /// unless the value of an external function mentions `self`: the function is evaluated on
@@ -31,71 +40,33 @@ use crate::scalar::Scalar;
 /// let motions = [1.0, 2.0].map(|k| Problem::new(Spring { m: 1.0, k }, start));
 /// let found = Ensemble::new(motions).solve(1.0, Taylor::new());
 /// ```
-#[diagnostic::on_unimplemented(
-    message = "members of `{Self}` with different parameters do not share SIMD lanes",
-    note = "an external function of its declaration reads `self`, which is that of one member; or it has a type parameter with other \
-            bounds than `Scalar`, or that is within the type of a field that is no number, vector or array; `Dop853` integrates such \
-            members one after the other"
-)]
 pub trait MembersInLanes<const L: usize> {
-    /// The model on which lanes are evaluated: the same struct, or, of a struct with a type parameter for its scalar, the one with
-    /// lanes.
+    /// The model on which lanes are evaluated: the struct itself, or, if it has a type parameter for its scalar, the struct with lanes.
     type InLanes;
 
-    /// The model in lanes, whose parameters nothing reads but its methods outside of an integration.
-    fn in_lanes(&self) -> ModelInLanes<'_, Self::InLanes>;
+    /// What is made once for all members: nothing where each of them may serve as that model, or the model.
+    type Made;
+
+    /// Makes it.
+    fn make(&self) -> Self::Made;
+
+    /// The model on which lanes are evaluated. An integration reads no parameter of it.
+    fn in_lanes<'a>(&'a self, made: &'a Self::Made) -> &'a Self::InLanes;
+}
 }
 
-/// Models on every scalar, which have the trait by themselves.
-#[diagnostic::on_unimplemented(
-    message = "members of `{Self}` with different parameters do not share SIMD lanes",
-    note = "an external function of its declaration reads `self`, which is that of one member; or it has a type parameter with other \
-            bounds than `Scalar`, or that is within the type of a field that is no number, vector or array; `Dop853` integrates such \
-            members one after the other"
-)]
+with_message! {
+/// Models on every scalar, which have [`MembersInLanes`] through it.
 pub trait SharesLanes {}
+}
 
 impl<M: SharesLanes, const L: usize> MembersInLanes<L> for M {
     type InLanes = M;
+    type Made = ();
 
-    fn in_lanes(&self) -> ModelInLanes<'_, M> {
-        ModelInLanes::Member(self)
-    }
-}
+    fn make(&self) {}
 
-/// A model on which lanes are evaluated: one of the members, or one that is made for them.
-#[derive(Clone, Copy, Debug)]
-pub enum ModelInLanes<'a, M> {
-    /// One of the members.
-    Member(&'a M),
-    /// A model with parameters that are lanes.
-    Made(M),
-}
-
-impl<M: GeneralizedCoordinates<N>, const N: usize> GeneralizedCoordinates<N>
-    for ModelInLanes<'_, M>
-{
-    const COORDINATES: [&'static str; N] = M::COORDINATES;
-    const ANGLES: [bool; N] = M::ANGLES;
-    const PERIODS: [u32; N] = M::PERIODS;
-    const IGNORABLE: [bool; N] = M::IGNORABLE;
-    const SINGULARITIES: [&'static [usize]; N] = M::SINGULARITIES;
-    const STAYS_REGULAR: bool = M::STAYS_REGULAR;
-    const POLES: &'static [usize] = M::POLES;
-}
-
-impl<M, S, const N: usize> Lagrangian<N, S> for ModelInLanes<'_, M>
-where
-    M: Lagrangian<N, S, Model = M> + Quantities<N, S>,
-    S: Scalar,
-{
-    type Model = M;
-
-    #[inline]
-    fn model(&self) -> &M {
-        match self {
-            Self::Member(model) => model,
-            Self::Made(model) => model,
-        }
+    fn in_lanes<'a>(&'a self, (): &'a ()) -> &'a M {
+        self
     }
 }

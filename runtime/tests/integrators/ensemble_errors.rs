@@ -184,3 +184,26 @@ fn singularities_are_those_of_a_lane_in_all_systems() {
     check(&Polar.dynamics().with_sizes([1.0, 1.0]));
     check(&Polar.dynamics());
 }
+
+/// What is wrong with a lane is its error; the others go on.
+#[test]
+fn lanes_that_are_set_by_hand_are_checked() {
+    let dynamics = Logarithm.dynamics();
+    let start = Phase::new([1.0], [0.0]);
+    let mut stepper = TaylorLanes::<_, 4, _>::new(Taylor::new(), 0.0, &start);
+    stepper.set_lane(1, 0.0, &Phase::new([f64::NAN], [0.0]));
+    stepper.set_lane(2, f64::INFINITY, &start);
+    stepper.step(&dynamics, &[1.0, 1.0, 1.0, f64::NAN]);
+    assert!(stepper.error(0).is_none() && stepper.time(0) > 0.0);
+    let errors = [1, 2, 3].map(|lane| stepper.error(lane).unwrap());
+    assert!(matches!(errors[0], IntegrationError::NonFiniteState { .. }));
+    assert!(matches!(errors[1], IntegrationError::NonFiniteTime { .. }));
+    assert!(matches!(errors[2], IntegrationError::NonFiniteTime { .. }));
+    let invalid = Taylor::new().relative_tolerance(-1.0);
+    let mut stepper = TaylorLanes::<_, 4, _>::new(invalid, 0.0, &start);
+    stepper.step(&dynamics, &[1.0; 4]);
+    assert!(matches!(
+        stepper.error(1),
+        Some(IntegrationError::InvalidTolerance { .. })
+    ));
+}

@@ -18,6 +18,7 @@ mod jumps;
 mod lanes;
 mod long_run;
 mod members;
+mod members_under_laws;
 mod methods;
 mod order;
 mod precision;

@@ -6,16 +6,15 @@ use core::ops::ControlFlow;
 use crate::constrained::ROD;
 use lagrangian::prelude::*;
 use lagrangian::problem::{EnsembleIntegrator, Keep, Observer, Reactions, Watched};
-use lagrangian::signals::Sinusoid;
 use lagrangian::{Partial, SetTypicalSizes};
 use nalgebra::SVector;
 
-type Found<X, K> = Result<Solution<f64, X, K>, Partial<Solution<f64, X, K>>>;
+pub(crate) type Found<X, K> = Result<Solution<f64, X, K>, Partial<Solution<f64, X, K>>>;
 
 /// What is found of each member, in lanes: to the last bit what is found of it in lanes of its own, and, but for the order of sums in
 /// Taylor series, what is found of the problem.
 #[allow(clippy::needless_pass_by_value)] // As `solve` takes the method.
-fn alone_and_together<I, D, K, C, R, O>(
+pub(crate) fn alone_and_together<I, D, K, C, R, O>(
     count: usize,
     member: impl Fn(usize) -> (Problem<f64, D, K, C, R, O>, f64),
     method: I,
@@ -54,7 +53,7 @@ fn text<X: Clone + Debug, K: Clone + Debug>(found: &Found<X, K>) -> String {
     format!("{error:?} {solution:?}")
 }
 
-/// The same events and ends, up to rounding.
+/// Events and ends are equal up to rounding.
 #[track_caller]
 fn close<X: VectorSpace<f64>, K>(index: usize, found: &Found<X, K>, expected: &Found<X, K>) {
     assert_eq!(found.is_ok(), expected.is_ok(), "{index}");
@@ -77,7 +76,7 @@ fn close<X: VectorSpace<f64>, K>(index: usize, found: &Found<X, K>, expected: &F
 }
 
 /// From 0 on, in no order.
-fn number(index: usize) -> f64 {
+pub(crate) fn number(index: usize) -> f64 {
     f64::from(u32::try_from(index * 7919 % 101).unwrap()) / 101.0
 }
 
@@ -230,93 +229,6 @@ fn members_change_their_parameters_as_they_do_alone() {
     let found = alone_and_together(21, member, Taylor::new());
     let fast = |found: &&Solution<f64, Phase<f64, 2>, _>| found.v[0] < 0.5;
     assert!(found.iter().flatten().filter(fast).count() > 10);
-}
-
-#[derive(Lagrangian, Clone)]
-#[lagrangian(
-    taylor,
-    coordinates(x),
-    kinetic = 0.5 * m * dot(x).powi(2),
-    potential = 0.5 * k * x.powi(2),
-    force(x = push),
-    event(middle = x),
-)]
-struct Slider {
-    m: f64,
-    k: f64,
-    #[lagrangian(input)]
-    push: f64,
-}
-
-fn slider(index: usize) -> Problem<f64, lagrangian::EquationsOfMotion<Slider, f64, 1>> {
-    let slider = Slider {
-        m: 0.5 + number(index),
-        k: 1.0 + 3.0 * number(index + 1),
-        push: number(index + 2),
-    };
-    let start = State::new(number(index + 3), [number(index + 4)], [0.0]);
-    Problem::new(slider, start)
-}
-
-fn signal(index: usize) -> Sinusoid {
-    Sinusoid {
-        amplitude: number(index + 5),
-        angular_frequency: 1.0 + 4.0 * number(index + 6),
-        phase: number(index + 7),
-    }
-}
-
-#[test]
-fn members_under_laws_are_as_they_are_alone() {
-    let end = |index| 3.0 + 5.0 * number(index + 8);
-    let held = |index| (slider(index).save(Every(0.5)), end(index));
-    alone_and_together(11, held, Taylor::new());
-    let driven = |index| {
-        let problem = slider(index).driven_by([signal(index)]);
-        (problem.on(Slider::MIDDLE).record(), end(index))
-    };
-    alone_and_together(11, driven, Taylor::new());
-    let lagged = |index| {
-        let problem = slider(index)
-            .driven_by([signal(index)])
-            .lagged([0.1 + number(index)]);
-        (problem.on(Slider::MIDDLE).record(), end(index))
-    };
-    let found = alone_and_together(11, lagged, Taylor::new());
-    assert!(found.iter().flatten().all(|found| found.z.1[0] != 0.0));
-    // A closure that is a law has no series: one after the other.
-    let fed_back = |index| {
-        let gain = 1.0 + number(index + 9);
-        let problem = slider(index).feedback(move |x: &State<f64, 1>| -gain * x.v[0]);
-        (problem.on(Slider::MIDDLE).rising().record(), end(index))
-    };
-    alone_and_together(5, fed_back, Dop853::new());
-}
-
-/// Each with a period and a memory of its own, and an actuator behind it.
-#[test]
-fn sampled_members_are_as_they_are_alone() {
-    let end = |index| 2.0 + 2.0 * number(index + 8);
-    let sampled = |index| {
-        let target = number(index + 9);
-        let period = 0.02 + 0.1 * number(index + 10);
-        slider(index).sampled_feedback(period, [0.0], move |x, sum| {
-            let error = target - x.q[0];
-            sum[0] += period * error;
-            8.0 * error + 4.0 * sum[0] - 2.0 * x.v[0]
-        })
-    };
-    let member = |index| {
-        let problem = sampled(index).on(Slider::MIDDLE).record().save(Every(0.3));
-        (problem, end(index))
-    };
-    let found = alone_and_together(6, member, Taylor::new());
-    assert!(found.iter().flatten().all(|found| found.z.samplings > 10.0));
-    let member = |index| {
-        let slow = sampled(index).lagged([0.05 + 0.1 * number(index + 11)]);
-        (slow.on(Slider::MIDDLE).record(), end(index))
-    };
-    alone_and_together(6, member, Taylor::new());
 }
 
 /// A struct with a type parameter for its scalar.

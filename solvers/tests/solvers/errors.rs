@@ -96,3 +96,30 @@ fn updates_are_refused() {
     let refused = OdeSystem::new(&Sampled(model), start).map(|_| ());
     assert_eq!(refused, Err(SystemError::Updates { time: 0.25 }));
 }
+
+/// A mass whose actuator lags by less than nothing.
+#[derive(Lagrangian)]
+#[lagrangian(coordinates(x), kinetic = 0.5 * dot(x).powi(2), force(x = push))]
+struct Cart {
+    #[lagrangian(input)]
+    push: f64,
+}
+
+#[test]
+fn parameters_without_meaning_are_refused() {
+    let start = State::new(0.0, [0.0], [0.0]);
+    let problem = Problem::new(Cart { push: 1.0 }, start).lagged([-0.5]);
+    let start = At {
+        t: 0.0,
+        x: Phase {
+            q: start.q,
+            v: start.v,
+            z: ((), SVector::from([1.0])),
+        },
+    };
+    let refused = OdeSystem::new(problem.dynamics(), start).map(|_| ());
+    let Err(error @ SystemError::InvalidParameter { .. }) = refused else {
+        panic!("{refused:?}");
+    };
+    assert!(error.to_string().contains("is -0.5:"), "{error}");
+}

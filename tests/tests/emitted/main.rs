@@ -4,6 +4,7 @@
 pub mod golden;
 pub mod lints;
 pub mod long_methods;
+mod members_in_lanes;
 pub mod root;
 pub mod type_parameters;
 mod without_annotations;

@@ -47,6 +47,13 @@ impl IntegrationError {
                 f,
                 "the model has no event {index}: its events are {events:?}, which the constants of the model name"
             ),
+            _ => self.write_invalid_time(f),
+        }
+    }
+
+    /// The message of a time, or an interval of time, that is refused.
+    fn write_invalid_time(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
             Self::UnorderedTimes {
                 index,
                 time,

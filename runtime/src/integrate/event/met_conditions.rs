@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-/// Which stop conditions are met, or which events occur: a set of numbers below 64, which count events and conditions in the order in
-/// which the problem was told of them.
+/// Which stop conditions are met, or which events occur: a set of numbers below 64. Events and conditions are counted from 0 in the
+/// order of the settings.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MetConditions(u64);

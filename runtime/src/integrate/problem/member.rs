@@ -20,7 +20,7 @@ use crate::integrate::outcome::Outcome;
 use crate::integrate::stepper::Stepper as _;
 use crate::scalar::Scalar;
 
-/// A problem in progress, whose steps are its own or those of an ensemble.
+/// A problem in progress. It takes its own steps, or shares the steps of an ensemble.
 pub(crate) struct Member<S, D, I, K, C, R, O>
 where
     S: Scalar,

@@ -206,7 +206,6 @@ pub trait HasAction {}
 
 /// Namesakes of the methods of a problem, by which the compiler says that the event lacks its action. Nothing calls them.
 #[doc(hidden)]
-#[allow(clippy::missing_errors_doc)]
 impl<P, E> When<P, E> {
     pub fn solve<T, I>(self, _: T, _: I) -> Result<(), IntegrationError>
     where

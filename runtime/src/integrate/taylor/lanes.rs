@@ -6,6 +6,7 @@
 
 mod checks;
 mod expansion;
+mod last_step;
 mod passage;
 mod projection;
 
@@ -13,7 +14,7 @@ use expansion::largest_ratios;
 use passage::Arrivals;
 
 use super::coefficients::{TaylorCoefficients, number};
-use super::interpolant::{TaylorInterpolant, difference};
+use super::interpolant::difference;
 use super::step_size::unit_near;
 use super::{Series, Taylor};
 use crate::integrate::compensated::Compensated;
@@ -143,26 +144,6 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     #[must_use]
     pub fn previous_time(&self, lane: usize) -> f64 {
         self.previous.0.get(lane).copied().unwrap_or(f64::NAN)
-    }
-
-    /// The state in a lane, with its compensation.
-    pub(super) fn compensated(&self, lane: usize) -> Compensated<X::Lane> {
-        self.state.lane(lane)
-    }
-
-    /// Copies the last step of a lane: where it began, and its polynomial if that is asked for.
-    pub(super) fn copy_last_step(
-        &self,
-        lane: usize,
-        step: &mut TaylorInterpolant<X::Lane, HALF>,
-        with_polynomial: bool,
-    ) {
-        let (time, from, unit) = &self.previous;
-        (step.time, step.unit) = (time[lane], unit[lane]);
-        step.from = from.lane(lane);
-        if with_polynomial {
-            step.coefficients = self.coefficients.map(|states| states.lane(lane));
-        }
     }
 
     /// The states from which the last steps were taken.

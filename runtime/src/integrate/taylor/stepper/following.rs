@@ -11,8 +11,8 @@ impl<X: VectorSpace<f64>, const HALF: usize> TaylorStepper<X, HALF> {
         !self.has_last
     }
 
-    /// Where the last step of a lane has led, and at what cost beside that of the steps before the lane was set. Its polynomial is
-    /// copied only where it is asked for: nothing else within the step is known without it.
+    /// Takes over the last step of a lane, and adds its cost to what the motion has cost before the lane was set. The polynomial is
+    /// copied only on request; without it no state within the step is known.
     pub(crate) fn follow<Y, const L: usize>(
         &mut self,
         (lanes, lane): (&TaylorLanes<Y, L, HALF>, usize),
