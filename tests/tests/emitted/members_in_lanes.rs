@@ -4,10 +4,6 @@ use core::marker::PhantomData;
 
 use lagrangian::prelude::*;
 
-/// A type with a name that emitted impls might use.
-#[allow(dead_code)]
-struct L;
-
 /// Whatever is about a type.
 pub(crate) trait About<T> {}
 
@@ -77,4 +73,28 @@ fn members_have_their_own_parameters() {
     };
     let end = Problem::new(&entangled, start).solve(1.0, Taylor::new());
     assert!(end.is_ok());
+}
+
+/// Beside a type with a name that a constant might have.
+mod beside_a_type {
+    use lagrangian::prelude::*;
+
+    #[allow(dead_code)]
+    struct L;
+
+    #[derive(Lagrangian)]
+    #[lagrangian(taylor, coordinates(x), kinetic = 0.5 * m * dot(x).powi(2))]
+    pub(super) struct Free<T: Scalar> {
+        pub(super) m: T,
+    }
+}
+
+#[test]
+fn names_in_scope_do_not_matter() {
+    let start = State::new(0.0, [1.0], [0.5]);
+    let problems = [1.0, 2.0].map(|m| Problem::new(beside_a_type::Free { m }, start));
+    for found in Ensemble::new(problems).solve(2.0, Taylor::new()) {
+        let end = found.expect("it is regular");
+        assert!((end.q[0] - 2.0).abs() < 1e-15);
+    }
 }
