@@ -1,7 +1,7 @@
 //! Numerical integration of ordinary differential equations ẋ = f(t, x).
 //!
-//! Nothing here knows of mass matrices or angles: a [`Dynamics`] has a derivative, an error scale and
-//! singularities. A method ([`Integrator`]) starts a [`Stepper`]; a [`Problem`] says what is integrated, watched and kept.
+//! Nothing here knows about mass matrices or angles: a [`Dynamics`] has a derivative, an error scale and singularities.
+//! A method ([`Integrator`]) starts a [`Stepper`]; a [`Problem`] says what is integrated, watched and kept.
 
 mod dynamics;
 mod singularity;

@@ -6,8 +6,8 @@ use crate::scalar::Scalar;
 
 /// A state `x` at a time `t`: an initial value, a sample, a final state.
 ///
-/// Its fields are the time and the fields of `x`: a [`State`](crate::State) of a mechanical system has the fields `t`, `q` and `v`. A
-/// state of other dynamics is made from a pair:
+/// It dereferences to `x`: with a [`State`](crate::State) of a mechanical system it thus has the fields `t`, `q` and
+/// `v`. For other dynamics it is made from a pair:
 ///
 /// ```
 /// use lagrangian::nalgebra::SVector;
@@ -44,7 +44,7 @@ impl<S, X> DerefMut for At<S, X> {
 }
 
 impl<X> At<f64, X> {
-    /// With the time as a number of the scalar of the state.
+    /// Converts the time to the scalar type of the state.
     #[inline]
     pub(crate) fn on_scalar<S: Scalar>(self) -> At<S, X> {
         At {
@@ -55,7 +55,7 @@ impl<X> At<f64, X> {
 }
 
 impl<S: Scalar, X> At<S, X> {
-    /// At a time that is one number: NaN where the lanes of a time differ.
+    /// Converts the time to a single number: NaN where its lanes differ.
     pub(crate) fn at_one_time(self) -> At<f64, X> {
         let (least, most) = (self.t.smallest(), self.t.largest());
         let t = if least < most { f64::NAN } else { least };

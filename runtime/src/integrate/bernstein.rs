@@ -2,8 +2,8 @@
 
 use core::ops::{AddAssign, Div, Mul, MulAssign};
 
-/// The rounding errors of a coefficient are at most as many machine epsilons of the sum of the magnitudes of all terms, times their
-/// number: a shift, a scaling and a sum of positive multiples, each of which adds one for each term.
+/// Bound on the rounding errors of a coefficient, in machine epsilons times the number of terms, relative to the sum of
+/// the magnitudes of all terms. The shift, the scaling and the sum of positive multiples each add one epsilon per term.
 pub(crate) const ROUNDINGS: f64 = 4.0;
 
 /// Replaces the coefficients of p by bᵢ = Σ C(i, k)/C(n, k) cₖ, where p(a + (b − a) s) = Σ cₖ sᵏ.
@@ -35,13 +35,13 @@ where
     }
 }
 
-/// The changes of sign in a sequence.
+/// The sign changes of a sequence.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Variations {
     pub(crate) first: f64,
     pub(crate) last: f64,
     pub(crate) count: u32,
-    /// Whether some terms have no certain sign.
+    /// Whether the sign of some term is uncertain.
     pub(crate) is_uncertain: bool,
 }
 
@@ -68,7 +68,7 @@ impl Variations {
     }
 }
 
-/// A small number.
+/// Converts a small integer to a floating-point number.
 pub(crate) fn as_number(n: usize) -> f64 {
     f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }

@@ -1,5 +1,5 @@
-//! The binary logarithm and its inverse to six digits, with which step sizes are chosen: a call of the library takes as long as some
-//! orders of a series.
+//! The binary logarithm and its inverse to six digits, for the choice of step sizes: a call to the exact library
+//! functions takes as long as several orders of a series.
 
 use core::f64::consts::{LN_2, LOG2_E, SQRT_2};
 
@@ -8,20 +8,20 @@ use crate::scalar::Scalar;
 /// The bits of 1.
 const ONE: u64 = 1.0_f64.to_bits();
 
-/// Those of 2⁵², whose last bits are those of whole numbers.
+/// The bits of 2⁵², in whose binade the last bits of a number are an integer.
 const INTEGERS: u64 = 4_503_599_627_370_496.0_f64.to_bits();
 
-/// 1.5 · 2⁵², to which a number loses its fraction.
+/// 1.5 · 2⁵²: a number added to it loses its fraction.
 const SHIFT: f64 = 6_755_399_441_055_744.0;
 
-/// Below it 2ˣ neither overflows nor underflows.
+/// Below this magnitude of x, 2ˣ neither overflows nor underflows.
 const MAX_EXPONENT: f64 = 1000.0;
 
-/// The bits of the exponent of a number.
+/// The exponent bits of a number.
 pub(super) const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 
-/// The binary logarithm of a positive number, to seven digits: by ln z = 2 artanh((z − 1)/(z + 1)) (Abramowitz & Stegun,
-/// *Handbook of Mathematical Functions*, 1964, 4.1.27) about the middle of a binade.
+/// Returns the binary logarithm of a positive number to seven digits, by ln z = 2 artanh((z − 1)/(z + 1)) (Abramowitz &
+/// Stegun, *Handbook of Mathematical Functions*, 1964, 4.1.27) about the middle of a binade.
 #[inline]
 pub(super) fn log2(x: f64) -> f64 {
     if x.is_normal() {
@@ -31,7 +31,7 @@ pub(super) fn log2(x: f64) -> f64 {
     }
 }
 
-/// The same in each lane.
+/// [`log2`] in each lane.
 #[inline]
 pub(super) fn log2_of_each<const L: usize>(x: [f64; L]) -> [f64; L] {
     if x.iter().fold(true, |all, x| all & x.is_normal()) {
@@ -45,7 +45,7 @@ pub(super) fn log2_of_each<const L: usize>(x: [f64; L]) -> [f64; L] {
 fn log2_of_normal(x: f64) -> f64 {
     let bits = x.to_bits();
     let mantissa = f64::from_bits((bits & !EXPONENT) | ONE);
-    // The difference of the exponents is exact as a difference of numbers whose last bits they are.
+    // The exponents are the last bits of these two numbers, so that their difference is exact.
     let exponent = f64::from_bits(INTEGERS | (bits >> 52)) - f64::from_bits(INTEGERS | (ONE >> 52));
     let z = (mantissa - SQRT_2) / (mantissa + SQRT_2);
     let square = z * z;
@@ -57,7 +57,7 @@ fn log2_of_normal(x: f64) -> f64 {
             * (1.0 + square * (1.0 / 3.0 + square * (1.0 / 5.0 + square * (1.0 / 7.0))))
 }
 
-/// 2ˣ to six digits, by the series of the exponential function about the nearest whole number.
+/// Returns 2ˣ to six digits, by the series of the exponential function about the nearest integer.
 #[inline]
 pub(super) fn exp2(x: f64) -> f64 {
     if x.abs() < MAX_EXPONENT {
@@ -67,7 +67,7 @@ pub(super) fn exp2(x: f64) -> f64 {
     }
 }
 
-/// The same in each lane.
+/// [`exp2`] in each lane.
 #[inline]
 pub(super) fn exp2_of_each<const L: usize>(x: [f64; L]) -> [f64; L] {
     if x.iter().fold(true, |all, x| all & (x.abs() < MAX_EXPONENT)) {
@@ -79,7 +79,7 @@ pub(super) fn exp2_of_each<const L: usize>(x: [f64; L]) -> [f64; L] {
 
 #[inline]
 fn exp2_of_moderate(x: f64) -> f64 {
-    // The sum has no bits for a fraction, and the whole number is its last ones.
+    // The sum has no bits for a fraction, so that its last bits are the nearest integer.
     let shifted = x + SHIFT;
     let z = (x - (shifted - SHIFT)) * LN_2;
     let power = f64::from_bits(shifted.to_bits() << 52)

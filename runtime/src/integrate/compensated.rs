@@ -9,8 +9,8 @@ use crate::scalar::Scalar;
 
 /// A state and its compensation: what rounding has removed from it.
 ///
-/// After n steps the rounding error of a plain sum has grown like n (like √n at best), that of a
-/// compensated sum not at all.
+/// After n steps the rounding error of a plain sum has grown in proportion to n (√n at best); the error of a
+/// compensated sum does not grow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Compensated<X> {
@@ -38,7 +38,7 @@ impl<X> Compensated<X> {
         self.value
     }
 
-    /// Where the derivatives of a step from this state are evaluated.
+    /// Returns the state at which the derivatives of a step from this state are evaluated.
     #[inline]
     pub(crate) fn reduced<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(&self, dynamics: &D) -> X
     where
@@ -47,7 +47,7 @@ impl<X> Compensated<X> {
         dynamics.reduced(&self.value, &self.compensation)
     }
 
-    /// This state plus `increment`; the rounding error of the sum becomes the compensation.
+    /// Returns this state plus `increment`; the rounding error of the sum becomes the compensation.
     #[inline]
     pub(crate) fn plus<S: Scalar>(&self, mut increment: X) -> Self
     where
@@ -67,7 +67,7 @@ impl<X> Compensated<X> {
 }
 
 impl<X> Compensated<X> {
-    /// The state in a lane.
+    /// Returns the state in a lane.
     pub(crate) fn lane<const L: usize>(&self, lane: usize) -> Compensated<X::Lane>
     where
         X: LaneStates<L>,
@@ -78,7 +78,7 @@ impl<X> Compensated<X> {
         }
     }
 
-    /// Sets the state in a lane, without a compensation.
+    /// Sets the state in a lane, with a compensation of zero.
     pub(crate) fn set_lane<const L: usize>(&mut self, lane: usize, state: &X::Lane)
     where
         X: LaneStates<L>,
@@ -87,7 +87,7 @@ impl<X> Compensated<X> {
         self.compensation.set_lane(lane, &state.zeroed());
     }
 
-    /// Sets a lane to that of another one.
+    /// Copies a lane, with its compensation, from `other`.
     pub(crate) fn copy_lane<const L: usize>(&mut self, lane: usize, other: &Self)
     where
         X: LaneStates<L>,
@@ -118,12 +118,12 @@ impl Clock {
         self.time
     }
 
-    /// The duration from now to `target`.
+    /// Returns the duration from now to `target`.
     pub(crate) fn until(&self, target: f64) -> f64 {
         (target - self.time) - self.compensation
     }
 
-    /// The time at a duration from now.
+    /// Returns the time at a duration from now.
     pub(crate) fn after(&self, duration: f64) -> f64 {
         self.time + (duration + self.compensation)
     }

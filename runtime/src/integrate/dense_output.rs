@@ -7,11 +7,11 @@ use crate::scalar::Scalar;
 
 /// The motion within a step: a polynomial in the time.
 pub trait Interpolant<S: Scalar, X: VectorSpace<S>>: Clone {
-    /// The state at a time.
+    /// Returns the state at a time.
     fn at(&self, t: f64) -> X;
 
-    /// The derivative of the polynomial at a time. Its error is larger than that of the state by about one over the
-    /// step.
+    /// Returns the derivative of the polynomial at a time. Its error is larger than the error of the state by a factor
+    /// of about one over the step size.
     fn derivative(&self, t: f64) -> X;
 }
 
@@ -21,10 +21,11 @@ pub trait Interpolant<S: Scalar, X: VectorSpace<S>>: Clone {
     note = "fixed steps of `RungeKutta` have none: integrate by `Dop853` or by `Taylor`, or sample at given times"
 )]
 pub trait DenseOutput<S: Scalar, D: Dynamics<S> + ?Sized>: Advance<S, D> {
-    /// The motion within a step.
+    /// The type of the motion within a step.
     type Interpolant: Interpolant<S, D::State>;
 
-    /// The motion within the last step; none before the first. At each time it is what
-    /// [`interpolate`](Advance::interpolate) returns; it ends where the step was [projected](Dynamics::project) to.
+    /// Returns the motion within the last step, or `None` before the first. Its value at each time is what
+    /// [`interpolate`](Advance::interpolate) returns; it ends at the state to which the step was
+    /// [projected](Dynamics::project).
     fn interpolant(&mut self, dynamics: &D) -> Option<Self::Interpolant>;
 }

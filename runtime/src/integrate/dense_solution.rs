@@ -1,4 +1,4 @@
-//! A motion that can be asked at any time. Needs the feature `alloc`.
+//! A motion that can be evaluated at any time. Needs the feature `alloc`.
 
 use alloc::vec::Vec;
 use core::{fmt, marker::PhantomData};
@@ -13,8 +13,8 @@ use crate::scalar::Scalar;
 
 /// A motion with the dense output of each of its steps, kept by [`Dense`](crate::problem::Dense).
 ///
-/// It is as accurate between the ends of steps as the dense output of the method: of order 7 for
-/// [`Dop853`](crate::Dop853); for [`Taylor`](crate::Taylor) it is the polynomial of the step itself.
+/// Between the ends of steps it is as accurate as the dense output of the method: for [`Dop853`](crate::Dop853) this is
+/// of order 7; for [`Taylor`](crate::Taylor) it is the polynomial of the step itself.
 #[derive(Clone, PartialEq)]
 pub struct DenseSolution<X, P, S = f64> {
     initial: At<f64, X>,
@@ -23,7 +23,7 @@ pub struct DenseSolution<X, P, S = f64> {
     scalar: PhantomData<S>,
 }
 
-/// A step, or the part of one up to an event.
+/// A step, or its part up to an event.
 #[derive(Clone, Debug, PartialEq)]
 struct Segment<P> {
     end: f64,
@@ -40,13 +40,13 @@ impl<X, P, S> DenseSolution<X, P, S> {
         }
     }
 
-    /// The times at the ends of its steps and at events, the initial time first.
+    /// Returns the times of the ends of steps and of events, the initial time first.
     pub(super) fn times(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
         let ends = self.segments.iter().map(|segment| segment.end);
         core::iter::once(self.initial.t).chain(ends)
     }
 
-    /// The time of the end, as far as there are segments.
+    /// Returns the end of the last segment, or the initial time if there is none.
     fn end(&self) -> f64 {
         self.segments.last().map_or(self.initial.t, |last| last.end)
     }
@@ -58,8 +58,8 @@ where
     X: VectorSpace<S>,
     P: Interpolant<S, X>,
 {
-    /// The state at a time. At the time of a jump it is that after the jump, and [`before`](Self::before) it is that
-    /// before.
+    /// Returns the state at a time. At a jump it is the state after the jump; [`before`](Self::before) returns the
+    /// state before the jump.
     pub(super) fn at(&self, t: f64) -> Result<X, IntegrationError> {
         if t - self.last.t == 0.0 {
             return Ok(self.last.x.clone());
@@ -71,7 +71,7 @@ where
         ))
     }
 
-    /// The state at a time; at the time of a jump, that before it.
+    /// Returns the state at a time; at a jump, the state before the jump.
     pub(super) fn before(&self, t: f64) -> Result<X, IntegrationError> {
         if t - self.initial.t == 0.0 {
             return Ok(self.initial.x.clone());
@@ -83,15 +83,15 @@ where
         ))
     }
 
-    /// The derivative of the interpolating polynomial at a time; none if there is no step. For a mechanical system it
-    /// holds velocities and accelerations.
+    /// Returns the derivative of the interpolating polynomial at a time, or `None` if there is no step. For a
+    /// mechanical system it holds velocities and accelerations.
     pub(super) fn derivative(&self, t: f64) -> Result<Option<X>, IntegrationError> {
         let found = self.segment(t, |end, t| end <= t)?;
         let found = found.or(self.segments.last());
         Ok(found.map(|segment| segment.interpolant.derivative(t)))
     }
 
-    /// The first segment that is not `over` at a time; the last one at the end.
+    /// Returns the first segment that is not `over` at a time; at the end, the last segment.
     fn segment(
         &self,
         t: f64,
@@ -122,7 +122,7 @@ impl<X, P, S> fmt::Debug for DenseSolution<X, P, S> {
     }
 }
 
-/// The segments that are being collected.
+/// The segments collected so far.
 pub(super) struct Segments<P>(Vec<Segment<P>>);
 
 impl<P> Segments<P> {

@@ -2,7 +2,7 @@
 //!
 //! P. J. Prince & J. R. Dormand, *High order embedded Runge–Kutta formulae*, J. Comput. Appl. Math. **7** (1981) 67–75;
 //! Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.4 (step size control),
-//! II.5 (the method), II.6 and II.10 (dense output and error estimate). Steps are chosen as by their code DOP853.
+//! II.5 (the method), II.6 and II.10 (dense output and error estimate). Steps are chosen as in their code DOP853.
 
 mod coefficients;
 mod dense_output;
@@ -23,8 +23,8 @@ use super::tolerance::Tolerance;
 use crate::limits::dormand_prince as limits;
 use crate::scalar::Scalar;
 
-/// Stages of the method, without the derivative at the end of the step, which is the first stage of
-/// the next step (first same as last).
+/// Stages of the method, excluding the derivative at the end of the step, which is the first stage of the next step
+/// (first same as last).
 const STAGES: usize = 12;
 
 /// The stages, the derivative at the end of the step, and the three additional stages of the dense output.
@@ -37,23 +37,22 @@ const ALL_STAGES: usize = 16;
 /// A step is accepted when the root mean square over the components of errorᵢ / (absoluteᵢ + relative · sizeᵢ) is at most
 /// 1 (Hairer, Nørsett & Wanner, II.4). It depends neither on the unit of time nor on how far an angle has turned:
 ///
-/// - The size of a component is the larger of |xᵢ| before and after the step. That of a coordinate that is an angle is 1,
-///   and that of another ignorable coordinate is |q̇ᵢ| T.
+/// - The size of a component is the larger of |xᵢ| before and after the step. The size of a coordinate that is an angle
+///   is 1, and the size of any other ignorable coordinate is |q̇ᵢ| T.
 /// - The absolute tolerance of a coordinate is `absolute` in its units, or `absolute` times its size if one is given by
-///   [`with_sizes`](crate::SetTypicalSizes::with_sizes). That of a velocity is the same over T: an error of a velocity
+///   [`with_sizes`](crate::SetTypicalSizes::with_sizes). For a velocity it is divided by T: an error of a velocity
 ///   counts by the displacement that it causes in the time T.
-/// - T is the longest step so far, and at the start the time in which the coordinates change by their
-///   size. So it belongs to the motion, and is no setting. (Multiplying errors of velocities by the present step, as is
-///   usual for constrained systems, would forgive large ones where steps are short, as near a collision: E. Hairer &
-///   G. Wanner, *Solving Ordinary Differential Equations II*, 2nd edition (1996), VII.)
+/// - T is the longest step so far, and at the start the time in which the coordinates change by their size. T thus is a
+///   property of the motion, not a setting. (For constrained systems it is usual to multiply errors of velocities by
+///   the present step instead. This would admit large errors where steps are short, as near a collision: E. Hairer & G.
+///   Wanner, *Solving Ordinary Differential Equations II*, 2nd edition (1996), VII.)
 ///
 /// For a state without velocities, such as a plain vector, every component is a coordinate.
 ///
-/// The default of both tolerances is 10⁻¹⁰. One of them may be zero. Without an absolute tolerance an
-/// integration may start from rest, but steps become ever smaller where a component comes near to zero and is not
-/// exactly zero. The integration ends near a singularity of the
-/// mass matrix where the estimated relative error of the accelerations exceeds the relative
-/// tolerance ([`Problem::singularity_tolerance`](crate::Problem::singularity_tolerance)).
+/// Both tolerances are 10⁻¹⁰ by default. One of them may be zero. Without an absolute tolerance an integration may
+/// start from rest, but steps become ever smaller where a component approaches zero without being exactly zero. Near a
+/// singularity of the mass matrix the integration ends where the estimated relative error of the accelerations exceeds
+/// the relative tolerance ([`Problem::singularity_tolerance`](crate::Problem::singularity_tolerance)).
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -108,16 +107,16 @@ impl Dop853 {
         self
     }
 
-    /// Sets the tolerance of the error of a step in the units of a coordinate; by coordinate with
-    /// [`with_sizes`](crate::SetTypicalSizes::with_sizes). For a velocity it is divided by a
-    /// [time of the motion](Self#tolerances).
+    /// Sets the tolerance of the error of a step in the units of a coordinate, or in units of the sizes given by
+    /// [`with_sizes`](crate::SetTypicalSizes::with_sizes). For a velocity it is divided by a [time scale of the
+    /// motion](Self#tolerances).
     #[must_use]
     pub fn absolute_tolerance(mut self, absolute: f64) -> Self {
         self.tolerance.absolute = absolute;
         self
     }
 
-    /// Sets the size of the first step, in place of the automatic choice.
+    /// Sets the size of the first step, which is otherwise chosen automatically.
     #[must_use]
     pub fn initial_step(mut self, step: f64) -> Self {
         self.initial_step = Some(step);
@@ -131,11 +130,11 @@ impl Dop853 {
         self
     }
 
-    /// Sets the smallest step size: no shorter step is tried, and where one of this size does not meet the tolerance, the
-    /// integration ends with [`SmallestStep`](IntegrationError::SmallestStep). Only a step that ends where the
-    /// integration does, or a part of it, or where a sampled controller is updated, may be shorter.
+    /// Sets the smallest step size. No shorter step is tried; where a step of this size does not meet the tolerance,
+    /// the integration ends with [`SmallestStep`](IntegrationError::SmallestStep). Only a step that ends at the end of
+    /// the integration or of a part of it, or where a sampled controller is updated, may be shorter.
     ///
-    /// Without this setting, steps may become as short as ten times the spacing ε |t| of numbers at the time t.
+    /// Without this setting, the shortest step is ten times the spacing ε |t| of floating-point numbers at the time t.
     #[must_use]
     pub fn min_step(mut self, step: f64) -> Self {
         self.min_step = Some(step);

@@ -1,4 +1,4 @@
-//! The driver of an integration: what it does before the first step, and how it goes on.
+//! The driver of an integration: the checks before the first step, and the loop over steps and reactions.
 
 use super::at::At;
 use super::collector::Collector;
@@ -16,7 +16,7 @@ use super::stepper::{Advance, Stepper as _, checked_state};
 use crate::limits::MIN_SINGULARITY_TOLERANCE;
 use crate::scalar::Scalar;
 
-/// A method, what is watched, and limits: it takes steps until there is a reason to stop.
+/// A method, what is watched, and limits. It takes steps until there is a reason to stop.
 #[derive(Clone, Debug)]
 pub(crate) struct Driver<I, C, O> {
     pub(crate) integrator: I,
@@ -25,7 +25,7 @@ pub(crate) struct Driver<I, C, O> {
     pub(crate) singularity_tolerance: Option<f64>,
 }
 
-/// What is asked of an integration from where it is.
+/// The end and the step limit of an integration that continues from its present state.
 #[derive(Clone, Copy)]
 pub(crate) struct Course {
     pub(crate) end: f64,
@@ -34,7 +34,7 @@ pub(crate) struct Course {
 }
 
 impl Course {
-    /// An error unless the end is finite.
+    /// Returns an error unless the end is finite.
     pub(crate) fn check(self) -> Result<(), IntegrationError> {
         let time = self.end;
         if time.is_finite() {
@@ -45,23 +45,23 @@ impl Course {
     }
 }
 
-/// How an integration goes on.
+/// What an integration does next.
 pub(crate) enum Next {
     End(StopReason),
-    /// By a step towards this time, which the caller takes.
+    /// Takes a step towards this time; the caller takes it.
     Step(f64),
 }
 
-/// What the reactions to events have done.
+/// The effect of the reactions to events.
 struct Reacted<X> {
     /// The state, if it or the dynamics have changed.
     changed: Option<X>,
-    /// Why the integration ends, and which events say so.
+    /// The reason for which the integration ends, and the events that caused it.
     stop: Option<(StopReason, MetConditions)>,
 }
 
 impl<I, C, O> Driver<I, C, O> {
-    /// Goes on along a course, which is checked.
+    /// Continues along a course that has been checked.
     pub(crate) fn advance<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
         system: (&mut D, &mut R),
@@ -96,7 +96,7 @@ impl<I, C, O> Driver<I, C, O> {
         (outcome, result)
     }
 
-    /// The loop over steps before the first of them.
+    /// Returns the state of the loop before its first step.
     pub(crate) fn set_out<S: Scalar, D: Dynamics<S>>(
         &self,
         stepper: &I::Stepper,
@@ -119,7 +119,8 @@ impl<I, C, O> Driver<I, C, O> {
         (state, Outcome::at(At { t, x }))
     }
 
-    /// One part after the other, with a reaction between them, until the integration ends or the caller is to take a step.
+    /// Integrates part after part, with a reaction between them, until the integration ends or the caller is to take a
+    /// step.
     pub(crate) fn go_on<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
         (dynamics, reactions): (&mut D, &mut R),
@@ -184,8 +185,8 @@ impl<I, C, O> Driver<I, C, O> {
         }
     }
 
-    /// The reactions to all events of one time, in the order of their indices. Where they change the state or the dynamics,
-    /// the method begins anew.
+    /// Runs the reactions to all events at one time, in the order of their indices. If they change the state or the
+    /// dynamics, the method restarts.
     fn react<S: Scalar, D: Dynamics<S>, R: Reactions<S, D>>(
         &mut self,
         (dynamics, reactions): (&mut D, &mut R),
@@ -228,7 +229,7 @@ impl<I, C, O> Driver<I, C, O> {
         })
     }
 
-    /// Begins anew from the state that a reaction has left. Returns the events that occur again and again in too short a time.
+    /// Restarts from the state that a reaction has left. Returns the events that recur in too short a time.
     fn begin_anew<S: Scalar, D: Dynamics<S>>(
         &mut self,
         dynamics: &D,
@@ -249,8 +250,8 @@ impl<I, C, O> Driver<I, C, O> {
         Ok(condition.restart(memory, dynamics, occurring, &x, step))
     }
 
-    /// Checks the settings and the initial value. The singularity comes before the derivative: where M is
-    /// singular, the accelerations are not finite, and an error about them would say less.
+    /// Checks the settings and the initial value. The singularity is checked before the derivative: where M is
+    /// singular, the accelerations are not finite, and an error about them would be less informative.
     pub(crate) fn begin<S: Scalar, D: Dynamics<S>>(
         &self,
         dynamics: &D,
@@ -265,7 +266,7 @@ impl<I, C, O> Driver<I, C, O> {
             .start(dynamics, initial.t, initial.x.clone())
     }
 
-    /// An error unless the settings are valid and the state is finite and regular.
+    /// Returns an error unless the settings are valid and the state is finite and regular.
     pub(crate) fn check_state<S: Scalar, D: Dynamics<S>>(
         &self,
         dynamics: &D,
@@ -287,7 +288,7 @@ impl<I, C, O> Driver<I, C, O> {
         check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.min_pivot::<S, D>())
     }
 
-    /// The smallest relative pivot that does not end the integration.
+    /// Returns the smallest relative pivot that does not end the integration.
     fn min_pivot<S: Scalar, D: Dynamics<S>>(&self) -> f64
     where
         I: Integrator<S, D>,
@@ -302,8 +303,8 @@ impl<I, C, O> Driver<I, C, O> {
     }
 }
 
-/// Updates the state, if it is time to, and tells when the next update is, if the motion comes there: updates are of a motion
-/// forwards in time.
+/// Updates the state if an update is due, and returns the time of the next update if it is before the end. Updates
+/// happen only in motions forwards in time.
 fn update<S: Scalar, D: Dynamics<S>>(
     dynamics: &D,
     stepper: &mut impl Advance<S, D>,

@@ -10,8 +10,8 @@ use crate::scalar::Scalar;
 
 /// A system of first-order differential equations ẋ = f(t, x).
 ///
-/// Integrators step anything that implements it. The equations of motion of a model are made by
-/// [`Lagrangian::dynamics`](crate::Lagrangian::dynamics).
+/// Integrators accept any type that implements this trait. [`Lagrangian::dynamics`](crate::Lagrangian::dynamics)
+/// returns the equations of motion of a model.
 ///
 /// ```
 /// use lagrangian::{At, Dop853, Dynamics, Problem};
@@ -41,50 +41,51 @@ pub trait Dynamics<S: Scalar = f64> {
     /// The state x.
     type State: VectorSpace<S>;
 
-    /// The derivative f(t, x).
+    /// Returns the derivative f(t, x).
     fn derivative(&self, t: S, x: &Self::State) -> Self::State;
 
-    /// The error of a step that is allowed in each component: absolute + relative · size, where the size is that of the
-    /// component by default, and absolute · rate + relative · size for a velocity
+    /// Returns the allowed error of a step in each component: absolute + relative · size, where the size by default is
+    /// the magnitude of the component, and absolute · rate + relative · size for a velocity
     /// ([`VectorSpace::allowed_error`]).
     ///
-    /// The equations of motion of a model take the size of a coordinate that is an angle as 1, since whole turns do not
-    /// matter, and that of another ignorable coordinate as |q̇|/rate.
+    /// In the equations of motion of a model, the size of a coordinate that is an angle is 1, since whole turns do not
+    /// matter, and the size of any other ignorable coordinate is |q̇|/rate.
     #[inline]
     fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
         x.allowed_error(tolerance)
     }
 
-    /// A state at which the derivative is the same as at x + `compensation`, and is computed with smaller rounding
-    /// errors: with angles less whole periods ([`PERIODS`](crate::GeneralizedCoordinates::PERIODS)). x by default.
+    /// Returns a state at which the derivative is the same as at x + `compensation`, but is computed with smaller
+    /// rounding errors, because whole periods ([`PERIODS`](crate::GeneralizedCoordinates::PERIODS)) of angles are
+    /// subtracted. By default it is x.
     ///
-    /// Steppers evaluate derivatives from there; their own state goes on counting turns. The compensation is what
+    /// Steppers evaluate derivatives at this state; their own state continues to count turns. The compensation is what
     /// rounding has removed from x.
     ///
-    /// Under a control law nothing is reduced: a law may count turns.
+    /// Under a control law nothing is reduced, since a law may count turns.
     #[inline]
     fn reduced(&self, x: &Self::State, compensation: &Self::State) -> Self::State {
         let _ = compensation;
         x.clone()
     }
 
-    /// The singularity near a state, if the smallest relative pivot of the mass matrix (or what corresponds to it)
-    /// is below `min_pivot` or NaN.
+    /// Returns the singularity near a state, if the smallest relative pivot of the mass matrix (or an equivalent
+    /// measure) is below `min_pivot` or NaN.
     #[inline]
     fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
         let _ = (t, x, min_pivot);
         None
     }
 
-    /// The same at the end of a step: where it is certain that no singularity is ever met, nothing is looked at. What
-    /// [`singularity`](Self::singularity) says by default.
+    /// Returns the singularity near a state at the end of a step. Where it is certain that no singularity is ever met,
+    /// nothing is evaluated. By default it calls [`singularity`](Self::singularity).
     #[inline]
     fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
         self.singularity(t, x, min_pivot)
     }
 
-    /// A singularity between two states that a step has led from and to, though it need be near neither of them: a pole, at
-    /// which the equations have no value; in any lane.
+    /// Returns a singularity, in any lane, between the states before and after a step, even if it is near neither of
+    /// them: a pole, at which the equations have no value.
     #[inline]
     fn singularity_between(
         &self,
@@ -95,21 +96,21 @@ pub trait Dynamics<S: Scalar = f64> {
         None
     }
 
-    /// The coordinate whose inertia has nearly vanished at a state, if there is one: it moves too fast for any step.
-    /// Called where no step is small enough.
+    /// Returns the coordinate whose inertia has nearly vanished at a state, if there is one: it moves too fast for any
+    /// step. Called when no step is small enough.
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
         let _ = (t, x);
         None
     }
 
-    /// The same in one lane.
+    /// Returns the coordinate whose inertia has nearly vanished in one lane.
     fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
         let _ = lane;
         self.vanishing_inertia(t, x)
     }
 
-    /// An error if a parameter has no meaning, such as a period that is not positive. A [`Problem`](crate::Problem) checks its dynamics
-    /// where it begins, and after each change of them.
+    /// Returns an error if a parameter is meaningless, such as a period that is not positive. A
+    /// [`Problem`](crate::Problem) checks its dynamics at the start and after each change to them.
     ///
     /// # Errors
     ///
@@ -118,36 +119,40 @@ pub trait Dynamics<S: Scalar = f64> {
         Ok(())
     }
 
-    /// The next time at which the state is updated (a sampled controller, a difference equation beside the differential ones),
-    /// as far as `x` tells; none by default. Steps of a [`Problem`](crate::Problem) end there, if it is integrated forwards in
-    /// time.
+    /// Returns the next time at which the state is updated (by a sampled controller, or by a difference equation beside
+    /// the differential ones), as far as `x` determines it; by default `None`. If a [`Problem`](crate::Problem) is
+    /// integrated forwards in time, a step ends there.
     fn next_update(&self, x: &Self::State) -> Option<f64> {
         let _ = x;
         None
     }
 
-    /// Updates the state at the time that [`next_update`](Self::next_update) told, which is a later one from then on.
+    /// Updates the state at the time that [`next_update`](Self::next_update) returned. From then on, it returns a later
+    /// time.
     fn update(&self, t: S, x: &mut Self::State) {
         let _ = (t, x);
     }
 
-    /// The state nearest to `x` on the manifold on which the equations hold: with a unit quaternion, or with positions and velocities
-    /// that meet constraints. `None`, the default, where there is no manifold.
+    /// Returns the state nearest to `x` on the manifold on which the equations hold, for example with a unit
+    /// quaternion, or with positions and velocities that satisfy constraints. By default `None`: there is no manifold.
     ///
-    /// Each step is taken, and its error is estimated, as if there were none; once it is accepted, its end is projected, before anything
-    /// sees it, and so are the states of samples and events (E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd
-    /// edition (2006), IV.4). [`Statistics::projection`](crate::Statistics::projection) tells how far ends of steps were moved.
-    /// More than ten times the error that is allowed is an error, [`OffManifold`](crate::IntegrationError::OffManifold). So is
-    /// a start, or a state that a reaction or [`Run::change`](crate::problem::Run::change) leaves, that is as far from the manifold; a
-    /// nearer one is not changed before the end of the first step. Fixed steps, which have no tolerance, begin within 10⁻⁶ of the size
-    /// of each component.
+    /// Each step is taken, and its error is estimated, without regard to the manifold. Once it is accepted, its end is
+    /// projected before anything else sees it, and so are the states of samples and events (E. Hairer, C. Lubich & G.
+    /// Wanner, *Geometric Numerical Integration*, 2nd edition (2006), IV.4).
+    /// [`Statistics::projection`](crate::Statistics::projection) tells how far the ends of steps were moved. A move by
+    /// more than ten times the allowed error is an error, [`OffManifold`](crate::IntegrationError::OffManifold). The
+    /// same limit applies to the start, and to a state left by a reaction or by
+    /// [`Run::change`](crate::problem::Run::change); such a state, if it is near enough, is not changed before the end
+    /// of the first step. Fixed steps, which have no tolerance, have to start within 10⁻⁶ of the size of each
+    /// component.
     ///
-    /// It depends on `t` and `x` alone, and takes always the same number of iterations, so that a motion has the same bits alone, in
-    /// lanes and resumed. A state on the manifold stays where it is but for rounding. Of a relative error e, n
-    /// iterations of Newton's method with the gradients of the first leave the power n + 1: two are enough for tolerances of 10⁻⁶, three for
-    /// any, one more on [`Dual`](crate::Dual) numbers. Positions come before velocities, whose
-    /// constraints are those at the projected positions. Of a mechanical system the nearest state is that in the metric of the mass
-    /// matrix: constraint forces then do the correcting.
+    /// The projection must depend on `t` and `x` alone and always take the same number of iterations, so that a motion
+    /// has the same bits alone, in lanes and resumed. It must leave a state on the manifold in place except for
+    /// rounding. After n iterations of Newton's method with the gradients of the first iteration, a relative error e
+    /// becomes eⁿ⁺¹: two iterations are enough for tolerances of 10⁻⁶, three for any tolerance, and
+    /// [`Dual`](crate::Dual) numbers need one more. Project positions before velocities, whose constraints are
+    /// evaluated at the projected positions. For a mechanical system the nearest state is meant in the metric of the
+    /// mass matrix, so that the correction acts like constraint forces.
     ///
     /// ```
     /// use lagrangian::prelude::*;
@@ -193,13 +198,13 @@ pub trait Dynamics<S: Scalar = f64> {
         None
     }
 
-    /// The name of a constraint onto which [`project`](Self::project) projects, in error messages.
+    /// Returns the name, for error messages, of a constraint onto which [`project`](Self::project) projects.
     fn constraint_name(&self, index: usize) -> &'static str {
         let _ = index;
         "a constraint"
     }
 
-    /// The name of a component in error messages.
+    /// Returns the name of a component for error messages.
     fn component_name(&self, index: usize) -> ComponentName {
         ComponentName::Index(index)
     }
@@ -275,11 +280,11 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for &D {
 /// The name of a component of a state in error messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ComponentName {
-    /// The coordinate of that name.
+    /// The coordinate with this name.
     Coordinate(&'static str),
-    /// The velocity of the coordinate of that name.
+    /// The velocity of the coordinate with this name.
     Velocity(&'static str),
-    /// The state of that index of a controller.
+    /// The state of a controller with this index.
     Controller(usize),
     /// A component without a name.
     Index(usize),

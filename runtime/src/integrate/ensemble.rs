@@ -14,14 +14,16 @@ use super::problem::{Found, Keep, Problem, Reactions};
 use super::runge_kutta::RungeKutta;
 use crate::scalar::Scalar;
 
-/// Many problems that are integrated by one method: initial values, parameters, inputs or laws that differ, each with the events,
-/// samples, observers and limits that its [`Problem`] asks for.
+/// Many problems that are integrated by one method.
 ///
-/// [`Taylor`](crate::Taylor) integrates several members at once in SIMD lanes ([`InLanes`](crate::InLanes)), each with steps and a
-/// final time of its own; a lane whose member has ended takes the next one. [`Dop853`] and [`RungeKutta`] integrate one after the
-/// other. No member depends on the others: whatever their order, it has the bits that it has alone in two or more lanes. In one
-/// lane, and by [`Problem::solve`], its series are summed in another order, and differ by rounding. An error ends one member and is its
-/// result.
+/// Their initial values, parameters, inputs or control laws differ, and each has the events, samples, observers and
+/// limits of its own [`Problem`].
+///
+/// [`Taylor`](crate::Taylor) integrates several members at once in SIMD lanes ([`InLanes`](crate::InLanes)), each with
+/// its own steps and final time; when a member ends, its lane takes the next one. [`Dop853`] and [`RungeKutta`]
+/// integrate one member after the other. Members do not affect each other: in two or more lanes, the result of a member
+/// is the same to the last bit, whatever the others and their order. In one lane, and by [`Problem::solve`], its series
+/// are summed in another order, and results differ by rounding. An error ends one member only, and is its result.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -56,7 +58,7 @@ pub struct Ensemble<P, const L: usize = 4> {
 }
 
 impl<P> Ensemble<P> {
-    /// The ensemble of these problems: an iterator, an array, a `Vec`.
+    /// Creates an ensemble from problems: an iterator, an array or a `Vec`.
     pub fn new(problems: P) -> Self
     where
         P: IntoIterator,
@@ -66,8 +68,8 @@ impl<P> Ensemble<P> {
 }
 
 impl<P, const L: usize> Ensemble<P, L> {
-    /// With so many SIMD lanes, of which a method that has none makes no use. 4, the default, suit processors with AVX2 and 8 those
-    /// with AVX-512, with `-C target-cpu=native`.
+    /// Sets the number of SIMD lanes; methods without lanes ignore it. The default of 4 suits processors with AVX2, and
+    /// 8 suits processors with AVX-512, when compiled with `-C target-cpu=native`.
     pub fn lanes<const M: usize>(self) -> Ensemble<P, M> {
         const { assert!(M > 0, "an ensemble has at least one lane") }
         Ensemble {
@@ -75,11 +77,12 @@ impl<P, const L: usize> Ensemble<P, L> {
         }
     }
 
-    /// Integrates each problem until its end, and passes its position and what is found to `report`, in the order in which they
-    /// end. The end is a time for all of them, or a function of the position.
+    /// Integrates each problem until its end, and passes its position and its result to `report`, in the order in which
+    /// the problems end. `end` is a time for all problems, or a function of the position.
     ///
-    /// No more problems are taken from the iterator than there are lanes, and nothing is allocated but by what they keep.
-    #[allow(clippy::needless_pass_by_value)] // As `Problem::solve` takes them.
+    /// At most as many problems are in progress as there are lanes. Nothing is allocated except for what the problems
+    /// keep.
+    #[allow(clippy::needless_pass_by_value)] // By value, as in `Problem::solve`.
     pub fn solve_each<S, D, K, C, R, O, I>(
         self,
         end: impl Ends,
@@ -100,8 +103,9 @@ impl<P, const L: usize> Ensemble<P, L> {
         method.solve_each(members, report);
     }
 
-    /// Integrates each problem until its end. The solutions, or errors with the solutions up to them, are in the order of the
-    /// problems. The end is a time for all of them, or a function of the position.
+    /// Integrates each problem until its end, and returns the results in the order of the problems. A result is a
+    /// solution, or an error with the solution up to it. `end` is a time for all problems, or a function of the
+    /// position.
     #[cfg(feature = "alloc")]
     #[must_use]
     pub fn solve<S, D, K, C, R, O, I>(
@@ -126,7 +130,7 @@ impl<P, const L: usize> Ensemble<P, L> {
     }
 }
 
-/// The final times of an ensemble: one for all problems, or a function of the position of a problem.
+/// The final times of an ensemble: one for all problems, or a function of a problem's position.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say when the problems of an ensemble end",
     note = "write a time, `ensemble.solve(10.0, method)`, or a function of the position, `|index| 0.1 * index as f64`"
@@ -148,11 +152,11 @@ impl<F: Fn(usize) -> f64> Ends for F {
     }
 }
 
-/// A method that integrates an ensemble of problems of such dynamics: one after the other, or `L` at once if it can.
+/// A method that integrates an ensemble of problems with dynamics `D`, either one after the other or `L` at once.
 pub trait EnsembleIntegrator<S: Scalar, D: Dynamics<S>, const L: usize>:
     Integrator<S, D> + Clone
 {
-    /// Integrates each problem until its end, and reports its position and what is found.
+    /// Integrates each problem until its end, and reports its position and its result.
     fn solve_each<K, C, R, O, Kept>(
         &self,
         members: impl Iterator<Item = (Problem<S, D, K, C, R, O>, f64)>,

@@ -50,7 +50,7 @@ pub enum IntegrationError {
         /// The relative error in the accelerations, estimated as the machine epsilon over the
         /// smallest relative pivot.
         estimated_error: f64,
-        /// The coordinates that make it so.
+        /// The coordinates that cause it.
         singularity: Singularity,
     },
     /// The tolerance requires a step that is too small to advance the time.
@@ -59,7 +59,7 @@ pub enum IntegrationError {
         time: f64,
         /// The size of the next step.
         step: f64,
-        /// The component with the largest error relative to the tolerance; none for fixed steps.
+        /// The component with the largest error relative to the tolerance; `None` for fixed steps.
         component: Option<ComponentName>,
         /// Whether the absolute tolerance is zero, so that a component near zero may have no error.
         relative_only: bool,
@@ -68,7 +68,7 @@ pub enum IntegrationError {
     SmallestStep {
         /// The time reached.
         time: f64,
-        /// That size, which [`Dop853::min_step`](crate::Dop853::min_step) sets.
+        /// The step size, which [`Dop853::min_step`](crate::Dop853::min_step) sets.
         step: f64,
         /// The component with the largest error relative to the tolerance.
         component: ComponentName,
@@ -87,21 +87,22 @@ pub enum IntegrationError {
         time: f64,
         /// The size of the next step.
         step: f64,
-        /// The coordinates that make it so; its relative pivot is the inertia relative to that elsewhere.
+        /// The coordinates that cause it; the relative pivot is the inertia relative to its size elsewhere.
         singularity: Singularity,
     },
-    /// A motion cannot leave a discontinuity surface of its equations: on both sides of it they lead back to it, as dry friction
-    /// does at rest. There is then no motion on either side, but a sliding mode (A. F. Filippov, *Differential Equations with
-    /// Discontinuous Righthand Sides* (1988), § 4), which the method does not follow. So is a motion whose passages through
-    /// such a surface accumulate.
+    /// A motion cannot leave a discontinuity surface of its equations, because on both sides they lead back to it, like
+    /// dry friction at rest. The solution is then a sliding mode (A. F. Filippov, *Differential Equations with
+    /// Discontinuous Righthand Sides* (1988), § 4), which the method does not follow. This is also the error of a
+    /// motion that crosses such a surface at accumulating times.
     SlidingMode {
-        /// The time from which on it stays there.
+        /// The time from which on the motion stays there.
         time: f64,
         /// The switching function that is zero there, such as ẋ for `signum(dot(x))`.
         function: &'static str,
     },
-    /// The projection of a state onto the manifold on which the equations hold has failed ([`Dynamics::project`](crate::Dynamics::project)):
-    /// there is no state near that meets the constraints, or none is the nearest.
+    /// The projection of a state onto the manifold on which the equations hold has failed
+    /// ([`Dynamics::project`](crate::Dynamics::project)): no state nearby satisfies the constraints, or none of them is
+    /// nearest.
     ProjectionFailed {
         /// The time of the state.
         time: f64,
@@ -110,20 +111,21 @@ pub enum IntegrationError {
         /// Its residual.
         residual: f64,
     },
-    /// A state is farther from the manifold on which the equations hold than the error of a step and rounding explain: the start, what
-    /// a reaction has left, or the end of a step if the derivative does not keep the constraints.
+    /// A state is farther from the manifold on which the equations hold than the error of a step and rounding explain.
+    /// It is the start, a state left by a reaction, or the end of a step with a derivative that does not preserve the
+    /// constraints.
     OffManifold {
         /// The time of the state.
         time: f64,
         /// The first component that the projection moves too far.
         component: ComponentName,
-        /// By how much it would move it.
+        /// The change that the projection would make to it.
         correction: f64,
-        /// How far it may: ten times the error that is allowed, and what rounding explains.
+        /// The largest change allowed: ten times the allowed error, plus an allowance for rounding.
         limit: f64,
     },
-    /// So many steps were taken before the end that the integration gave up. With a limit that
-    /// is set by [`Problem::max_steps`](crate::Problem::max_steps) it stops without an error instead, by
+    /// The integration took the default maximum of steps without reaching its end. If the limit is set by
+    /// [`Problem::max_steps`](crate::Problem::max_steps), the integration stops without an error instead, with
     /// [`StopReason::StepLimit`](crate::StopReason::StepLimit).
     TooManySteps {
         /// The time reached.
@@ -131,16 +133,16 @@ pub enum IntegrationError {
         /// The limit.
         limit: u64,
     },
-    /// A time at which a solution is asked is not between its ends.
+    /// The time at which a solution is evaluated is not between its ends.
     OutsideSolution {
         /// That time.
         time: f64,
-        /// The time at which the solution, or the last step, begins.
+        /// The start of the solution, or of the last step.
         start: f64,
         /// The time at which it ends.
         end: f64,
     },
-    /// A sample is asked for outside of the integration.
+    /// A sample is requested outside of the time span of the integration.
     OutsideSpan {
         /// Its time.
         time: f64,
@@ -159,14 +161,15 @@ pub enum IntegrationError {
         /// That period.
         period: f64,
     },
-    /// The time constant with which an actuator lags is not a positive finite number.
+    /// The time constant of an actuator's lag is not a positive finite number.
     InvalidTimeConstant {
         /// The index of the input.
         input: usize,
         /// That time constant.
         time_constant: f64,
     },
-    /// The update of a state does not come later each time, as where a period is shorter than the times resolve.
+    /// The next update of a state is not later than the present one, for example because a period is shorter than the
+    /// resolution of times.
     InvalidUpdate {
         /// The time of the update.
         time: f64,
@@ -192,12 +195,12 @@ pub enum IntegrationError {
         /// The absolute tolerance.
         absolute: f64,
     },
-    /// The error that is allowed in a component is negative or not a number, since its
+    /// The allowed error of a component is negative or not a number, because its
     /// [size](crate::SetTypicalSizes::with_sizes) is.
     InvalidSize {
         /// The component.
         component: ComponentName,
-        /// What is allowed at an absolute tolerance of 1.
+        /// The error allowed at an absolute tolerance of 1.
         size: f64,
     },
     /// The singularity tolerance is not a positive number.
@@ -205,7 +208,7 @@ pub enum IntegrationError {
         /// That tolerance.
         tolerance: f64,
     },
-    /// An event is watched for that the model does not declare.
+    /// An event is watched that the model does not declare.
     NoSuchEvent {
         /// The index that was given.
         index: usize,

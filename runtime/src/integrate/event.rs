@@ -1,7 +1,7 @@
 //! Events: zeros of functions of time and state within the steps of an integration.
 //!
-//! Comes in: the last step of any method. Goes out: where in it which events occur, in the order of time. What happens
-//! then is decided elsewhere. Nothing here allocates.
+//! The input is the last step of any method; the output is the events that occur in it, in the order of time. Their
+//! consequences are decided elsewhere. Nothing here allocates.
 //!
 //! L. F. Shampine & S. Thompson, *Event Location for Ordinary Differential Equations*, Comput. Math. Appl. **39** (2000)
 //! 43–54, show that the error of an integration which restarts at an event is of the order of the method.
@@ -43,19 +43,19 @@ use core::ops::Deref;
 
 use super::at::At;
 
-/// The direction in which an event function crosses zero in the course of an integration, also of a backward one.
+/// The direction in which an event function crosses zero in the course of an integration, even of a backward one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
     /// From negative to positive.
     Rising,
     /// From positive to negative.
     Falling,
-    /// In one direction or the other.
+    /// In either direction.
     Either,
 }
 
 impl Crossing {
-    /// Whether zero is crossed or reached between two values. From zero there is no crossing, and NaN has no sign.
+    /// Whether zero is crossed or reached between two values. There is no crossing from zero, and NaN has no sign.
     pub(crate) fn between(self, before: f64, after: f64) -> bool {
         let rises = before < 0.0 && after >= 0.0;
         let falls = before > 0.0 && after <= 0.0;
@@ -67,8 +67,7 @@ impl Crossing {
     }
 }
 
-/// What is watched for: that an event function crosses zero, in which direction, and whether the integration stops
-/// there.
+/// A zero crossing that is watched for: its direction, and whether the integration stops there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Event {
     crossing: Crossing,
@@ -76,7 +75,7 @@ pub struct Event {
 }
 
 impl Event {
-    /// The function crosses zero in the direction given, or reaches it from that side.
+    /// Returns the event that the function crosses zero in the given direction, or reaches it in that direction.
     #[must_use]
     pub const fn new(crossing: Crossing) -> Self {
         Self {
@@ -85,26 +84,26 @@ impl Event {
         }
     }
 
-    /// The function crosses zero in one direction or the other.
+    /// Returns the event that the function crosses zero in either direction.
     #[must_use]
     pub const fn either() -> Self {
         Self::new(Crossing::Either)
     }
 
-    /// The integration stops there.
+    /// Makes the integration stop at the event.
     #[must_use]
     pub const fn terminal(mut self) -> Self {
         self.is_terminal = true;
         self
     }
 
-    /// The event in another direction.
+    /// Returns this event with another direction.
     pub(crate) const fn crossing_by(mut self, crossing: Crossing) -> Self {
         self.crossing = crossing;
         self
     }
 
-    /// The direction.
+    /// Returns the direction.
     #[must_use]
     pub const fn crossing(self) -> Crossing {
         self.crossing
@@ -117,26 +116,26 @@ impl Event {
     }
 }
 
-/// What a reaction to an event asks for. Whether the state has changed is seen at the state.
+/// The request of a reaction to an event. A change of the state itself is detected by comparison.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reaction {
-    /// The dynamics may have changed: the method begins anew from there.
+    /// The dynamics may have changed: the method restarts.
     pub(crate) changes: bool,
-    /// The integration ends there.
+    /// The integration ends at the event.
     pub(crate) stops: bool,
 }
 
-/// An event that occurred: which, and when and where, before any reaction. It is the state there, too: `occurrence.t`,
-/// `occurrence.q[0]`.
+/// An event that occurred, with its time and the state there before any reaction. It dereferences to the state:
+/// `occurrence.t`, `occurrence.q[0]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Occurrence<X, S = f64> {
-    /// The number of the event: events and conditions are counted from 0 in the order of the settings, and each event of an array
-    /// counts. [`is`](Self::is) tells whether it is a certain event of the declaration.
+    /// The number of the event. Events and conditions are counted from 0 in the order of the settings; each event of an
+    /// array counts. Use [`is`](Self::is) to compare with an event of the declaration.
     pub event: usize,
-    /// The state at the event. Its time has derivative parts and the digits of a double-double; the derivative parts of the
-    /// state are those at the event, whose time moves, too.
+    /// The state at the event. Its time has derivative parts and the digits of a double-double. The derivative parts of
+    /// the state include the change of the event's time.
     pub state: At<S, X>,
-    /// The index of the event in the declaration, if it is in one.
+    /// The index of the event in the declaration, if it was declared.
     pub(crate) declared: Option<usize>,
 }
 

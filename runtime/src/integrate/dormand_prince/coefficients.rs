@@ -5,7 +5,7 @@
 //! Equations I*, 2nd edition (1993), II.5, II.6 and II.10 (the code DOP853). The tests below verify every
 //! order condition.
 
-// The published digits, more than an `f64` holds.
+// The published digits; an `f64` holds fewer.
 #![allow(clippy::excessive_precision, clippy::unreadable_literal)]
 
 /// The nodes cᵢ: twelve stages, the end of the step, and the three stages of the dense output.
@@ -28,7 +28,7 @@ pub(super) const NODES: [f64; 16] = [
     7.0 / 9.0,
 ];
 
-/// The rows of the matrix aᵢⱼ. That of the end of the step has the weights of order 8.
+/// The rows of the matrix aᵢⱼ. The row for the end of the step consists of the weights of order 8.
 pub(super) const MATRIX: [&[f64]; 16] = [
     &[],
     &[0.0526001519587677318785587544488],
@@ -184,7 +184,7 @@ pub(super) const WEIGHTS: [f64; 12] = [
     0.0447106157277725905176885569043,
 ];
 
-/// The weights of order 8 less those of the embedded method of order 5.
+/// The weights of order 8 minus the weights of the embedded method of order 5.
 pub(super) const FIFTH_ORDER_ERROR: [f64; 12] = [
     0.01312004499419488073250102996,
     0.0,
@@ -300,14 +300,14 @@ mod tests {
     use super::{FIFTH_ORDER_ERROR, MATRIX, NODES, THIRD_ORDER, WEIGHTS};
     use crate::integrate::order_conditions::residual;
 
-    /// Rounding errors of the sums: the coefficients are up to 44, and products of a few rows of
-    /// them enter a condition.
+    /// Bound on the rounding errors of the sums: the coefficients are up to 44, and a condition multiplies coefficients
+    /// of several rows.
     const ROUNDING: f64 = 1e-13;
 
     #[test]
     fn nodes_are_row_sums() {
         for (node, row) in NODES.iter().zip(MATRIX) {
-            // The entries are up to 44, so their rounding errors up to 44 ε.
+            // The entries are up to 44, so that their rounding errors are up to 44 ε.
             assert!((node - row.iter().sum::<f64>()).abs() < 50.0 * f64::EPSILON);
         }
     }
@@ -336,7 +336,7 @@ mod tests {
         }
     }
 
-    /// The weights bᵢ(θ) of the dense output are what it makes of the unit vectors as derivatives.
+    /// The weights bᵢ(θ) of the dense output, obtained by interpolating with unit vectors as derivatives.
     fn dense_weights(theta: f64) -> SVector<f64, 16> {
         let stages =
             core::array::from_fn(|i| SVector::<f64, 16>::from_fn(|j, _| f64::from(i == j)));

@@ -19,7 +19,7 @@ pub(super) struct DensePolynomial<X> {
 }
 
 impl<X> DensePolynomial<X> {
-    /// The polynomial from `start` to `end`, a step `h`, through the derivatives of all stages.
+    /// Returns the polynomial from `start` to `end` over a step `h`, with the derivatives of all stages.
     pub(super) fn new<S: Scalar>(start: &X, end: &X, h: f64, stages: &[X; ALL_STAGES]) -> Self
     where
         X: VectorSpace<S>,
@@ -44,7 +44,7 @@ impl<X> DensePolynomial<X> {
         }
     }
 
-    /// The state at the fraction θ of the step.
+    /// Returns the state at the fraction θ of the step.
     pub(super) fn at<S: Scalar>(&self, fraction: f64) -> X
     where
         X: VectorSpace<S>,
@@ -52,7 +52,7 @@ impl<X> DensePolynomial<X> {
         let theta = S::from_f64(fraction);
         let rest = S::from_f64(1.0 - fraction);
         let mut value = self.start.zeroed();
-        // The innermost factor of the seven is θ, and they alternate outwards.
+        // The innermost of the seven factors is θ; outwards, 1 − θ and θ alternate.
         for (i, coefficient) in self.coefficients.iter().enumerate().rev() {
             value.add_scaled(S::one(), coefficient);
             let factor = if i % 2 == 0 { theta } else { rest };
@@ -61,7 +61,7 @@ impl<X> DensePolynomial<X> {
         value.add_scaled(S::one(), &self.start);
         value
     }
-    /// The derivative with respect to θ.
+    /// Returns the derivative with respect to θ.
     fn derivative<S: Scalar>(&self, fraction: f64) -> X
     where
         X: VectorSpace<S>,

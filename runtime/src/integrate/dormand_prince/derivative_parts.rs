@@ -1,8 +1,8 @@
-//! The error of the derivative parts of a step on dual numbers.
+//! The error of the derivative parts of a step of dual numbers.
 //!
-//! The derivative parts of one index are a vector that moves with the linearized motion. Its error is measured relative to
-//! its size, both in units of the errors that are allowed for the values: a derivative is then as accurate where the values
-//! rest, and however large its unit is.
+//! The derivative parts with one index form a vector that moves with the linearized motion. Its error is measured
+//! relative to its size, both in units of the errors that are allowed for the values. So derivatives are equally
+//! accurate where the values are at rest, and whatever their units are.
 
 use super::ALL_STAGES;
 use super::coefficients::{FIFTH_ORDER_ERROR, THIRD_ORDER, WEIGHTS};
@@ -12,7 +12,7 @@ use crate::limits::dormand_prince::THIRD_ORDER_WEIGHT;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// A step of size `h`, its stages, and the states and the errors that are allowed at its ends.
+/// An attempted step of size `h`: its stages, and the states and the allowed errors at its ends.
 pub(super) struct Attempted<'a, X> {
     pub(super) stages: &'a [X; ALL_STAGES],
     pub(super) h: f64,
@@ -22,7 +22,8 @@ pub(super) struct Attempted<'a, X> {
 }
 
 impl<X> Attempted<'_, X> {
-    /// The larger of the error of the values over the tolerance and those of the derivative parts, by the same formula.
+    /// Returns the largest of the error `of_values` and the errors of the derivative parts by the same formula, over
+    /// the tolerance.
     #[inline]
     pub(super) fn error<S: Scalar>(&self, of_values: f64) -> f64
     where
@@ -66,7 +67,7 @@ impl<X> Attempted<'_, X> {
         self.h.abs() * fifth / Scalar::sqrt(components * denominator)
     }
 
-    /// The derivative parts of an index, in units of the sizes of the components.
+    /// Returns the derivative parts of an index, in units of the sizes of the components.
     fn sizes<S: Scalar>(&self, vector: &X, part: usize) -> impl Iterator<Item = f64>
     where
         X: VectorSpace<S>,

@@ -1,5 +1,5 @@
-//! The sums of stages, column by column: as soon as a stage is known, its multiples are added to the sums of all later
-//! stages, to that of the step and to those of the error. So it is read while it is in registers.
+//! The sums of stages, column by column. As soon as a stage is known, its multiples are added to the sums for all later
+//! stages, for the step and for the error, so that the stage is read while it is in registers.
 
 use super::STAGES;
 use super::coefficients::{FIFTH_ORDER_ERROR, MATRIX, THIRD_ORDER, WEIGHTS};
@@ -9,10 +9,10 @@ use crate::scalar::Scalar;
 /// The sums for the stages after the first, the slope of the step, and two estimates of its error.
 const SUMS: usize = STAGES + 2;
 
-/// Of each stage the sums that it is part of, with its coefficients.
+/// For each stage, the sums that it is part of, with its coefficients.
 const COLUMNS: [Column; STAGES] = columns();
 
-/// The terms of a stage.
+/// The terms that a stage contributes.
 #[derive(Clone, Copy)]
 struct Column {
     terms: [(usize, f64); SUMS],
@@ -42,7 +42,7 @@ const fn columns() -> [Column; STAGES] {
     columns
 }
 
-/// The coefficient of a stage in a sum that it may be part of.
+/// Returns the coefficient of a stage in a sum that it may be part of.
 const fn coefficient(sum: usize, stage: usize) -> f64 {
     if sum + 1 < STAGES {
         MATRIX[sum + 1][stage]
@@ -55,17 +55,18 @@ const fn coefficient(sum: usize, stage: usize) -> f64 {
     }
 }
 
-/// The sums of the stages that are known.
+/// The sums over the stages that are known.
 pub(super) struct StageSums<X>([X; SUMS]);
 
 impl<X> StageSums<X> {
-    /// The multiples of the first stage.
+    /// Returns the multiples of the first stage.
     #[inline]
     pub(super) fn new<S: Scalar>(first: &X) -> Self
     where
         X: VectorSpace<S>,
     {
-        // The first stage is part of all sums. Written out: a map over so long an array is not inlined.
+        // The first stage is part of all sums. They are written out, because a map over such a long array is not
+        // inlined.
         let sum = |index: usize| {
             let coefficient = S::from_f64(COLUMNS[0].terms[index].1);
             first.map(|component| component * coefficient)
@@ -88,7 +89,7 @@ impl<X> StageSums<X> {
         ])
     }
 
-    /// Adds the multiples of a stage after the first.
+    /// Adds the multiples of another stage.
     #[inline]
     pub(super) fn add<S: Scalar>(&mut self, stage: usize, derivative: &X)
     where
@@ -100,13 +101,13 @@ impl<X> StageSums<X> {
         }
     }
 
-    /// Σⱼ aᵢⱼ kⱼ for a stage after the first; for the number of stages, the slope Σ bⱼ kⱼ of the step.
+    /// Returns Σⱼ aᵢⱼ kⱼ for a stage after the first; for the index `STAGES`, the slope Σ bⱼ kⱼ of the step.
     #[inline]
     pub(super) fn slope(&self, stage: usize) -> &X {
         &self.0[stage - 1]
     }
 
-    /// The estimates of the error of orders 5 and 3, over the step.
+    /// Returns the error estimates of orders 5 and 3, divided by the step size.
     #[inline]
     pub(super) fn errors(&self) -> [&X; 2] {
         [&self.0[STAGES], &self.0[STAGES + 1]]

@@ -19,14 +19,16 @@ use crate::scalar::Scalar;
 /// The bits of 1.
 const ONE: u64 = 1.0_f64.to_bits();
 
-/// 9/8 of those, less 0.055 of the distance to those of 2, with which the first guess below is off by at most 0.031.
+/// 9/8 of the bits of 1, minus 0.055 of the distance to the bits of 2: the first guess below is then off by at most
+/// 0.031.
 const GUESS: u64 = ONE + ONE / 8 - 247_697_979_505_377;
 
-/// x^(−1/8) of a number between 1e-100 and 1e100 to one part in 7000, 8 being the order of the error.
+/// Returns x^(−1/8) of a number between 1e-100 and 1e100 to one part in 7000; 8 is the order of the error.
 ///
-/// The next step waits for it: three roots and a division took 3 % of the time of a step of the symmetric top. Bits of a number,
-/// read as a whole number, are its logarithm, nearly (J. F. Blinn, *Floating-point tricks*, IEEE Computer Graphics and
-/// Applications **17** (1997) 80–84). Of the guess y, the binomial series of (1 − r)^(−1/8) in r = 1 − x y⁸ corrects the rest.
+/// The next step waits for it: three square roots and a division took 3 % of the time of a step of the symmetric top.
+/// The bits of a number, read as an integer, are approximately its logarithm (J. F. Blinn, *Floating-point tricks*,
+/// IEEE Computer Graphics and Applications **17** (1997) 80–84), which gives a guess y. The binomial series of (1 −
+/// r)^(−1/8) in r = 1 − x y⁸ corrects it.
 #[inline]
 fn reciprocal_root(x: f64) -> f64 {
     let y = f64::from_bits(GUESS.wrapping_sub(x.to_bits() >> 3));
@@ -38,7 +40,7 @@ fn reciprocal_root(x: f64) -> f64 {
     Scalar::mul_add(y * r, series, y)
 }
 
-/// The sum of the squares of ratios, and their number.
+/// Returns the sum of the squares of ratios, and their number.
 #[inline]
 fn squares(ratios: impl Iterator<Item = f64>) -> (f64, f64) {
     ratios.fold((0.0, 0.0), |(sum, count), ratio| {
@@ -54,8 +56,8 @@ pub(super) struct Attempt {
     pub(super) finite: Result<(), IntegrationError>,
 }
 
-/// From the estimates of orders 5 and 3, the error of a step over the tolerance: h e₅² / √(e₅² + 0.01 e₃²), (10.17) of II.10,
-/// where e₅ and e₃ are the root mean squares of the estimates of orders 5 and 3.
+/// Returns the error of a step over the tolerance from the estimates of orders 5 and 3: h e₅² / √(e₅² + 0.01 e₃²),
+/// (10.17) of II.10, where e₅ and e₃ are the root mean squares of the two estimates.
 #[inline]
 pub(super) fn error<S: Scalar, X: VectorSpace<S>>(
     [fifth, third]: [&X; 2],
@@ -75,13 +77,12 @@ pub(super) fn error<S: Scalar, X: VectorSpace<S>>(
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct StepControl {
     step: f64,
-    /// Whether the last attempt was rejected: the next step must then not be longer.
+    /// Whether the last attempt was rejected: the next step must then not be longer than it.
     rejected: bool,
-    /// The number of attempts in a row with negligible steps.
+    /// The number of consecutive attempts with negligible steps.
     stalled: u32,
-    /// The time in which the motion goes on: that at its start, or the longest step so far. A time scale that
-    /// followed the present step would allow ever larger errors of velocities where steps become short, as near a
-    /// collision.
+    /// The time scale of the motion: the one at its start, or the longest step so far. A time scale that followed the
+    /// present step would allow ever larger errors of velocities where steps become short, as near a collision.
     time_scale: f64,
 }
 
@@ -95,13 +96,13 @@ impl StepControl {
         }
     }
 
-    /// The time scale over a step `h`.
+    /// Returns the time scale over a step `h`.
     pub(super) fn time_scale(&self, h: f64) -> f64 {
         self.time_scale.max(h.abs())
     }
 
-    /// Whether steps have been negligible for so long that the integration makes no progress. It happens near t = 0,
-    /// where no step is too short to advance the time.
+    /// Whether steps have been negligible for so long that the integration makes no progress. This happens near t = 0,
+    /// where even the shortest step advances the time.
     pub(super) fn stalls(&mut self, h: f64, remaining: f64) -> bool {
         let stalling = h.abs() < f64::EPSILON * remaining.abs();
         self.stalled = if stalling { self.stalled + 1 } else { 0 };
@@ -112,14 +113,14 @@ impl StepControl {
         self.step
     }
 
-    /// Accepts or rejects a step of size `h`, and chooses the next size.
+    /// Accepts or rejects a step of size `h`, and chooses the next step size.
     pub(super) fn accepts(&mut self, attempt: &Attempt, h: f64) -> bool {
         if attempt.finite.is_err() || !attempt.error.is_finite() {
             self.step = h / MAX_SHRINKAGE;
             self.rejected = true;
             return false;
         }
-        // Beyond these errors it is the bounds of growth that count.
+        // Beyond these errors the bounds of growth decide.
         let growth = SAFETY * reciprocal_root(attempt.error.clamp(MIN_ERROR, MAX_ERROR));
         if attempt.error > 1.0 {
             self.step = h * growth.max(1.0 / MAX_SHRINKAGE);
@@ -128,7 +129,7 @@ impl StepControl {
         }
         self.time_scale = self.time_scale(h);
         let step = h * growth.clamp(1.0 / MAX_SHRINKAGE, MAX_GROWTH);
-        // A step that was shortened to land on a time does not shorten the one planned before.
+        // A step that was shortened to land on a time does not shorten the step that was planned before.
         let planned = if self.rejected { step.min(h) } else { step };
         self.step = if h < self.step {
             planned.max(self.step)
@@ -140,13 +141,13 @@ impl StepControl {
     }
 }
 
-/// The size of the first step from `(clock, x)`, where the derivative is `slope`; at most
-/// `longest`, whose sign is the direction. It costs one evaluation.
+/// Returns the size of the first step from `(clock, x)`, where the derivative is `slope`. It is at most `longest`,
+/// whose sign is the direction. This costs one evaluation.
 ///
-/// An explicit Euler step estimates the second derivative; the step is such that h⁸ times the
-/// larger of the derivatives is 0.01 (II.4, "Starting Step Size"), in the unit of time of the motion where the system
-/// tells it, so that the step does not depend on that of its equations. A component that is zero and has no
-/// absolute tolerance does not count.
+/// An explicit Euler step estimates the second derivative; the step is such that h⁸ times the larger of the derivatives
+/// is 0.01 (II.4, "Starting Step Size"). If the system provides a time scale, it is the unit of time, so that the step
+/// does not depend on the unit of time of the equations. A component that is zero and has no absolute tolerance does
+/// not count.
 pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     (clock, x, slope): (Clock, &D::State, &D::State),
@@ -185,8 +186,8 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     (step.min(MAX_PROBES * probe) * unit).min(longest.abs())
 }
 
-/// The error of a step size that is too small to advance the time at (t, x), or below the `smallest` that is allowed, where
-/// `stages` are those of the last attempt.
+/// Returns the error for a step size that is too small to advance the time at (t, x), or below `smallest` if this is
+/// set. `stages` are the stages of the last attempt.
 #[cold]
 pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,

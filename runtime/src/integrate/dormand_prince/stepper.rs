@@ -19,7 +19,7 @@ use crate::limits::dormand_prince::{self as limits, MIN_TIME_SCALE};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// Takes the steps of [`Dop853`].
+/// The stepper of [`Dop853`].
 ///
 /// Time and state are compensated sums, so that their rounding errors do not grow over a long integration.
 #[derive(Clone, Debug)]
@@ -28,9 +28,9 @@ pub struct Dop853Stepper<X> {
     method: Dop853,
     clock: Clock,
     state: Compensated<X>,
-    /// The size of the next step, once the first is chosen.
+    /// The size of the next step; `None` until the first is chosen.
     control: Option<StepControl>,
-    /// The derivatives kᵢ of the last step; the one at `STAGES` is that of the present state.
+    /// The derivatives kᵢ of the last step; the one at `STAGES` is the derivative at the present state.
     stages: [X; ALL_STAGES],
     last: Option<LastStep<X>>,
     statistics: Statistics,
@@ -47,12 +47,12 @@ struct LastStep<X> {
 }
 
 impl<X> Dop853Stepper<X> {
-    /// The same stepper under other settings.
+    /// Returns this stepper with other settings.
     pub(super) fn under(self, method: Dop853) -> Self {
         Self { method, ..self }
     }
 
-    /// Whether the derivative at the present time is that of these dynamics.
+    /// Whether the stored derivative at the present time agrees with these dynamics.
     pub(super) fn is_of<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(&self, dynamics: &D) -> bool
     where
         X: VectorSpace<S>,
@@ -92,7 +92,7 @@ impl<X> Dop853Stepper<X> {
         })
     }
 
-    /// Adds the stages after the first of a step h from x, which is reduced.
+    /// Evaluates all stages but the first of a step h from x, which is reduced, and adds them to the sums.
     #[inline]
     fn evaluate<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
@@ -114,7 +114,7 @@ impl<X> Dop853Stepper<X> {
         self.statistics.evaluations += STAGES as u64 - 1;
     }
 
-    /// Computes a step of size `h` and its error; the state does not change.
+    /// Computes a step of size `h` and its error without changing the state.
     fn attempt<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -147,7 +147,7 @@ impl<X> Dop853Stepper<X> {
         (state, Attempt { error, finite })
     }
 
-    /// The size of the first step, in the direction of `remaining`, and the time scale of the motion.
+    /// Chooses the size of the first step, in the direction of `remaining`, and the time scale of the motion.
     fn first_step<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -173,20 +173,20 @@ impl<X> Dop853Stepper<X> {
         StepControl::new(step, time_scale)
     }
 
-    /// Steps that are not longer may be lost in the rounding of times.
+    /// The step size below which steps may be lost in the rounding of times.
     fn rounding(&self) -> f64 {
         let rounding = limits::MIN_STEP * f64::EPSILON * self.clock.time().abs();
         rounding.max(f64::MIN_POSITIVE)
     }
 
-    /// The step size nearest to `step` within the limits that are set.
+    /// Returns the step size nearest to `step` within the limits that are set.
     fn limited(&self, step: f64) -> f64 {
         let step = self.method.max_step.map_or(step, |max| step.min(max));
         self.method.min_step.map_or(step, |min| step.max(min))
     }
 
-    /// Whether a rejected step of size `h` cannot be shortened to the next one: it was the smallest that is allowed, or
-    /// the next one would be lost in the rounding of times.
+    /// Whether a rejected step of size `h` cannot be shortened to `next`: it was the smallest that is allowed, or
+    /// `next` would be lost in the rounding of times.
     fn is_smallest(&self, h: f64, next: f64) -> bool {
         next <= self.rounding() || self.method.min_step.is_some_and(|min| h.abs() <= min)
     }
@@ -229,8 +229,8 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
         self.last = None;
         loop {
             let proposed = self.limited(control.step());
-            // A step from which the time is rounded to the target has not arrived there.
-            #[allow(clippy::float_cmp)] // The same number, or not.
+            // A step after which the time rounds to the target has not necessarily arrived there.
+            #[allow(clippy::float_cmp)] // Exact equality is intended.
             let is_near = self.clock.after(proposed.copysign(remaining)) == target;
             let lands = is_near || limits::LANDING * proposed >= remaining.abs();
             let h = if lands {
@@ -343,8 +343,8 @@ impl<X> Dop853Stepper<X> {
         self.last = Some(last);
     }
 
-    /// The end of a step that is accepted, on the manifold of the dynamics if they have one. The derivative at the end of the step and
-    /// dense output come from there.
+    /// Returns the end of an accepted step, projected onto the manifold of the dynamics if they have one. The
+    /// derivative at the end of the step and dense output are computed from it.
     #[inline]
     fn projected<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
@@ -379,7 +379,7 @@ impl<X> Dop853Stepper<X> {
         Ok(end)
     }
 
-    /// Accepts `state`, at the time `landing` or else a step `h` from now.
+    /// Accepts `state`, at the time `landing` if there is one, otherwise after a step `h` from now.
     fn accept<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -400,8 +400,8 @@ impl<X> Dop853Stepper<X> {
             None => self.clock.advance(h),
         }
         let t = S::from_f64(self.clock.time());
-        // The code of the derivative is once in that of a step, in the loop over the other stages: twice were too much for the compiler
-        // to inline either.
+        // The code of the derivative occurs once in the code of a step, in the loop over the other stages. A second
+        // copy would keep the compiler from inlining either.
         self.stages[STAGES] = derivative_apart(dynamics, t, &self.state.reduced(dynamics));
         self.statistics.evaluations += 1;
         self.statistics.steps += 1;

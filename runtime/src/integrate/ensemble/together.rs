@@ -1,6 +1,6 @@
 //! Members of an ensemble in the lanes of a Taylor method.
 
-#![allow(clippy::type_complexity)] // The settings of a problem are in its type.
+#![allow(clippy::type_complexity)] // The type of a problem contains its settings.
 
 use core::iter::{Enumerate, Fuse};
 
@@ -42,7 +42,7 @@ where
     }
 }
 
-/// The members that are integrated together, and those that wait.
+/// The members that are integrated together, and those that are waiting.
 struct Together<D, I, F, K, C, R, O, const L: usize, const HALF: usize>
 where
     D: InLanes<L>,
@@ -52,12 +52,12 @@ where
     method: Taylor<HALF>,
     waiting: Fuse<Enumerate<I>>,
     members: [Option<InLane<D, K, C, R, O, HALF>>; L],
-    /// None before the first member.
+    /// `None` before the first member.
     steppers: Option<Steppers<D, L, HALF>>,
     report: F,
 }
 
-/// The steppers of all lanes, and the parameters that their equations read.
+/// The steppers of all lanes, and the parameters for their equations.
 type Steppers<D, const L: usize, const HALF: usize> = (
     TaylorLanes<<D as InLanes<L>>::States, L, HALF>,
     <D as InLanes<L>>::Parameters,
@@ -73,9 +73,9 @@ where
     /// Its position among the members.
     index: usize,
     member: Member<f64, D, Taylor<HALF>, K, C, R, O>,
-    /// The time towards which it goes.
+    /// The time towards which its steps are taken.
     target: f64,
-    /// The cost until the lane was set.
+    /// The statistics of the member before the lane was set.
     before: Statistics,
 }
 
@@ -87,7 +87,7 @@ where
     O: Observer<D::State>,
     K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
 {
-    /// Sets a lane to where the member is, with its parameters.
+    /// Sets a lane to the time, the state and the parameters of the member.
     fn set<const L: usize>(&mut self, lane: usize, (lanes, parameters): &mut Steppers<D, L, HALF>)
     where
         D: InLanes<L>,
@@ -95,12 +95,12 @@ where
         let stepper = self.member.stepper();
         lanes.set_lane(lane, stepper.time(), stepper.state());
         self.member.dynamics().set_lane(parameters, lane);
-        // The lane evaluates the derivative at the state again, which the motion costs once.
+        // The lane evaluates the derivative at this state again, but the motion needs it only once.
         self.before = stepper.statistics();
         self.before.evaluations = self.before.evaluations.saturating_sub(1);
     }
 
-    /// Whether the last step of a lane is nothing but a part of the way, in which the member looks at nothing.
+    /// Whether the last step of a lane ended before the target, with nothing in it that the member has to see.
     #[inline]
     fn passes_over<const L: usize>(
         &self,
@@ -114,7 +114,7 @@ where
         lanes.error(lane).is_none() && self.member.passes_over(lanes.time(lane), attempts)
     }
 
-    /// Goes on behind a step of a lane. Whether the member has not ended.
+    /// Lets the member process the last step of a lane. Returns whether the member has not ended.
     fn follow<const L: usize>(
         &mut self,
         lane: usize,
@@ -154,7 +154,7 @@ where
     O: Observer<D::State>,
     K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
 {
-    /// Gives each free lane a member, as far as there are any. False when all have ended.
+    /// Assigns a member to each free lane, as long as there are any. Returns false when all have ended.
     fn fill(&mut self) -> bool {
         for lane in 0..L {
             if self.members[lane].is_some() {
@@ -175,7 +175,7 @@ where
         self.members.iter().any(Option::is_some)
     }
 
-    /// The next member that takes a step. Those that end before that are reported.
+    /// Returns the next member that takes a step. Members that end before their first step are reported.
     #[inline]
     fn next(&mut self) -> Option<InLane<D, K, C, R, O, HALF>> {
         for (index, (problem, end)) in self.waiting.by_ref() {
@@ -198,7 +198,7 @@ where
         None
     }
 
-    /// Puts free lanes where a busy one is, so that they are at no singularity; they stay there.
+    /// Moves free lanes to the state of a busy one, so that they are at no singularity; they stay there.
     fn park(&mut self) {
         let Some((lanes, parameters)) = &mut self.steppers else {
             return;
@@ -214,7 +214,8 @@ where
         }
     }
 
-    /// Takes steps in all lanes until a member looks at one, and goes on by itself. Whether a lane has become free.
+    /// Takes steps in all lanes until a member has to process one, and lets the members do so. Returns whether a lane
+    /// has become free.
     fn step(&mut self) -> bool {
         let Some(steppers) = &mut self.steppers else {
             return true;
@@ -239,8 +240,8 @@ where
     }
 }
 
-/// Takes steps in all lanes until a member looks at one. Whether it is certain that the last has led to no singularity, and beyond
-/// none.
+/// Takes steps in all lanes until a member has to process one. Returns whether it is certain that the last step has
+/// neither led to a singularity nor passed one.
 fn steps<D, K, C, R, O, const L: usize, const HALF: usize>(
     members: &[Option<InLane<D, K, C, R, O, HALF>>; L],
     (lanes, parameters): &mut Steppers<D, L, HALF>,
@@ -262,7 +263,7 @@ where
         return true;
     };
     let equations = one.member.dynamics().together(parameters);
-    // Lanes without a member rest where they are.
+    // Lanes without a member stay where they are.
     let mut targets = lanes.times().0;
     let mut min_pivot = 0.0_f64;
     for (lane, begun) in busy() {
@@ -278,7 +279,7 @@ where
     }
 }
 
-/// Whether it is certain that the last steps have led to no singularity, and beyond none.
+/// Whether it is certain that the last steps have neither led to a singularity nor passed one.
 fn is_regular<D, const L: usize, const HALF: usize>(
     equations: &D,
     lanes: &TaylorLanes<D::State, L, HALF>,

@@ -1,4 +1,4 @@
-//! The messages of errors of an integration.
+//! The messages of integration errors.
 
 use core::fmt;
 
@@ -8,7 +8,7 @@ use crate::integrate::singularity::Singularity;
 use crate::number_format::Readable;
 
 impl IntegrationError {
-    /// The message of a setting that is invalid.
+    /// Writes the message about an invalid setting.
     pub(super) fn write_invalid_setting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::InvalidStep { step } => {
@@ -51,7 +51,7 @@ impl IntegrationError {
         }
     }
 
-    /// The message of a time, or an interval of time, that is refused.
+    /// Writes the message about an invalid time or time interval.
     fn write_invalid_time(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::UnorderedTimes {
@@ -100,7 +100,7 @@ impl IntegrationError {
     }
 }
 
-/// The message of a singular configuration.
+/// Writes the message about a singular configuration.
 pub(super) fn write_singular(
     f: &mut fmt::Formatter<'_>,
     (time, estimated_error): (f64, f64),
@@ -116,7 +116,7 @@ pub(super) fn write_singular(
     Ok(())
 }
 
-/// The message of a step size that is too small, with the remedy.
+/// Writes the message about a step size that is too small, with the remedy.
 pub(super) fn write_too_small(
     f: &mut fmt::Formatter<'_>,
     (time, step): (f64, f64),
@@ -135,7 +135,7 @@ pub(super) fn write_too_small(
     Ok(())
 }
 
-/// The message of a motion without a Taylor series.
+/// Writes the message about a motion without a Taylor series.
 pub(super) fn write_no_series(
     f: &mut fmt::Formatter<'_>,
     time: f64,
@@ -148,7 +148,7 @@ pub(super) fn write_no_series(
     )
 }
 
-/// The message of a sliding mode, with the remedy.
+/// Writes the message about a sliding mode, with the remedy.
 pub(super) fn write_sliding(f: &mut fmt::Formatter<'_>, time: f64, function: &str) -> fmt::Result {
     let time = Readable(time);
     write!(
@@ -160,7 +160,7 @@ pub(super) fn write_sliding(f: &mut fmt::Formatter<'_>, time: f64, function: &st
     )
 }
 
-/// The message of a vanishing inertia, with its place.
+/// Writes the message about a vanishing inertia, with its place.
 pub(super) fn write_vanishing(
     f: &mut fmt::Formatter<'_>,
     (time, step): (f64, f64),
@@ -176,7 +176,7 @@ pub(super) fn write_vanishing(
     f.write_str("; use coordinates that are regular there, for Euler angles another sequence")
 }
 
-/// The message of a projection that has failed.
+/// Writes the message about a projection that has failed.
 pub(super) fn write_failed_projection(
     f: &mut fmt::Formatter<'_>,
     time: f64,
@@ -191,7 +191,7 @@ pub(super) fn write_failed_projection(
     )
 }
 
-/// The message of a state that is off the manifold, with the remedy.
+/// Writes the message about a state that is off the manifold, with the remedy.
 pub(super) fn write_off_manifold(
     f: &mut fmt::Formatter<'_>,
     time: f64,

@@ -1,4 +1,5 @@
-//! Two lists of conditions and events that count together: the numbers of the second list follow the first's.
+//! Two lists of conditions and events that are numbered together: the numbers of the second list follow those of the
+//! first.
 
 use super::memory::Remembers;
 use super::met_conditions::MetConditions;
@@ -10,14 +11,14 @@ use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;
 
-/// What is known of the events of both.
+/// What is known about the events of both lists.
 #[derive(Clone, Copy, Debug)]
 pub struct BothMemories<A, B> {
     first: A,
     second: B,
-    /// The events of each that were found, and are not visited yet.
+    /// The events of each list that were found but not yet processed.
     pending: [Option<Occurring>; 2],
-    /// How many conditions and events the first has.
+    /// The number of conditions and events in the first list.
     count: usize,
 }
 
@@ -41,13 +42,13 @@ impl<A: Remembers, B: Remembers> Remembers for BothMemories<A, B> {
 }
 
 impl Occurring {
-    /// Those of the first and of the second list.
+    /// Returns the events of the first and of the second list.
     fn split(self, count: usize) -> [Option<Self>; 2] {
         let sets = [self.events.before(count), self.events.behind(count)];
         sets.map(|events| Some(Self { events, ..self }).filter(|part| part.events.any()))
     }
 
-    /// Events of the second list as those of both.
+    /// Converts the numbers of events in the second list to their numbers in both.
     fn shifted(self, count: usize) -> Self {
         Self {
             events: self.events.shifted(count),
@@ -114,8 +115,8 @@ where
         }
     }
 
-    /// The events that come first. Those of both lists within the resolution of time occur together, at the later of their
-    /// times, where all of them have occurred.
+    /// Returns the events that come first. Events of both lists within the resolution of time occur together, at the
+    /// later of their times, at which all of them have occurred.
     fn next<T: Advance<S, D>>(
         &mut self,
         memory: &mut Self::Memory,

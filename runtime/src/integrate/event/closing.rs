@@ -1,4 +1,4 @@
-//! The events that a run reports where it ends.
+//! The events that a run reports at its end.
 
 use super::junction::Junction;
 use super::memory::{Memory, has_sign};
@@ -16,19 +16,20 @@ use crate::scalar::Scalar;
 struct Ending<V> {
     t: f64,
     junction: Junction<V>,
-    /// Their signs apart from it, where one is asked for.
+    /// The signs of the functions on both sides of the end, if one of them is needed.
     sides: Option<Sides<V>>,
 }
 
 impl<V: Values> Ending<V> {
-    /// The value at the end of a function that moves away from zero there; none of one that comes nearer.
+    /// Returns the value at the end of a function that moves away from zero there; `None` if it approaches zero.
     fn departing(&self, event: usize) -> Option<f64> {
         let value = self.junction.value(event);
         let departs = |sides: &Sides<V>| sides.departs(event, value);
         self.sides.as_ref().is_some_and(departs).then_some(value)
     }
 
-    /// Those of the events found within the last step behind the end that rounding does not tell from it.
+    /// Selects, from the events found within the last step beyond the end, those that rounding does not distinguish
+    /// from the end.
     fn pending<S, D, G, T>(
         &self,
         source: &mut G,
@@ -65,8 +66,9 @@ impl<V: Values> Ending<V> {
 }
 
 impl<V: Values> Memory<V> {
-    /// The events that a run reports where it ends, `here`, besides those that were found before. Of those that are `pending`,
-    /// which were found within the last step behind `here`, the ones that rounding does not tell from it.
+    /// Returns the events that a run reports at its end, `here`, in addition to those found before. Of the `pending`
+    /// events, which were found within the last step beyond `here`, these are the ones that rounding does not
+    /// distinguish from the end.
     pub(super) fn close<S, D, G, T>(
         &mut self,
         source: &mut G,
@@ -114,7 +116,7 @@ impl<V: Values> Memory<V> {
             }
             self.leave(&ending.junction, here.t);
             self.note_zeros(closing, here.t);
-            // What is touched is known now, or is left to what follows.
+            // Functions that touch zero are handled now, or left to the next run.
             self.touching = MetConditions::default();
             if self.left.any() {
                 self.leave_from(here.t);
@@ -123,7 +125,7 @@ impl<V: Values> Memory<V> {
         closing
     }
 
-    /// Whether an event's function has crossed zero, or has reached it, where a run ends.
+    /// Whether an event's function has crossed or reached zero at the end of a run.
     fn occurs_at<S, D, G, T>(
         &self,
         ending: &Ending<V>,
@@ -142,13 +144,14 @@ impl<V: Values> Memory<V> {
         let is_touching = self.touching.contains(event);
         let last = self.zero_at.as_slice().get(event).copied();
         let last = last.filter(|last| !last.is_nan());
-        // What is known beyond the end, at which another list of events has stopped, may be the sign behind it.
+        // If another list of events has stopped the run before the time until which this one is known, the known sign
+        // may be the one after the end.
         let is_beyond = step.comes_before(ending.t, self.until);
         let known = self.sign_before(event);
         let mut before = if is_beyond { f64::NAN } else { known };
         if (is_zero || is_touching) && (is_beyond || has_sign(before)) {
-            // The last sign may be the one that rounding has put before the end: that apart from it counts, unless the zero between
-            // them is known.
+            // The last sign may be due to rounding just before the end. The sign at a distance from the end counts
+            // instead, unless the zero between them is known.
             let apart = ending.sides.as_ref().and_then(|sides| sides.before(event));
             let is_apart = |reach: f64| last.is_none_or(|last| (ending.t - last).abs() > reach);
             before = apart
@@ -166,7 +169,7 @@ impl<V: Values> Memory<V> {
         is_touched || crossing.between(before, ending.junction.value(event))
     }
 
-    /// Whether an event's function has been zero ever since it was last.
+    /// Whether an event's function has been zero ever since its last zero.
     fn is_same_zero<S, D, G, T>(
         &self,
         event: usize,
@@ -188,7 +191,8 @@ impl<V: Values> Memory<V> {
     }
 }
 
-/// Whether an event's function that is zero at two times is zero between them. Times that cannot be told apart are one.
+/// Whether an event's function that is zero at two times is zero between them. Times that cannot be distinguished are
+/// the same.
 fn is_zero_between<S, D, G, T>(
     source: &mut G,
     step: &mut LastStep<'_, S, D, T>,
@@ -204,7 +208,7 @@ where
     if !step.comes_before(step.after(from), to) {
         return true;
     }
-    // Of an earlier step nothing is known: then the function has to be zero where this one begins.
+    // Nothing is known about earlier steps, so the function has to be zero at the beginning of this one.
     let is_earlier = step.comes_before(from, step.begin());
     let from = if is_earlier { step.begin() } else { from };
     let mut is_zero = |part: f64| {
@@ -215,6 +219,7 @@ where
     if is_earlier && !is_zero(0.0) {
         return false;
     }
-    // Not in the middle, where a periodic function is zero between two of its zeros. Rounding may move one of the values from zero.
+    // The middle is left out: a periodic function is zero there, between two of its zeros. Rounding may move one of the
+    // values off zero.
     BETWEEN.into_iter().filter(|part| is_zero(*part)).count() > 1
 }

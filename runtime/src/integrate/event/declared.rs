@@ -1,7 +1,7 @@
 //! Events that the dynamics declare.
 //!
-//! Where a step is a Taylor polynomial, the series of an event function is one, too, and no root of it is missed. By other
-//! methods the functions are sampled.
+//! If a step is a Taylor polynomial, the series of an event function is a polynomial, too, and none of its roots is
+//! missed. For other methods the functions are sampled.
 
 mod first_root;
 mod next_roots;
@@ -17,11 +17,11 @@ use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::MIN_WINDOW;
 
-/// Some of the events that the dynamics declare, by their indices, and what is watched for.
+/// Some of the events that the dynamics declare, by their indices, and the crossings that are watched.
 #[derive(Clone, Copy, Debug)]
 pub struct DeclaredEvents<const K: usize> {
     pub(crate) events: [(usize, Event); K],
-    /// The parts of a step at whose ends the functions are evaluated, if it is set.
+    /// The number of parts of a step at whose ends the functions are evaluated, if it is set.
     pub(crate) parts: Option<u32>,
 }
 
@@ -106,7 +106,7 @@ where
 }
 
 impl<const K: usize> DeclaredEvents<K> {
-    /// Whether none of the events can occur in a step, of which nothing was looked at yet. Then that is all of it.
+    /// Whether none of the events can occur in a step that has not been searched yet. If so, the whole step is done.
     fn excludes_events<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
@@ -128,7 +128,7 @@ impl<const K: usize> DeclaredEvents<K> {
         else {
             return false;
         };
-        // A sign that differs from that before the step changes where it begins.
+        // A sign that differs from the sign before the step has changed where the step begins.
         let mut pairs = signs.iter().zip(&memory.signs);
         if pairs.any(|(sign, before)| sign * before < 0.0 || before.is_nan()) {
             return false;
@@ -139,7 +139,8 @@ impl<const K: usize> DeclaredEvents<K> {
         true
     }
 
-    /// The signs of the functions in a step without zeros, by a few terms of their series or by all.
+    /// Returns the signs of the functions if they have no zeros in a step, by a few terms of their series or by all of
+    /// them.
     fn excluded<S, D, T>(
         &mut self,
         step: &mut LastStep<'_, S, D, T>,
@@ -151,7 +152,7 @@ impl<const K: usize> DeclaredEvents<K> {
         T: Advance<S, D>,
     {
         let (begin, end, dynamics) = (step.begin(), step.end(), step.dynamics());
-        // Without them there is no polynomial either, and no reason to interpolate.
+        // Without the ends there is no polynomial either, and no reason to interpolate.
         step.ends()?;
         let middle = by_all_terms.then(|| {
             let middle = step.at(begin + 0.5 * (end - begin));
@@ -170,11 +171,13 @@ impl<const K: usize> DeclaredEvents<K> {
         step.polynomial(exclusion).flatten()
     }
 
-    /// The window that begins at a time, with the polynomials of the event functions; none if they have no series.
+    /// Returns the window that begins at a time, with the polynomials of the event functions; `None` if they have no
+    /// series.
     ///
-    /// A series does not see corners, as those of |x| and max(x, y). Where dynamics tell at which zeros there are some, the
-    /// window ends behind the first one. Of external functions nothing is told: where the polynomials are not the functions
-    /// in the middle and at the end of the window, it is shortened, down to a small part of the step.
+    /// A series does not represent corners, such as those of |x| and max(x, y). If the dynamics tell at which zeros
+    /// corners are, the window ends just after the first one. Corners of external functions are not known: if the
+    /// polynomials disagree with the functions in the middle or at the end of the window, it is shortened, down to a
+    /// small part of the step.
     fn window<S, D, T>(
         &mut self,
         begin: f64,
@@ -185,7 +188,7 @@ impl<const K: usize> DeclaredEvents<K> {
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        // Without them there is no polynomial, and no reason to interpolate.
+        // Without the ends there is no polynomial, and no reason to interpolate.
         step.ends()?;
         // A window that is shorter than the resolution of time might not advance it.
         let least = MIN_WINDOW * (step.end() - step.begin()).abs();
@@ -205,7 +208,7 @@ impl<const K: usize> DeclaredEvents<K> {
             };
             let expansion = step.polynomial(search)??;
             if expansion.is_at_corner && step.comes_before(begin + shift, end) {
-                // Which branch follows is not certain yet.
+                // It is not yet certain which branch follows.
                 begin += shift;
                 shift *= 4.0;
                 from = step.at(begin);
@@ -224,7 +227,7 @@ impl<const K: usize> DeclaredEvents<K> {
                 }
                 let mut pairs = last.iter().zip(&polynomials);
                 agree &= pairs
-                    // Where a function is not a number, or there is no such event, nothing is compared.
+                    // A function that is not a number, or an event that does not exist, is not compared.
                     .all(|(value, polynomial)| value.is_nan() || polynomial.is_near(part, *value));
             }
             if agree || (end - begin).abs() <= least {

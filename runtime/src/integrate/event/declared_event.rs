@@ -3,7 +3,7 @@
 use core::fmt;
 use core::marker::PhantomData;
 
-/// An event that the declaration of `M` has in its clause `event`: the constants of the model are of this type, and
+/// An event declared in the clause `event` of `M`: the constants of the model have this type, and
 /// [`Problem::on`](crate::Problem::on) takes them.
 ///
 /// ```
@@ -28,7 +28,7 @@ pub struct DeclaredEvent<M> {
 }
 
 impl<M> DeclaredEvent<M> {
-    /// The event of an index, as the derive names them; for dynamics that are written by hand.
+    /// Creates the event with an index, as the constants of the derive macro do; for dynamics that are written by hand.
     #[must_use]
     pub const fn new(index: usize) -> Self {
         Self {
@@ -37,7 +37,7 @@ impl<M> DeclaredEvent<M> {
         }
     }
 
-    /// Its index among the events of the declaration.
+    /// Returns its index among the events of the declaration.
     #[must_use]
     pub const fn index(self) -> usize {
         self.index

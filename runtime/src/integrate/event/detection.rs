@@ -1,4 +1,4 @@
-//! What an integration asks of conditions and events.
+//! The interface between an integration and its conditions and events.
 
 use super::memory::{Memory, Remembers};
 use super::met_conditions::MetConditions;
@@ -15,52 +15,52 @@ use crate::scalar::Scalar;
 pub struct Occurring {
     /// The time.
     pub(crate) t: f64,
-    /// Which events.
+    /// The events.
     pub(crate) events: MetConditions,
 }
 
 /// Conditions and events: whether they are met, and where they occur. They are numbered from 0.
 pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
-    /// What is known of the events up to a time.
+    /// What is known about the events up to a time.
     type Memory: Remembers;
 
-    /// How many conditions and events there are.
+    /// The number of conditions and events.
     const COUNT: usize;
 
-    /// An error if an event is watched for that the dynamics do not have.
+    /// Returns an error if an event is watched that the dynamics do not have.
     fn check(&self, dynamics: &D) -> Result<(), IntegrationError> {
         let _ = dynamics;
         Ok(())
     }
 
-    /// Which conditions on the state at the initial time or at the end of a step hold.
+    /// Returns the conditions on the state that hold at the initial time or at the end of a step.
     fn holding(&mut self, t: f64, x: &D::State) -> MetConditions {
         let _ = (t, x);
         MetConditions::default()
     }
 
-    /// Whether the integration stops at the event of an index.
+    /// Whether the integration stops at the event with this index.
     fn is_terminal(&self, event: usize) -> bool {
         let _ = event;
         false
     }
 
-    /// The index of an event in the declaration of the model, if it is there.
+    /// Returns the index of an event in the declaration of the model, if it is declared there.
     fn declared(&self, event: usize) -> Option<usize> {
         let _ = event;
         None
     }
 
-    /// The function of an event as a number of the scalar; none where events have one time for several motions.
+    /// Returns the function of an event as a number of the scalar; `None` if events have one time for several motions.
     fn function(&mut self, dynamics: &D, t: S, x: &D::State, event: usize) -> Option<S> {
         let _ = (dynamics, t, x, event);
         None
     }
 
-    /// What is known of the events at the initial time.
+    /// Returns what is known about the events at the initial time.
     fn begin(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Memory;
 
-    /// The next events within the last step, after those that were found before.
+    /// Returns the next events within the last step, after those that were found before.
     fn next<T: Advance<S, D>>(
         &mut self,
         memory: &mut Self::Memory,
@@ -70,7 +70,7 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
         None
     }
 
-    /// The events found last occur at this time of the last step, together with others.
+    /// Notes that the events found last occur at this time of the last step, together with others.
     fn occur_at<T: Advance<S, D>>(
         &mut self,
         memory: &mut Self::Memory,
@@ -80,8 +80,8 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
         let _ = (memory, step, t);
     }
 
-    /// The events that a run reports where it ends, and that were not found before; of those that were found behind its end, the
-    /// ones that rounding does not tell from it.
+    /// Returns the events that a run reports at its end and that were not found before. Of the `pending` events, which
+    /// were found after its end, these are the ones that rounding does not distinguish from the end.
     fn close<T: Advance<S, D>>(
         &mut self,
         memory: &mut Self::Memory,
@@ -93,8 +93,8 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
         MetConditions::default()
     }
 
-    /// Begins anew from a state that reactions to events have left, after steps of this length. The events that occur again
-    /// and again in too short a time.
+    /// Restarts from a state that reactions to events have left, after steps of this length. Returns the events that
+    /// recur in too short a time.
     fn restart(
         &mut self,
         memory: &mut Self::Memory,
@@ -108,13 +108,13 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
     }
 }
 
-/// What a problem watches for: the conditions and events of its settings. The trait is sealed; it is a bound of functions that
-/// are generic over problems.
+/// The conditions and events that a problem watches. This trait is sealed; it is a bound of functions that are generic
+/// over problems.
 pub trait Watched<S: Scalar, D: Dynamics<S> + ?Sized>: Detection<S, D> {}
 
 impl<S: Scalar, D: Dynamics<S> + ?Sized, C: Detection<S, D>> Watched<S, D> for C {}
 
-/// Nothing is watched.
+/// Watches nothing.
 impl<S: Scalar, D: Dynamics<S> + ?Sized> Detection<S, D> for () {
     type Memory = ();
 
@@ -123,31 +123,32 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Detection<S, D> for () {
     fn begin(&mut self, _: &D, _: f64, _: &D::State) {}
 }
 
-/// The functions of which the zeros are events, and what is watched for.
+/// Functions whose zeros are events, and the crossings that are watched.
 pub trait EventFunctions<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
-    /// The values of the functions.
+    /// The type of the values of the functions.
     type Values: Values;
 
-    /// The values at a time and a state.
+    /// Returns the values at a time and a state.
     fn values(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Values;
 
-    /// The function of an index as a number of the scalar; none where events have one time for several motions.
+    /// Returns the function with this index as a number of the scalar; `None` if events have one time for several
+    /// motions.
     fn function(&mut self, dynamics: &D, t: S, x: &D::State, event: usize) -> Option<S>;
 
-    /// An error if an event is watched for that the dynamics do not have.
+    /// Returns an error if an event is watched that the dynamics do not have.
     fn check(&self, dynamics: &D) -> Result<(), IntegrationError> {
         let _ = dynamics;
         Ok(())
     }
 
-    /// What is watched for.
+    /// Returns the crossing that is watched.
     fn event(&self, index: usize) -> Event;
 
-    /// The parts of a step at whose ends the functions are evaluated, if it is set.
+    /// Returns the number of parts of a step at whose ends the functions are evaluated, if it is set.
     fn parts(&self) -> Option<u32>;
 
-    /// The next events within the last step, after those that were found before: by sampling, unless more is known of the
-    /// functions.
+    /// Returns the next events within the last step, after those that were found before. They are found by sampling,
+    /// unless more is known about the functions.
     fn next<T: Advance<S, D>>(
         &mut self,
         memory: &mut Memory<Self::Values>,
@@ -157,7 +158,7 @@ pub trait EventFunctions<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
     }
 }
 
-/// The detection of events by their functions.
+/// Implements the detection of events by their functions.
 macro_rules! detection_by_functions {
     ($scalar:ident, $dynamics:ident) => {
         type Memory =

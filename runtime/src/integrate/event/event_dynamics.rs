@@ -1,4 +1,4 @@
-//! Dynamics with event functions of their own.
+//! Dynamics with their own event functions.
 
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::taylor::TaylorCoefficients;
@@ -14,28 +14,30 @@ use crate::scalar::{DoubleDouble, Dual, Scalar};
             functions to `Problem::when`"
 )]
 pub trait EventDynamics<S: Scalar>: Dynamics<S> {
-    /// The type whose constants name the events, the model; of dynamics that are written by hand `Self`.
+    /// The type whose constants name the events: the model, or `Self` for dynamics that are written by hand.
     type Model;
 
-    /// One value for each event, and behind them those of the functions at whose zeros event functions have corners or
-    /// jumps ([`branches`](Self::branches)): an array.
+    /// An array with one value for each event, followed by the values of the functions at whose zeros event functions
+    /// have corners or jumps ([`branches`](Self::branches)).
     type Values: AsRef<[S]> + Copy;
 
-    /// The names of the events.
+    /// Returns the names of the events.
     fn names(&self) -> &'static [&'static str];
 
-    /// The indices of those values at whose zeros the function of an event has a corner or a jump, such as that of u for |u|
-    /// and of u − v for max(u, v): there its series ends, and another one begins. None by default.
+    /// Returns the indices of those values at whose zeros the function of an event has a corner or a jump, such as the
+    /// value of u for |u|, or u − v for max(u, v). Its series ends there, and another one begins. There are none by
+    /// default.
     fn branches(&self, event: usize) -> &'static [usize] {
         let _ = event;
         &[]
     }
 
-    /// The values of the event functions.
+    /// Returns the values of the event functions.
     fn event_functions(&self, t: S, x: &Self::State) -> Self::Values;
 
-    /// The Taylor coefficients of the event functions along a motion through (t, x), given those of the motion in the same
-    /// unit of time; its coefficient of order 0 is not read. `None` where they are not known.
+    /// Returns the Taylor coefficients of the event functions along a motion through (t, x), from the coefficients of
+    /// the motion in the same unit of time. The motion's coefficient of order 0 is not read. `None` if they are not
+    /// known.
     fn event_series<const HALF: usize>(
         &self,
         t: S,
@@ -77,7 +79,7 @@ impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for &D {
     }
 }
 
-/// The sizes of coordinates are nothing to events.
+/// The sizes of coordinates do not affect events.
 impl<S: Scalar, D: EventDynamics<S>> EventDynamics<S> for WithSizes<D, D::State> {
     type Model = D::Model;
     type Values = D::Values;
@@ -107,7 +109,7 @@ impl<S: Scalar, D: EventDynamics<S>> EventDynamics<S> for WithSizes<D, D::State>
     }
 }
 
-/// A scalar that is one number, with or without derivatives: events happen at one time.
+/// A scalar that is a single number, with or without derivatives, so that each event has one time.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a single number",
     note = "the size of a solid is given by its lengths, as in `Solid::cuboid(x, y, z)`",

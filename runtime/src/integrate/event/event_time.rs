@@ -1,15 +1,15 @@
-//! The time of an event in the arithmetic of the scalar, and the state then.
+//! The time of an event in the arithmetic of the scalar, and the state at that time.
 //!
-//! A stepper measures time in `f64`, and finds an event at a time t* in it. What t* lacks is the delay δ for which
-//! g(t* + δ, x(t* + δ)) = 0: with dual numbers their derivative parts, so that dt*/dx₀ = −(∂g/∂x ∂x/∂x₀)/ġ; with
-//! double-doubles the digits beyond those of `f64`. A reaction sees the state at t* + δ. What it makes of it is moved back by
-//! δ, along the motion that follows, so that the stepper goes on at t*: that is how the derivatives of a motion jump at an
-//! impact or a switch (R. I. Leine & H. Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004,
-//! ch. 7, the saltation matrix; I. A. Hiskens & M. A. Pai, *Trajectory Sensitivity Analysis of Hybrid Systems*, IEEE Trans.
-//! Circuits Syst. I **47** (2000) 204–220).
+//! A stepper measures time in `f64`, and finds an event at such a time t*. The exact time is t* + δ, with the delay δ
+//! for which g(t* + δ, x(t* + δ)) = 0. With dual numbers δ consists of derivative parts, so that dt*/dx₀ = −(∂g/∂x
+//! ∂x/∂x₀)/ġ; with double-doubles it consists of the digits beyond `f64`. A reaction sees the state at t* + δ. The
+//! state that it leaves is moved back by δ along the motion that follows, so that the stepper continues at t*. In this
+//! way the derivatives of a motion jump at an impact or a switch (R. I. Leine & H. Nijmeijer, *Dynamics and
+//! Bifurcations of Non-Smooth Mechanical Systems*, 2004, ch. 7, the saltation matrix; I. A. Hiskens & M. A. Pai,
+//! *Trajectory Sensitivity Analysis of Hybrid Systems*, IEEE Trans. Circuits Syst. I **47** (2000) 204–220).
 //!
-//! Where an event function touches zero without a change of sign, the time has no derivative: its derivative parts are then
-//! as large as numbers are, or not finite.
+//! If an event function touches zero without a change of sign, the time has no derivative: its derivative parts are
+//! then huge or not finite.
 
 use super::Detection;
 use crate::integrate::dynamics::Dynamics;
@@ -18,7 +18,8 @@ use crate::limits::events::{DELAY_ITERATIONS, EXTRAPOLATIONS, MIN_CHANGE};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// What an event has to be located: where the stepper is, and the length of its last step.
+/// The data by which the delay of an event is computed: the time and state of the stepper, and the length of its last
+/// step.
 pub(crate) struct Located<'a, D: Dynamics<S> + ?Sized, S: Scalar> {
     pub(crate) dynamics: &'a D,
     pub(crate) t: f64,
@@ -27,10 +28,11 @@ pub(crate) struct Located<'a, D: Dynamics<S> + ?Sized, S: Scalar> {
 }
 
 impl<S: Scalar, D: Dynamics<S> + ?Sized> Located<'_, D, S> {
-    /// By how much an event of that index is later than t. It is zero where `f64` has all of the scalar, and for events of
+    /// Returns the delay of an event relative to t. It is zero if `f64` has all digits of the scalar, and for events of
     /// several motions at a time.
     ///
-    /// Newton's method with a slope from differences: what that lacks of the slope is what an iteration leaves of the error.
+    /// This is Newton's method with a slope from finite differences: each iteration multiplies the error by the
+    /// relative error of the slope.
     pub(crate) fn delay<G: Detection<S, D>>(&self, source: &mut G, event: usize) -> S {
         if S::DERIVATIVES == 0 && S::machine_epsilon() >= f64::EPSILON {
             return S::zero();
@@ -54,7 +56,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Located<'_, D, S> {
                 None => break,
             }
         }
-        // A zero that is double to rounding is where `f64` has found it.
+        // A zero that is double to rounding stays where `f64` has found it.
         let resolved = S::from_f64(f64::EPSILON * (self.t.abs() + self.step.abs()));
         if (delay.abs() - resolved).largest() > 0.0 {
             return S::zero();
@@ -62,8 +64,8 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Located<'_, D, S> {
         delay
     }
 
-    /// One over the rate of an event function along the motion, by a central difference over a small part of the last step;
-    /// the largest number where the function has an extremum.
+    /// Returns one over the rate of an event function along the motion, by a central difference over a small part of
+    /// the last step; the largest number if the function has an extremum.
     fn time_per_value<G: Detection<S, D>>(&self, source: &mut G, event: usize) -> f64 {
         let distance = EXTRAPOLATIONS[0] * self.step;
         let mut at = |distance: f64| {
@@ -82,19 +84,19 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Located<'_, D, S> {
     }
 }
 
-/// Whether a number is zero with all of its derivative parts, which equality may not look at.
+/// Whether a number is zero in all of its derivative parts, too, which equality may ignore.
 fn is_zero<S: Scalar>(x: S) -> bool {
     let vanishes = |part: usize| x.derivative_part(part).abs() <= 0.0;
     x == S::zero() && (0..S::DERIVATIVES).all(vanishes)
 }
 
-/// Whether two states differ, in derivative parts too.
+/// Whether two states differ, possibly only in derivative parts.
 pub(crate) fn differs<S: Scalar, X: VectorSpace<S>>(a: &X, b: &X) -> bool {
     let pairs = a.components().zip(b.components());
     pairs.into_iter().any(|(a, b)| !is_zero(a - b))
 }
 
-/// What `f64` does not have of a value that is zero to rounding.
+/// Returns the part of a value that `f64` does not represent, where the value is zero to rounding.
 fn beyond_f64<S: Scalar>(value: S) -> S {
     if S::machine_epsilon() < f64::EPSILON {
         value
@@ -103,8 +105,8 @@ fn beyond_f64<S: Scalar>(value: S) -> S {
     }
 }
 
-/// The state at t + δ of the motion through (t, x): a classical Runge–Kutta step, whose error is of the order of δ⁵. A δ
-/// without a value has no powers beyond the order of its derivative parts, so that the step is exact.
+/// Returns the state at t + δ of the motion through (t, x), by a classical Runge–Kutta step, whose error is of order
+/// δ⁵. If δ has derivative parts only, its powers beyond their order vanish, and the step is exact.
 pub(crate) fn moved<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     t: S,

@@ -1,9 +1,9 @@
 //! The exclusion of events from a step by enclosures of their polynomials.
 //!
-//! Σ aₖ uᵏ with 0 ≤ u ≤ 1 is within Σ |aₖ|, k ≥ 1, of a₀, and between the least and the greatest of its Bernstein coefficients
-//! (G. T. Cargo & O. Shisha, *The Bernstein form of a polynomial*, J. Res. Nat. Bur. Standards **70B** (1966) 79–81). Most steps
-//! are far from any zero, and need nothing more than a few terms of the event functions and a sum: those of high order, which are
-//! sums of many products, are computed where these do not decide.
+//! For 0 ≤ u ≤ 1, Σ aₖ uᵏ differs from a₀ by at most Σ |aₖ|, k ≥ 1, and lies between its least and its greatest
+//! Bernstein coefficient (G. T. Cargo & O. Shisha, *The Bernstein form of a polynomial*, J. Res. Nat. Bur. Standards
+//! **70B** (1966) 79–81). Most steps are far from any zero, and a few terms of the event functions and a sum are enough
+//! for them. Terms of high order, which are sums of many products, are only computed if the low orders do not decide.
 
 use super::{DeclaredEvents, EventDynamics, SingleNumber};
 use crate::integrate::bernstein::{self, ROUNDINGS, as_number};
@@ -14,18 +14,18 @@ use crate::limits::events::{
 };
 use crate::scalar::Scalar;
 
-/// Tells the signs of event functions that have no zero in a step.
+/// Determines the signs of event functions that have no zero in a step.
 pub(super) struct Exclusion<'a, D: ?Sized, X, const K: usize> {
     pub(super) events: &'a DeclaredEvents<K>,
     pub(super) dynamics: &'a D,
-    /// The state from which the step leads.
+    /// The state at the beginning of the step.
     pub(super) from: &'a X,
-    /// When the step ends.
+    /// The time of the end of the step.
     pub(super) end: f64,
     /// The event functions at the end of the step.
     pub(super) last: [f64; K],
-    /// In the middle, too: then all terms are computed. Otherwise the first few of them, which have to keep farther away from
-    /// zero.
+    /// The event functions in the middle of the step. If they are given, all terms are computed; otherwise the first
+    /// few, which then have to keep farther away from zero.
     pub(super) middle: Option<[f64; K]>,
 }
 
@@ -34,8 +34,8 @@ where
     S: SingleNumber,
     D: EventDynamics<S> + ?Sized,
 {
-    /// The signs; none if one of the functions, or of those at whose zeros it has corners, may have a zero, or differs from its
-    /// polynomial.
+    /// The signs. `None` if one of the functions, or of the functions at whose zeros it has corners, may have a zero,
+    /// or if a function differs from its polynomial.
     type Output = Option<[f64; K]>;
 
     fn visit<const HALF: usize>(
@@ -56,7 +56,8 @@ where
 }
 
 impl<X, D: ?Sized, const K: usize> Exclusion<'_, D, X, K> {
-    /// The signs by the series of the functions along a motion of which these are the first terms of so many.
+    /// Returns the signs by the series of the functions along a motion, given the first terms of its series of `count`
+    /// terms.
     fn signs<S, const HALF: usize>(
         &self,
         t: f64,
@@ -79,7 +80,7 @@ impl<X, D: ?Sized, const K: usize> Exclusion<'_, D, X, K> {
         let mut signs = [0.0; K];
         for (event, (index, _)) in self.events.events.into_iter().enumerate() {
             let terms = Terms::<HALF>::of(&series, index, length)?;
-            // Of a function whose last terms vanish, a few terms tell nothing about the others.
+            // If the last terms of a function vanish, a few terms tell nothing about the others.
             if self.middle.is_none() && terms.tail(count) <= terms.rounding(count) {
                 return None;
             }
@@ -103,15 +104,15 @@ impl<X, D: ?Sized, const K: usize> Exclusion<'_, D, X, K> {
 /// The terms of a function at the end of a step.
 struct Terms<const HALF: usize> {
     first: f64,
-    /// Those of order 1 and more.
+    /// The terms of order 1 and higher.
     higher: [[f64; 2]; HALF],
-    /// The sum of the magnitudes of those.
+    /// The sum of the magnitudes of the higher terms.
     sum: f64,
     epsilon: f64,
 }
 
 impl<const HALF: usize> Terms<HALF> {
-    /// None where there is no such function.
+    /// Returns the terms of a function at the end of the step; `None` if there is no such function.
     #[inline]
     fn of<S: Scalar, V: AsRef<[S]> + Clone>(
         series: &TaylorCoefficients<V, HALF>,
@@ -135,27 +136,27 @@ impl<const HALF: usize> Terms<HALF> {
         Some(terms)
     }
 
-    /// What further terms might add, if they were as large as the last ones, and all were so many.
+    /// Bounds the contribution of further terms, assuming `count` of them, as large as the last ones.
     fn tail(&self, count: f64) -> f64 {
         let last = self.higher.last().map_or([0.0; 2], |last| *last);
         count * last.map(f64::abs).into_iter().fold(0.0, f64::max)
     }
 
-    /// What rounding may make of the terms.
+    /// Bounds the effect of rounding on the terms.
     fn rounding(&self, count: f64) -> f64 {
         let part = (UNCERTAINTY + ROUNDINGS * count) * self.epsilon.max(f64::EPSILON);
         part * (self.sum + self.first.abs())
     }
 
-    /// The sign in the whole step, if it is certain: the enclosure keeps away from zero by rounding errors, by what further
-    /// terms might add, and by this part of the first one.
+    /// Returns the sign in the whole step, if it is certain: if the distance of the enclosure from zero exceeds
+    /// rounding errors, the contribution of further terms, and this part of the first term.
     fn sign(&self, count: f64, kept: f64) -> Option<f64> {
         let size = self.first.abs();
         let least = self.tail(count) + self.rounding(count) + kept * size;
         if size > self.sum + least {
             return Some(self.first.signum());
         }
-        // Not a number is no sign.
+        // The comparison is false for NaN.
         let is_beyond = |value: &f64| value * self.first.signum() > least;
         let mut all = [0.0; MAX_COEFFICIENTS];
         let all = all.get_mut(..=2 * HALF)?;
@@ -166,7 +167,7 @@ impl<const HALF: usize> Terms<HALF> {
         all.iter().all(is_beyond).then(|| self.first.signum())
     }
 
-    /// Whether the value at `u` is this one, but for what further terms might add and a small part of the terms.
+    /// Whether the polynomial at `u` agrees with `value`, up to further terms and a small part of the terms.
     fn is_near(&self, u: f64, value: f64, count: f64) -> bool {
         let terms = self.higher.as_flattened().iter().rev();
         let found = terms.fold(0.0, |sum, a| (sum + a) * u) + self.first;

@@ -1,4 +1,4 @@
-//! Event functions and conditions that are closures.
+//! Event functions and conditions given by closures.
 
 use super::detection::detection_by_functions;
 use super::event_dynamics::SingleNumber;
@@ -8,22 +8,23 @@ use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::scalar::{Lanes, Scalar};
 
-/// What an event function returns: a number of the scalar of the integration, or an array of them. On
-/// [lanes](crate::Lanes), whose motions go on together, it is a plain number, made of all lanes.
+/// The return type of an event function: a number of the scalar of the integration, or an array of them.
+///
+/// On [lanes](crate::Lanes), whose motions share their steps, it is an `f64` computed from all lanes.
 #[diagnostic::on_unimplemented(
     message = "an event function of an integration on `{S}` does not return `{Self}`",
     note = "it returns a number of the scalar of the integration, `x.q[0]` say, or an array of them; on lanes a number `f64` \
             that is made of all lanes"
 )]
 pub trait EventValues<S: Scalar> {
-    /// The numbers of which the signs are watched: `f64` or an array of it.
+    /// The numbers whose signs are watched: `f64` or an array of it.
     type Numbers: Values;
 
-    /// The numbers without their derivative parts, in `f64`.
+    /// Returns the numbers without their derivative parts, in `f64`.
     fn numbers(&self) -> Self::Numbers;
 
-    /// The value of an index with all that the scalar has of it; none beyond the last, and where events have one time for
-    /// several motions.
+    /// Returns the value at an index in the full precision of the scalar; `None` beyond the last index, and if events
+    /// have one time for several motions.
     fn value(&self, index: usize) -> Option<S>;
 }
 
@@ -75,7 +76,7 @@ impl<const L: usize, const K: usize> EventValues<Lanes<L>> for [f64; K] {
     }
 }
 
-/// The condition that a function of the state at a time crosses zero.
+/// The condition that a function of the time and the state crosses zero.
 #[derive(Clone, Copy, Debug)]
 pub struct FunctionOfState<F> {
     pub(crate) function: F,
@@ -84,7 +85,7 @@ pub struct FunctionOfState<F> {
 }
 
 impl<F> FunctionOfState<F> {
-    /// The event that the function crosses zero in either direction.
+    /// Creates the event that the function crosses zero in either direction.
     pub(crate) fn new(function: F) -> Self {
         Self {
             function,
@@ -135,7 +136,7 @@ where
     detection_by_functions!(S, D);
 }
 
-/// The condition that a predicate of the state at a time holds at the end of a step.
+/// The condition that a predicate of the time and the state holds at the end of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct PredicateOfState<F>(pub(crate) F);
 

@@ -1,15 +1,17 @@
-//! Where one run ends and another begins: to which of them an event belongs.
+//! The junction of two runs: to which of them an event belongs.
 //!
-//! A run that begins knows a time and a state, and nothing of the run before it. So both decide by what the event functions are
-//! at the state that is handed over: a run that ends there reports the events whose functions have reached zero or changed
-//! their signs, and one that begins there takes the signs that it finds. A function is zero there if rounding cannot tell it from
-//! zero: a few roundings of the time and of the components of the state change it by as much as its value. What it
-//! does next is then to leave zero, which is no event: it has a sign again when it is distinguishable from zero. So is a function that
-//! touches zero within the resolution of time. One that does so farther away has done so where it moves away from zero.
+//! A run that begins knows a time and a state, but nothing about the run before it. So both decide by the values of the
+//! event functions at the state that is handed over. A run that ends there reports the events whose functions have
+//! reached zero or changed sign; a run that begins there takes the signs that it finds. A function counts as zero if
+//! rounding cannot distinguish it from zero: a few roundings of the time and of the components of the state change it
+//! by as much as its value. Leaving zero is then no event: the function has a sign again when it is distinguishable
+//! from zero. A function that touches zero within the resolution of time also counts as zero. A function that touches
+//! zero farther away has already touched it if it moves away from zero.
 //!
-//! In one direction a function that is distinguishable from zero is taken at its word. For an event in either direction, a
-//! change of sign within the resolution of time, before or behind, is a zero there, too: an impact that stops a run lies behind
-//! the zero by rounding, and the motion away from it passes the zero once more.
+//! For an event in one direction, the sign of a function that is distinguishable from zero is taken as it is. For an
+//! event in either direction, a change of sign within the resolution of time, before or after, also counts as zero. For
+//! example, an impact that stops a run lies just after the zero because of rounding, and the motion away from it passes
+//! the zero once more.
 
 use super::memory::Memory;
 use super::met_conditions::MetConditions;
@@ -24,9 +26,9 @@ use crate::scalar::Scalar;
 /// The event functions at a state that one run hands over to another.
 pub(super) struct Junction<V> {
     pub(super) values: V,
-    /// What rounding makes of them.
+    /// The effect of rounding on the values.
     pub(super) noise: V,
-    /// Which of them are zero.
+    /// The functions that count as zero.
     pub(super) zeros: MetConditions,
 }
 
@@ -50,8 +52,9 @@ impl<V: Values> Junction<V> {
         junction
     }
 
-    /// Adds the functions that touch zero within the resolution of time, and those that change their signs there: for events in either
-    /// direction within that of a stepper, and on a scalar with more digits than the time has, for all of them, within that of the scalar.
+    /// Adds the functions that touch zero within the resolution of time, and those that change sign there. For events
+    /// in either direction this is the resolution of a stepper. For events in one direction it is the resolution of the
+    /// scalar, and they are only considered if the scalar has more digits than the time.
     fn find_zeros_within_resolution<S, D, G>(
         &mut self,
         source: &mut G,
@@ -105,21 +108,22 @@ impl<V: Values> Junction<V> {
         value.unwrap_or(f64::NAN)
     }
 
-    /// What a value has to exceed to show that a function has left its zero.
+    /// Returns the magnitude that a value has to exceed to show that a function has left its zero.
     fn hysteresis(&self, event: usize) -> f64 {
         let noise = self.noise.as_slice().get(event).copied().unwrap_or(0.0);
         noise.max(self.value(event).abs())
     }
 }
 
-/// In which time a state changes by its size; 0 if it is at rest.
+/// Returns the time in which a state changes by its size; 0 if it is at rest.
 fn time_scale<S: Scalar, X: VectorSpace<S>>(x: &X, rate: &X) -> f64 {
     let size = |x: &X| x.fold(S::zero(), |sum, x| sum + x.abs()).largest();
     let scale = size(x) / size(rate);
     if scale.is_finite() { scale } else { 0.0 }
 }
 
-/// Whether the parabola through three neighbouring values, the outer ones of which have one sign, touches zero between them.
+/// Whether the parabola through three neighbouring values touches zero between them, where the outer two have the same
+/// sign.
 fn touches([before, here, behind]: [f64; 3]) -> bool {
     let [before, here, behind] = [before, here, behind].map(|value| value * behind.signum());
     let curvature = before + behind - 2.0 * here;
@@ -129,7 +133,7 @@ fn touches([before, here, behind]: [f64; 3]) -> bool {
 }
 
 impl<V: Values> Memory<V> {
-    /// The memory of a run that begins.
+    /// Returns the memory of a run that begins.
     pub(super) fn at_start<S, D, G>(source: &mut G, dynamics: &D, t: f64, x: &D::State) -> Self
     where
         S: Scalar,
@@ -142,7 +146,7 @@ impl<V: Values> Memory<V> {
         memory
     }
 
-    /// Notes which functions are zero at a time: they have no signs until they leave it.
+    /// Records which functions are zero at a time: they have no signs until they leave zero.
     pub(super) fn leave(&mut self, junction: &Junction<V>, t: f64) {
         for event in junction.zeros.indices() {
             let least = junction.hysteresis(event);
@@ -158,11 +162,11 @@ impl<V: Values> Memory<V> {
     }
 }
 
-/// 1/φ = φ − 1, the conjugate of the golden ratio: the fractional parts of its multiples differ, and are spread evenly (D. E. Knuth,
-/// *The Art of Computer Programming*, volume 3, 2nd edition 1998, section 6.4, theorem S).
+/// 1/φ = φ − 1, the conjugate of the golden ratio. The fractional parts of its multiples are distinct and evenly spread
+/// (D. E. Knuth, *The Art of Computer Programming*, volume 3, 2nd edition 1998, section 6.4, theorem S).
 const GOLDEN_RATIO_CONJUGATE: f64 = 0.618_033_988_749_894_8;
 
-/// By how much the values change when the time and the state are moved by some rounding errors.
+/// Returns the changes of the values when the time and the state are moved by some rounding errors.
 pub(super) fn rounding<S, D, G>(
     source: &mut G,
     dynamics: &D,
@@ -178,7 +182,8 @@ where
     let epsilon = S::from_f64(part);
     let mut noise = G::Values::ZERO;
     for alternation in [1.0, -1.0] {
-        // No two components by the same part of themselves: that would not change the sum of two opposite ones.
+        // Each component is moved by another part of itself: with equal parts, the sum of two opposite components would
+        // not change.
         let (mut sign, mut fraction) = (1.0, 0.0);
         let moved = x.map(|component| {
             sign *= alternation;

@@ -1,4 +1,4 @@
-//! The step that was just taken, as events are looked for within it.
+//! The step that was just taken, in which events are located.
 
 use core::marker::PhantomData;
 
@@ -40,7 +40,7 @@ impl<'a, S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>> LastStep<'a, S, D
         self.stepper.time()
     }
 
-    /// Whether `a` comes before `b` in the course of the integration.
+    /// Whether `a` comes before `b` in the direction of the integration.
     pub(crate) fn comes_before(&self, a: f64, b: f64) -> bool {
         if self.end() >= self.begin() {
             a < b
@@ -49,7 +49,7 @@ impl<'a, S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>> LastStep<'a, S, D
         }
     }
 
-    /// What comes of the Taylor polynomial of the step, if it is one.
+    /// Applies a visitor to the Taylor polynomial of the step, if it is one.
     pub(crate) fn polynomial<V: StepPolynomial<S, D::State>>(
         &self,
         visitor: V,
@@ -57,13 +57,14 @@ impl<'a, S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>> LastStep<'a, S, D
         self.stepper.visit_polynomial(visitor)
     }
 
-    /// The states between which the step leads, where they are known.
+    /// Returns the states at the beginning and the end of the step, if they are known.
     pub(crate) fn ends(&self) -> Option<[&D::State; 2]> {
         Some([self.stepper.previous_state()?, self.stepper.state()])
     }
 
-    /// The sample at a time within the step, on the manifold of the dynamics if they have one. So event functions are those of one
-    /// continuous curve through the ends of the steps. Where the projection fails, the sample is not projected.
+    /// Returns the sample at a time within the step, projected onto the manifold of the dynamics if they have one.
+    /// Event functions thus are evaluated along one continuous curve through the ends of the steps. If the projection
+    /// fails, the sample is not projected.
     pub(crate) fn at(&mut self, t: f64) -> At<f64, D::State> {
         if t - self.stepper.time() == 0.0 {
             let x = self.stepper.state().clone();
@@ -74,7 +75,7 @@ impl<'a, S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>> LastStep<'a, S, D
         At { t, x }
     }
 
-    /// The same, where it is shown.
+    /// Returns the sample at a time within the step for a user, who must not see an unprojected one.
     ///
     /// # Errors
     ///
@@ -89,13 +90,14 @@ impl<'a, S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>> LastStep<'a, S, D
         Ok(At { t, x })
     }
 
-    /// The shortest time that is safely distinguishable at `t`.
+    /// Returns the shortest duration that is safely distinguishable at `t`.
     pub(crate) fn resolution(&self, t: f64) -> f64 {
         let step = self.end() - self.begin();
         TIME_RESOLUTION * f64::EPSILON * (t.abs() + step.abs())
     }
 
-    /// The first time after `t` within the step that is safely distinguishable from it; at most the end of the step.
+    /// Returns the first time after `t` within the step that is safely distinguishable from it; at most the end of the
+    /// step.
     pub(crate) fn after(&self, t: f64) -> f64 {
         let end = self.end();
         let resolution = self.resolution(t);

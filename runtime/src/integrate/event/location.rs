@@ -1,15 +1,15 @@
 //! The location of a zero between two times.
 //!
 //! I. F. D. Oliveira & R. H. C. Takahashi, *An Enhancement of the Bisection Method Average Performance Preserving Minmax
-//! Optimality*, ACM Trans. Math. Softw. **47** (2021) 5: interpolate, truncate, project. It takes at most one evaluation
-//! more than bisection, and few for a smooth function.
+//! Optimality*, ACM Trans. Math. Softw. **47** (2021) 5: interpolate, truncate, project. It takes at most one
+//! evaluation more than bisection, and only a few for a smooth function.
 
 use crate::limits::events::DIVISIONS;
 
 /// An end of a bracket: a time, and the value of the function there.
 pub(crate) type End = (f64, f64);
 
-/// The proposals of times within a bracket that shrinks.
+/// The sequence of trial times within a shrinking bracket.
 pub(crate) struct Bracket {
     width: f64,
     divisions: usize,
@@ -23,8 +23,8 @@ impl Bracket {
         }
     }
 
-    /// A time between the ends, whose values have different signs if they are known; none where there is no number
-    /// between them.
+    /// Returns a time between the ends, whose values have different signs if they are known; `None` if there is no
+    /// number between the ends.
     pub(crate) fn divide(&mut self, (a, of_a): End, (b, of_b): End) -> Option<f64> {
         let middle = a + 0.5 * (b - a);
         let is_end = |t: f64| t.to_bits() == a.to_bits() || t.to_bits() == b.to_bits();
@@ -52,7 +52,7 @@ impl Bracket {
         } else {
             middle
         };
-        // The bracket may be as wide as bisection would leave it one division later.
+        // The bracket may be as wide as it would be one division later with bisection.
         let slack = i32::try_from(self.divisions).map_or(0.0, |n| libm::ldexp(self.width, -n));
         let radius = (slack - 0.5 * width).max(0.0);
         let projected = if (truncated - middle).abs() <= radius {
@@ -60,7 +60,7 @@ impl Bracket {
         } else {
             middle - radius.copysign(to_middle)
         };
-        // Next to an end, but not on it.
+        // Stay off the ends.
         let inner = 0.5 * width - least;
         middle + (projected - middle).clamp(-inner, inner)
     }
@@ -70,7 +70,7 @@ impl Bracket {
 mod tests {
     use super::Bracket;
 
-    /// The upper end of the last bracket of a zero in (0, 2), and the number of evaluations.
+    /// Returns the upper end of the last bracket of a zero in (0, 2), and the number of evaluations.
     fn zero(function: impl Fn(f64) -> f64) -> (f64, usize) {
         let mut ends = [0.0, 2.0].map(|t| (t, function(t)));
         let mut bracket = Bracket::new(0.0, 2.0);

@@ -1,4 +1,4 @@
-//! What is known of event functions between evaluations.
+//! What is known about event functions between evaluations.
 
 use super::LastStep;
 use super::met_conditions::MetConditions;
@@ -11,56 +11,56 @@ use crate::limits::events::{
 };
 use crate::scalar::Scalar;
 
-/// What is known of event functions up to a time.
+/// What is known about event functions up to a time.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<V> {
-    /// The time up to which events were looked for.
+    /// The time up to which events were searched.
     pub(super) until: f64,
-    /// The last values that had a sign; 0 where there was none yet, or where a function has reached zero.
+    /// The last values that had a sign; 0 if there was none yet, or if a function has reached zero.
     pub(super) signs: V,
-    /// The time from which the method began, or began anew.
+    /// The time at which the method started or restarted.
     start: f64,
-    /// Whether nothing was evaluated since then.
+    /// Whether nothing was evaluated since the start.
     pub(super) is_leaving: bool,
-    /// While a function stays at zero after the start, the distance from it of the next evaluation.
+    /// The distance from the start to the next evaluation, while a function stays at zero after the start.
     departure: f64,
-    /// After a reaction to an event, the value that its function has to exceed to count: the event cools down.
+    /// The value that an event's function has to exceed to count after a reaction to the event: the cooldown.
     pub(super) hysteresis: V,
-    /// The events whose functions have not exceeded that value on the way from zero to zero.
+    /// The events whose functions have not exceeded this value between two zeros.
     pub(super) within_rounding: MetConditions,
-    /// The values at the events that occurred last.
+    /// The values of the functions at the last events.
     pub(super) at_event: V,
-    /// Of polynomials: where the present part of the step begins.
+    /// For polynomials: the beginning of the present part of the step.
     pub(super) window: f64,
-    /// Of polynomials: the part of the step from where on the sign behind the last root is certain.
+    /// For polynomials: the part of the step after which the sign that follows the last root is certain.
     pub(super) resume: V,
-    /// Of polynomials: after an event, the signs of the others' functions before their next roots, which rounding may have
-    /// brought next to it; 0 where there is none.
+    /// For polynomials, after an event: the signs of the other functions before their next roots, which may be next to
+    /// the event because of rounding; 0 if there is none.
     pub(super) ahead: V,
-    /// Of polynomials: the events whose functions are zero to rounding at the end of the last window. Where they do not cross
-    /// it, they have touched it.
+    /// For polynomials: the events whose functions are zero to rounding at the end of the last window. If they do not
+    /// cross zero, they have touched it.
     pub(super) touching: MetConditions,
-    /// The direction of time in the steps that were looked at.
+    /// The direction of time in the steps that were searched.
     forwards: Option<bool>,
-    /// The events to which the reaction was from which the method began anew: their functions are zero there.
+    /// The events whose reaction made the method restart: their functions are zero there.
     pub(super) at_zero: MetConditions,
-    /// The events whose functions are zero where a run begins, or where the last one has ended.
+    /// The events whose functions are zero at the beginning of this run, or at the end of the last one.
     pub(super) left: MetConditions,
-    /// When each function was zero last: at an event, or where a run began or ended. NaN if it never was.
+    /// The time of the last zero of each function: at an event, or where a run began or ended. NaN if there was none.
     pub(super) zero_at: V,
     /// The time of the last reaction to each event.
     reactions: V,
-    /// How many times each event has occurred in a row, within a short time.
+    /// The number of consecutive occurrences of each event within a short time.
     in_a_row: V,
 }
 
-/// Whether a number is positive or negative: not zero and not NaN.
+/// Whether a number is positive or negative, that is, neither zero nor NaN.
 pub(super) fn has_sign(value: f64) -> bool {
     !value.is_nan() && value != 0.0
 }
 
 impl<V: Values> Memory<V> {
-    /// The memory at the initial time, where the functions have these values.
+    /// Creates the memory at the initial time, at which the functions have these values.
     pub(super) fn new(start: f64, values: V) -> Self {
         let mut never = V::ZERO;
         never.as_mut_slice().fill(f64::NAN);
@@ -86,9 +86,10 @@ impl<V: Values> Memory<V> {
         }
     }
 
-    /// Begins anew at `start`, where the functions have these signs.
+    /// Restarts at `start`, where the functions have these signs.
     pub(super) fn begin_anew(&mut self, start: f64, signs: V, hysteresis: V) {
-        // Zeros behind the start were found before another list of events called for a reaction: they are not visited.
+        // Zeros after the start were found before another list of events caused a reaction: the motion does not reach
+        // them.
         for zero_at in self.zero_at.as_mut_slice() {
             let is_behind =
                 |forwards| (forwards && *zero_at > start) || (!forwards && *zero_at < start);
@@ -106,7 +107,7 @@ impl<V: Values> Memory<V> {
         };
     }
 
-    /// What a checkpoint has of it.
+    /// Returns the part that a checkpoint stores.
     fn signs_of_checkpoint(&self) -> EventSigns {
         let [positive, negative] = EventSigns::bits(self.signs.as_slice());
         EventSigns {
@@ -117,7 +118,7 @@ impl<V: Values> Memory<V> {
         }
     }
 
-    /// This memory of the functions at the time of a checkpoint, with what that has of them.
+    /// Returns this memory of the functions at the time of a checkpoint, with the signs that it has stored.
     fn with_signs(mut self, stored: EventSigns) -> Self {
         for (event, value) in self.signs.as_mut_slice().iter_mut().enumerate() {
             let sign = stored.sign(event);
@@ -131,20 +132,21 @@ impl<V: Values> Memory<V> {
         self
     }
 
-    /// Whether what is known serves an integration from `t` towards `end`: one in the same direction.
+    /// Whether the memory is valid for an integration from `t` towards `end`, that is, one in the same direction.
     fn serves(&self, t: f64, end: f64) -> bool {
         let forwards = end >= t;
         t - self.until == 0.0 && self.forwards.is_none_or(|before| before == forwards)
     }
 
-    /// The sign that an event's function has before its next zero: between two events of one step that of its polynomial.
+    /// Returns the sign of an event's function before its next zero: between two events of one step, the sign of its
+    /// polynomial.
     pub(super) fn sign_before(&self, event: usize) -> f64 {
         let [ahead, sign] = [&self.ahead, &self.signs].map(|signs| signs.as_slice().get(event));
         let known = ahead.filter(|ahead| has_sign(**ahead)).or(sign);
         known.copied().unwrap_or(f64::NAN)
     }
 
-    /// Notes that events occur at a time.
+    /// Records that events occur at a time.
     pub(super) fn note_zeros(&mut self, events: MetConditions, t: f64) {
         for event in events.indices() {
             if let Some(last) = self.zero_at.as_mut_slice().get_mut(event) {
@@ -153,18 +155,18 @@ impl<V: Values> Memory<V> {
         }
     }
 
-    /// Functions leave zero from a time on, as from an initial one.
+    /// Lets functions leave zero from a time on, as from an initial time.
     pub(super) fn leave_from(&mut self, t: f64) {
         (self.start, self.is_leaving, self.departure) = (t, true, 0.0);
     }
 
-    /// Whether a value of an event function says anything: during the cooldown it may be a rounding error.
+    /// Whether a value of an event function is significant: during the cooldown it may be a rounding error.
     pub(super) fn counts(&self, event: usize, value: f64) -> bool {
         let least = self.hysteresis.as_slice().get(event);
         least.is_none_or(|least| *least == 0.0 || value.abs() > *least)
     }
 
-    /// Takes the sign of a value, if it has one that counts.
+    /// Takes the sign of a value, if it has one that is significant.
     pub(super) fn see(&mut self, event: usize, value: f64) {
         if !has_sign(value) || !self.counts(event, value) {
             return;
@@ -177,9 +179,9 @@ impl<V: Values> Memory<V> {
         }
     }
 
-    /// Notes a reaction to an event, in steps of about this length; whether there were too many in too short a time, or
-    /// without leaving the rounding errors of the event function.
-    /// `is_left` tells whether the function leaves zero.
+    /// Records a reaction to an event, in steps of about this length. Returns whether there were too many in too short
+    /// a time, or whether the function did not leave its rounding errors between them. `is_left` tells whether the
+    /// function leaves zero.
     pub(super) fn is_accumulating(
         &mut self,
         event: usize,
@@ -208,15 +210,16 @@ impl<V: Values> Memory<V> {
         *in_a_row >= OCCURRENCES || (*in_a_row > 0.0 && !is_left)
     }
 
-    /// The next time at which the functions are to be evaluated; none at the end of the step. Regular times are the ends
-    /// of `parts` of the step.
+    /// Returns the next time at which the functions are to be evaluated; `None` at the end of the step. The regular
+    /// times are the ends of `parts` of the step.
     ///
-    /// There may be a zero at the initial time, such as the one at which the integration stopped before, and rounding may
-    /// put the initial value on either side of it: so the first time is one that is distinguishable from it (K. L.
-    /// Hiebert & L. F. Shampine, *Implicitly Defined Output Points for Solutions of ODEs*, SAND80-0180, 1980; the time
-    /// is that of SUNDIALS: A. C. Hindmarsh et al., ACM Trans. Math. Softw. **31** (2005) 363–396). A difference of nearly
-    /// equal numbers, such as a height above a floor that is not at 0, is rounded to zero for a while, and a flight that
-    /// ends within the first step must not be missed: while a function is zero, each time is four times as far.
+    /// There may be a zero at the initial time, such as the one at which the integration stopped before, and rounding
+    /// may put the initial value on either side of it. The first time therefore is distinguishable from the initial
+    /// time (K. L. Hiebert & L. F. Shampine, *Implicitly Defined Output Points for Solutions of ODEs*, SAND80-0180,
+    /// 1980; the choice of the time follows SUNDIALS: A. C. Hindmarsh et al., ACM Trans. Math. Softw. **31** (2005)
+    /// 363–396). A difference of nearly equal numbers, such as a height above a floor that is not at 0, is rounded to
+    /// zero for a while, but a flight that ends within the first step must not be missed. While a function is zero,
+    /// each time is therefore four times as far away.
     pub(super) fn next_time<S: Scalar, D: Dynamics<S> + ?Sized, T: Advance<S, D>>(
         &mut self,
         step: &LastStep<'_, S, D, T>,
@@ -237,7 +240,7 @@ impl<V: Values> Memory<V> {
         let passed = f64::from(parts) * ((self.until - begin) / (end - begin));
         let passed = libm::floor(passed).max(0.0);
         let mut next = end;
-        // Rounding may have put the part that was passed last on either side.
+        // Because of rounding, the part that was passed last may be on either side.
         for part in [passed + 2.0, passed + 1.0, passed] {
             if part > 0.0 && part < f64::from(parts) && step.comes_before(self.until, time(part)) {
                 next = time(part);
@@ -253,7 +256,7 @@ impl<V: Values> Memory<V> {
         Some(next)
     }
 
-    /// Notes that all events up to a time are known.
+    /// Records that all events up to a time are known.
     pub(super) fn arrive(&mut self, time: f64) {
         self.go_to(time);
         self.is_leaving = false;
@@ -263,7 +266,7 @@ impl<V: Values> Memory<V> {
         self.touching = MetConditions::default();
     }
 
-    /// Notes that no event has occurred up to a time with these values.
+    /// Records that no event has occurred up to a time at which the functions have these values.
     pub(super) fn pass(&mut self, time: f64, values: &V) {
         for (i, value) in values.as_slice().iter().enumerate() {
             self.see(i, *value);
@@ -288,16 +291,16 @@ impl<V: Values> Memory<V> {
     }
 }
 
-/// What is known of events between the calls of an integration.
+/// What is known about events between the calls of an integration.
 pub trait Remembers: Sized {
-    /// What a checkpoint has of it.
+    /// Returns the part that a checkpoint stores.
     fn event_signs(&self) -> EventSigns;
 
-    /// This memory of the functions at the time of a checkpoint, with what that has of them.
+    /// Returns this memory of the functions at the time of a checkpoint, with the signs that it has stored.
     #[must_use]
     fn recalled(self, stored: EventSigns) -> Self;
 
-    /// Whether what is known serves an integration from `t` towards `end`: one in the same direction.
+    /// Whether the memory is valid for an integration from `t` towards `end`, that is, one in the same direction.
     fn goes_on(&self, t: f64, end: f64) -> bool;
 }
 
@@ -315,7 +318,7 @@ impl<V: Values> Remembers for Memory<V> {
     }
 }
 
-/// Nothing is known without events.
+/// Without events nothing is remembered.
 impl Remembers for () {
     fn event_signs(&self) -> EventSigns {
         EventSigns::default()

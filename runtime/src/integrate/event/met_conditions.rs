@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-/// Which stop conditions are met, or which events occur: a set of numbers below 64. Events and conditions are counted from 0 in the
-/// order of the settings.
+/// A set of stop conditions that are met, or of events that occur, as numbers below 64. Events and conditions are
+/// counted from 0 in the order of the settings.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MetConditions(u64);
@@ -15,16 +15,16 @@ impl fmt::Debug for MetConditions {
 }
 
 impl MetConditions {
-    /// How many conditions there can be.
+    /// The largest number of conditions.
     pub(crate) const MAX: usize = 64;
 
-    /// The set of the indices at which the iterator is true.
+    /// Returns the set of the indices at which the iterator is true.
     pub(crate) fn of(conditions: impl Iterator<Item = bool>) -> Self {
         let bits = (0..u64::BITS).zip(conditions);
         Self(bits.fold(0, |met, (i, is_met)| met | u64::from(is_met) << i))
     }
 
-    /// The set whose indices are the bits of a number.
+    /// Returns the set whose indices are the bits of a number.
     pub(crate) fn from_bits(bits: u64) -> Self {
         Self(bits)
     }
@@ -33,21 +33,21 @@ impl MetConditions {
         self.0
     }
 
-    /// The set in a list before which there are so many other conditions.
+    /// Returns the set in a list with `count` other conditions before it.
     #[must_use]
     pub(crate) fn shifted(self, count: usize) -> Self {
         let count = u32::try_from(count).unwrap_or(u32::MAX);
         Self(self.0.checked_shl(count).unwrap_or(0))
     }
 
-    /// Of the conditions from an index on.
+    /// Returns the conditions from the index `count` on, renumbered from 0.
     #[must_use]
     pub(crate) fn behind(self, count: usize) -> Self {
         let count = u32::try_from(count).unwrap_or(u32::MAX);
         Self(self.0.checked_shr(count).unwrap_or(0))
     }
 
-    /// Of the conditions before an index.
+    /// Returns the conditions before the index `count`.
     #[must_use]
     pub(crate) fn before(self, count: usize) -> Self {
         let others = self.behind(count).shifted(count);
@@ -59,13 +59,13 @@ impl MetConditions {
         self.0 |= u32::try_from(index).map_or(0, |i| 1_u64.checked_shl(i).unwrap_or(0));
     }
 
-    /// Whether any condition is.
+    /// Whether the set is not empty.
     #[must_use]
     pub fn any(self) -> bool {
         self.0 != 0
     }
 
-    /// Whether the condition of that index is.
+    /// Whether the set contains the condition with this index.
     #[must_use]
     pub fn contains(self, index: usize) -> bool {
         let shifted = u32::try_from(index)
@@ -74,18 +74,18 @@ impl MetConditions {
         shifted.is_some_and(|bits| bits & 1 == 1)
     }
 
-    /// The indices, from the lowest.
+    /// Returns the indices in ascending order.
     pub fn indices(self) -> impl Iterator<Item = usize> {
         (0..64).filter(move |i| self.contains(*i))
     }
 
-    /// The indices of this set that are not in another one.
+    /// Returns the indices of this set that are not in another one.
     #[must_use]
     pub(crate) fn without(self, other: Self) -> Self {
         Self(self.0 & !other.0)
     }
 
-    /// The union of two sets.
+    /// Returns the union of two sets.
     #[must_use]
     pub(crate) fn or(self, other: Self) -> Self {
         Self(self.0 | other.0)

@@ -1,4 +1,4 @@
-//! Which root of an event's polynomial is its next event.
+//! The root of an event's polynomial that is its next event.
 
 use core::ops::ControlFlow;
 
@@ -9,7 +9,7 @@ use crate::integrate::event::window::Window;
 use crate::limits::events::MAX_COEFFICIENTS;
 
 impl<const K: usize> DeclaredEvents<K> {
-    /// The first root of an event's polynomial that is one of its event, and the first one of all.
+    /// Returns the first root of an event's polynomial at which the event occurs, and the first root of all.
     pub(super) fn first_of(
         &self,
         event: usize,
@@ -32,7 +32,7 @@ impl<const K: usize> DeclaredEvents<K> {
             0.0
         };
         let mut next = if memory.left.contains(event) {
-            // What is zero where a run begins has a sign as soon as it is distinguishable from zero.
+            // A function that is zero where a run begins has a sign as soon as it is distinguishable from zero.
             let left = polynomial.leaves(from.max(near), memory.hysteresis[event]);
             left.and_then(|(at, sign)| polynomial.next_root(at, sign))
         } else {
@@ -63,8 +63,9 @@ impl<const K: usize> DeclaredEvents<K> {
         [None, first]
     }
 
-    /// An event at the beginning of a step: the last step may have ended before a root that is now behind, to rounding, or at a
-    /// zero, whether or not the sign changes there. Otherwise the next root that is not the last one again.
+    /// Decides about an event at the beginning of a step. The last step may have ended, to rounding, just before a root
+    /// that has now been passed, or at a zero, whether or not the sign changes there. Otherwise the result is the next
+    /// root, but not the last one again.
     fn at_last_end(
         &self,
         event: usize,
@@ -75,7 +76,7 @@ impl<const K: usize> DeclaredEvents<K> {
         let crossing = self.event(event).crossing();
         let before = memory.signs[event];
         let behind = polynomial.sign_behind(from, next);
-        // What comes nearer has its zero among the roots.
+        // If the function approaches zero, its zero is among the roots.
         let touches = memory.touching.contains(event)
             && before * behind > 0.0
             && before * polynomial.slope(from) >= 0.0

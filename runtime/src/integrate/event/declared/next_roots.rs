@@ -12,7 +12,7 @@ use crate::integrate::stepper::Advance;
 use crate::limits::events::MAX_COEFFICIENTS;
 
 impl<const K: usize> DeclaredEvents<K> {
-    /// The next events at roots of these polynomials of the fraction of the step.
+    /// Returns the next events at roots of these polynomials in the fraction of the step.
     pub(super) fn next_roots<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
@@ -54,7 +54,7 @@ impl<const K: usize> DeclaredEvents<K> {
         let behind = step.after(t);
         let occurs = |event: usize| {
             let touches = |root: &Root| {
-                // Behind a time within its rounding errors, a zero without a change of sign is not seen any more.
+                // After a time within its rounding errors, a zero without a change of sign is no longer seen.
                 root.before * root.behind > 0.0
                     && polynomials[event].is_uncertain(window.fraction(behind))
             };
@@ -80,8 +80,8 @@ impl<const K: usize> DeclaredEvents<K> {
         Some(Occurring { t, events })
     }
 
-    /// The times of the events at these roots, as far as they may be the first; and those whose functions have not reached
-    /// zero in the window, which is in what follows.
+    /// Returns the times of the events at these roots, as long as they may be the first. Also returns the events whose
+    /// functions have not reached zero in the window; they occur later.
     fn times_of<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
@@ -114,8 +114,9 @@ impl<const K: usize> DeclaredEvents<K> {
         (times, late)
     }
 
-    /// The time of an event at a root, moved by rounding errors until its function has reached zero: where terms of the polynomial cancel,
-    /// its rounding errors are larger than the function's, whose zero counts. None if that is behind the window.
+    /// Returns the time of an event at a root, moved by rounding errors until its function has reached zero. Where
+    /// terms of the polynomial cancel, its rounding errors are larger than those of the function, and the zero of the
+    /// function counts. `None` if that is after the window.
     fn time_of<S, D, T>(
         &mut self,
         event: usize,
@@ -172,7 +173,7 @@ impl<const K: usize> DeclaredEvents<K> {
     }
 }
 
-/// Notes which of the events that were found occur.
+/// Records which of the events that were found occur.
 fn note_occurring<const K: usize>(
     memory: &mut Memory<[f64; K]>,
     found: &[Option<Root>; K],
@@ -186,8 +187,9 @@ fn note_occurring<const K: usize>(
     }
 }
 
-/// Notes the signs of the other events' functions up to their next roots behind a part of the window, whether or not these are
-/// events, and the times of those that are passed; a root of an event that was found is not.
+/// Records, for the functions of the other events, the signs until their next roots after a part of the window, and the
+/// times of the roots that are passed. These need not be events, but a root at which an event was found does not count
+/// as passed.
 fn note_others<const K: usize>(
     memory: &mut Memory<[f64; K]>,
     window: &Window<K>,
@@ -203,7 +205,8 @@ fn note_others<const K: usize>(
         let [last, next] = roots;
         if let Some(root) = last {
             (memory.signs[event], memory.resume[event]) = (root.behind, root.until);
-            // What has had no certain sign until now, or cannot be told from it, is zero here.
+            // A function that had no certain sign until now, or whose root cannot be distinguished from here, is zero
+            // here.
             memory.zero_at[event] = if root.until > here - (behind - here) {
                 t
             } else {
@@ -214,7 +217,7 @@ fn note_others<const K: usize>(
     }
 }
 
-/// The last root of those from one on that are passed, and the one behind it.
+/// Returns the last passed root, starting from `first`, and the root after it.
 fn roots_from(
     polynomial: &Polynomial,
     first: Option<Root>,
@@ -231,7 +234,7 @@ fn roots_from(
     [last, next]
 }
 
-/// The events whose functions have not left zero up to a part of the window.
+/// Returns the events whose functions have not left zero up to a part of the window.
 fn stay_at_zero<const K: usize>(
     memory: &Memory<[f64; K]>,
     polynomials: &[Polynomial; K],
@@ -246,7 +249,7 @@ fn stay_at_zero<const K: usize>(
     MetConditions::of(polynomials.iter().enumerate().map(stays))
 }
 
-/// Notes the signs at the end of a window, behind its last event; those of the events that are late are known.
+/// Records the signs at the end of a window, after its last event; the signs of late events are already known.
 fn arrive_at_end<const K: usize>(
     memory: &mut Memory<[f64; K]>,
     window: &Window<K>,
