@@ -136,7 +136,7 @@ impl<P, const L: usize> Ensemble<P, L> {
     note = "write a time, `ensemble.solve(10.0, method)`, or a function of the position, `|index| 0.1 * index as f64`"
 )]
 pub trait Ends {
-    /// The final time of a problem.
+    /// Returns the final time of a problem.
     fn of(&self, index: usize) -> f64;
 }
 

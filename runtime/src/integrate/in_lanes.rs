@@ -1,19 +1,20 @@
-//! Systems of which several motions are integrated in SIMD lanes.
+//! Systems whose motions are integrated in SIMD lanes.
 
 use super::taylor::Series;
 use super::typical_sizes::WithSizes;
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
 
-/// A system of which [`Ensemble`](crate::Ensemble) integrates `L` motions at once by [`Taylor`](crate::Taylor), one in each SIMD
-/// lane.
+/// A system of which [`Ensemble`](crate::Ensemble) integrates `L` motions at once by [`Taylor`](crate::Taylor).
 ///
-/// The equations of motion of a model with the clause `taylor` are one, under held inputs and under every
-/// [law](crate::laws::LawSeries) whose series is known. Members may have different parameters, inputs and laws; a model with an
-/// external function that reads `self` is none
+/// Each motion is in its own SIMD lane.
+///
+/// The equations of motion of a model with the clause `taylor` implement this trait, under held inputs and under every
+/// [law](crate::laws::LawSeries) whose series is known. Members may have different parameters, inputs and laws. A model
+/// with an external function that reads `self` does not implement it
 /// ([`MembersInLanes`](crate::quantities::MembersInLanes)).
 ///
-/// A system that is written by hand says which parameters its lanes have, and what the equations of all lanes are:
+/// A system that is written by hand defines the parameters of its lanes, and the equations of all lanes:
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -85,24 +86,24 @@ use crate::scalar::Lanes;
     note = "`Dop853` and `RungeKutta` take every system, one motion after the other; other systems implement `InLanes`"
 )]
 pub trait InLanes<const L: usize>: Series<f64> {
-    /// The states of all lanes.
+    /// The type of the states of all lanes.
     type States: LaneStates<L, Lane = Self::State>;
 
-    /// What the equations of all lanes read: parameters, inputs, laws.
+    /// The type of everything that the equations of all lanes read: parameters, inputs, laws.
     type Parameters;
 
-    /// The equations of all lanes.
+    /// The type of the equations of all lanes.
     type Together<'a>: Series<Lanes<L>, State = Self::States>
     where
         Self: 'a;
 
-    /// The parameters of this system, in every lane.
+    /// Returns the parameters of this system, in every lane.
     fn parameters(&self) -> Self::Parameters;
 
-    /// Gives a lane the parameters of this system; does nothing if there is no such lane.
+    /// Sets a lane to the parameters of this system; does nothing if there is no such lane.
     fn set_lane(&self, parameters: &mut Self::Parameters, lane: usize);
 
-    /// The equations of all lanes with their parameters. `self` is one of the members, whichever it may be.
+    /// Returns the equations of all lanes with their parameters. `self` may be any one of the members.
     fn together<'a>(&'a self, parameters: &'a Self::Parameters) -> Self::Together<'a>;
 }
 
@@ -127,7 +128,7 @@ impl<D: InLanes<L>, const L: usize> InLanes<L> for &D {
     }
 }
 
-/// Each lane has sizes of its own.
+/// Each lane has its own sizes.
 impl<D: InLanes<L>, const L: usize> InLanes<L> for WithSizes<D, D::State> {
     type States = D::States;
     type Parameters = (D::Parameters, D::States);

@@ -14,7 +14,7 @@ use super::singularity_check::{check_singularity_in_motion, singular};
 use super::stepper::Advance;
 use crate::scalar::Scalar;
 
-/// An integration in progress, with the same dynamics.
+/// An integration in progress, during which the dynamics do not change.
 pub(crate) struct Integration<'a, S: Scalar, D: Dynamics<S>, T, C: Detection<S, D>, O> {
     pub(crate) dynamics: &'a D,
     pub(crate) stepper: &'a mut T,
@@ -26,13 +26,13 @@ pub(crate) struct Integration<'a, S: Scalar, D: Dynamics<S>, T, C: Detection<S, 
     pub(crate) steps: Steps,
     /// Whether events that do not stop the integration interrupt it.
     pub(crate) reacts: bool,
-    /// Events that were found, before which the integration stops.
+    /// Events that were found, but before which the integration stops.
     pub(crate) pending: Option<Occurring>,
     pub(crate) observer: &'a mut O,
     pub(crate) collector: &'a mut dyn Collector<S, D, T>,
-    /// Why a state within the last step could not be shown.
+    /// The error for which a state within the last step could not be shown.
     pub(crate) failure: Option<IntegrationError>,
-    /// Up to date at any time, so that it is valid after an error, too.
+    /// Up to date at any time, so that it is valid after an error.
     pub(crate) outcome: &'a mut Outcome<D::State>,
 }
 
@@ -44,7 +44,8 @@ where
     C: Detection<S, D>,
     O: Observer<D::State>,
 {
-    /// What lies before the next step: at the initial time the samples and the condition, behind a change its observation.
+    /// Processes what precedes the next step: the samples and the condition at the initial time, or the observation of
+    /// a change.
     pub(crate) fn begin(&mut self) -> Result<(), StopReason> {
         self.outcome.statistics = self.stepper.statistics();
         match self.state.beginning {
@@ -65,8 +66,8 @@ where
         }
     }
 
-    /// Steps until there is a reason to stop or to react, unless there is one from the beginning. Events may be left in the last
-    /// step.
+    /// Takes steps until there is a reason to stop or to react, unless there is one from the beginning. Some events in
+    /// the last step may not have been processed then.
     pub(crate) fn complete(
         &mut self,
         begun: Result<(), StopReason>,
@@ -118,7 +119,7 @@ where
         }
     }
 
-    /// Reports what belongs to the end of a part, and counts the cost.
+    /// Reports the end of a part, and updates the statistics.
     pub(crate) fn finish(&mut self, interruption: Interruption) -> Interruption {
         let interruption = match interruption {
             Interruption::Stop(reason) => self.close(reason),
@@ -126,14 +127,15 @@ where
             other => other,
         };
         if !self.state.is_visited {
-            // The motion ends, or a reaction is called for, within the last step.
+            // The motion ends, or a reaction interrupts it, within the last step.
             self.record_until(self.outcome.last.t);
         }
         self.outcome.statistics = self.stepper.statistics();
         interruption
     }
 
-    /// Reports the events that belong to what ends here, where rounding does not tell them from its end.
+    /// Reports the events that belong to the part that ends here, where rounding does not distinguish them from its
+    /// end.
     fn close(&mut self, reason: StopReason) -> Interruption {
         let here = self.outcome.last.clone();
         let mut step = LastStep::new(self.dynamics, self.stepper);
@@ -163,7 +165,7 @@ where
         reason.into()
     }
 
-    /// The time towards which the next step is taken.
+    /// Returns the time towards which the next step is taken.
     fn target(&self) -> f64 {
         let next = if T::DENSE_OUTPUT {
             None
@@ -175,7 +177,8 @@ where
         update.map_or(target, |update| update.min(target))
     }
 
-    /// The error of a step that leads to a singularity, or beyond a pole, and the last time within it that is before that.
+    /// Returns the error for a step that leads to a singularity or beyond a pole, and the last time within the step
+    /// before that.
     fn broken_step(&mut self) -> Option<(f64, IntegrationError)> {
         if self.state.is_visited {
             return None;
@@ -199,7 +202,7 @@ where
         Some((regular, error))
     }
 
-    /// The error of a pole beyond which the last step leads, and the last time before it, by bisection.
+    /// Returns the error for a pole beyond which the last step leads, and the last time before it, by bisection.
     #[cold]
     fn pole_in_step(&mut self, mut pole: Singularity) -> (f64, IntegrationError) {
         let mut before = self.outcome.last.clone();
@@ -217,7 +220,7 @@ where
         }
     }
 
-    /// Visits the events that are left in the last step, and then its end.
+    /// Visits the remaining events in the last step, and then its end.
     fn visit_step(&mut self) -> Result<(), Interruption> {
         if self.state.is_visited {
             return Ok(());
@@ -232,7 +235,7 @@ where
         Ok(())
     }
 
-    /// Visits the events that are left in the last step up to a time, and takes the samples up to it.
+    /// Visits the remaining events in the last step up to a time, and takes the samples up to it.
     fn visit_events_until(&mut self, t: f64) -> Result<(), Interruption> {
         loop {
             let mut step = LastStep::new(self.dynamics, self.stepper);
@@ -268,7 +271,7 @@ where
         Ok(stopped?)
     }
 
-    /// Tells of events. The reason to stop, if an observer or one of them does.
+    /// Reports events. Returns the reason to stop if an observer stops or one of the events is terminal.
     fn visit_stops(
         &mut self,
         occurring: Occurring,
@@ -284,7 +287,7 @@ where
         Ok(())
     }
 
-    /// Tells of events at a time, all of them, even if an observer stops at one.
+    /// Reports all events at a time, even if an observer stops at one of them.
     fn report(
         &mut self,
         events: MetConditions,
@@ -315,7 +318,7 @@ where
         told
     }
 
-    /// The reason to stop, if the condition on the present state holds.
+    /// Returns the reason to stop as an error if the condition on the present state holds.
     fn check_condition(&mut self) -> Result<(), StopReason> {
         let holding = (self.condition).holding(self.stepper.time(), self.stepper.state());
         if holding.any() {
@@ -341,19 +344,19 @@ where
         Ok(())
     }
 
-    /// Notes why a state within the last step cannot be shown.
+    /// Records the error for which a state within the last step cannot be shown.
     #[cold]
     fn fail(&mut self, error: IntegrationError) -> StopReason {
         self.failure = Some(error);
         StopReason::Error
     }
 
-    /// Passes the last step to the collector, which is part of the motion until `end`.
+    /// Passes the last step, which is part of the motion until `end`, to the collector.
     fn record_until(&mut self, end: f64) {
         self.collector.step(self.dynamics, self.stepper, end);
     }
 
-    /// The sample at a time within the last step.
+    /// Returns the sample at a time within the last step.
     fn at(&mut self, t: f64) -> At<f64, D::State> {
         LastStep::new(self.dynamics, &mut *self.stepper).at(t)
     }

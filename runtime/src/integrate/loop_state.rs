@@ -1,10 +1,10 @@
-//! What the loop over steps knows between two of them, and why it is left.
+//! The state of the loop over steps between two of them, and the reasons to leave it.
 
 use super::error::IntegrationError;
 use super::event::Occurring;
 use super::outcome::StopReason;
 
-/// What the loop over steps knows between two of them.
+/// The state of the loop over steps between two of them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LoopState {
     pub(crate) start: f64,
@@ -13,10 +13,10 @@ pub(crate) struct LoopState {
     pub(crate) min_pivot: f64,
     /// The number of steps, rejected ones included, at which to stop.
     pub(crate) step_limit: u64,
-    /// The time at which the state is updated next, if the motion comes there.
+    /// The time of the next update of the state, if the motion reaches it.
     pub(crate) update: Option<f64>,
     pub(crate) beginning: Beginning,
-    /// Whether nothing is left to visit in the last step.
+    /// Whether everything in the last step has been visited.
     pub(crate) is_visited: bool,
 }
 
@@ -29,18 +29,18 @@ pub(crate) enum Steps {
     Shared,
 }
 
-/// How a step that the caller has taken ended.
+/// The result of a step that the caller has taken.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Taken {
-    /// At a regular state, as far as the method can tell.
+    /// It ended at a regular state, as far as the method can tell.
     Regular,
-    /// Perhaps at or beyond a singularity.
+    /// It may have ended at or beyond a singularity.
     Unchecked,
     /// It could not be taken.
     Failed(IntegrationError),
 }
 
-/// How a part of an integration begins.
+/// The beginning of a part of an integration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Beginning {
     /// At the initial time.
@@ -49,14 +49,14 @@ pub(crate) enum Beginning {
     Changed,
     /// Within a step, after a reaction without changes.
     Unchanged,
-    /// Behind a step that the caller has taken.
+    /// After a step that the caller has taken.
     Stepped(Taken),
 }
 
-/// Why a loop over steps ends.
+/// The reason for which a loop over steps ends.
 pub(crate) enum Interruption {
     Stop(StopReason),
-    /// Events call for a reaction, after which there may be a reason to stop.
+    /// Events require a reaction, after which there may be a reason to stop.
     Reaction(Occurring, Option<StopReason>),
     /// The state is to be updated.
     Update,
@@ -65,7 +65,7 @@ pub(crate) enum Interruption {
 }
 
 impl Interruption {
-    /// What follows events that call for a reaction.
+    /// Returns this interruption, preceded by events that require a reaction.
     pub(crate) fn after(self, occurring: Occurring) -> Self {
         match self {
             Self::Stop(reason) => Self::Reaction(occurring, Some(reason)),

@@ -5,22 +5,22 @@ use core::ops::ControlFlow;
 use super::event::MetConditions;
 use super::stepper::Statistics;
 
-/// Functions that are called on the way.
+/// Functions that are called during an integration.
 pub trait Observer<X> {
-    /// How many there are.
+    /// The number of functions.
     const COUNT: usize;
 
-    /// Calls each, and returns those that stop the integration.
+    /// Calls each function, and returns those that stop the integration.
     fn observe(&mut self, progress: &Progress<'_, X>) -> MetConditions;
 }
 
-/// What a function that is called on the way returns: nothing, or whether the integration goes on.
+/// The return type of a function that is called during an integration: nothing, or whether the integration continues.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not tell whether an integration goes on",
     note = "return nothing, or `ControlFlow::Break(())` where it is to end"
 )]
 pub trait Flow {
-    /// Whether it goes on.
+    /// Returns whether the integration continues.
     fn flow(self) -> ControlFlow<()>;
 }
 
@@ -67,22 +67,22 @@ impl<X, A: Observer<X>, B: Observer<X>> Observer<X> for (A, B) {
     }
 }
 
-/// What an observer is called for.
+/// The occasion on which an observer is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObservationKind {
-    /// One of the sample times. The samples within a step come before its end.
+    /// One of the sample times. Samples within a step are observed before its end.
     Sample,
-    /// The end of a step, or of the part of it that counts: up to where the integration stops, or where a reaction has
-    /// changed the state, which is then the changed one.
+    /// The end of a step, or of the part of it that is used: up to the time at which the integration stops, or at which
+    /// a reaction has changed the state. In the latter case, the state is the changed one.
     Step,
-    /// An event, of that index. The state is the one before any reaction.
+    /// The event with this index. The state is the one before any reaction.
     Event(usize),
 }
 
 /// The progress of an integration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress<'a, X> {
-    /// What the observer is called for.
+    /// The occasion on which the observer is called.
     pub kind: ObservationKind,
     /// The time.
     pub t: f64,
@@ -92,12 +92,12 @@ pub struct Progress<'a, X> {
     pub start: f64,
     /// The final time.
     pub end: f64,
-    /// The cost so far.
+    /// The statistics so far.
     pub statistics: Statistics,
 }
 
 impl<X> Progress<'_, X> {
-    /// The fraction of the time interval that is done, from 0 to 1.
+    /// Returns the fraction of the time interval that is done, from 0 to 1.
     #[must_use]
     pub fn fraction(&self) -> f64 {
         let interval = self.end - self.start;

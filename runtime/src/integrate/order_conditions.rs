@@ -1,8 +1,8 @@
 //! The order conditions of Runge–Kutta methods.
 //!
-//! There is one for each rooted tree τ with at most p vertices: Σ bᵢ Φᵢ(τ) = 1/γ(τ). Hairer,
-//! Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.2, theorem 2.13. There are 1,
-//! 1, 2, 4, 9, 20, 48, 115 trees of 1 to 8 vertices.
+//! There is one condition for each rooted tree τ with at most p vertices: Σ bᵢ Φᵢ(τ) = 1/γ(τ). Hairer, Nørsett &
+//! Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.2, theorem 2.13. There are 1, 1, 2, 4,
+//! 9, 20, 48, 115 trees with 1 to 8 vertices.
 
 use std::vec::Vec;
 
@@ -14,7 +14,7 @@ struct Tree {
     order: usize,
 }
 
-/// All rooted trees with at most `order` vertices, each once, after its children.
+/// Returns all rooted trees with at most `order` vertices, each once, after its children.
 fn trees(order: usize) -> Vec<Tree> {
     let mut trees: Vec<Tree> = Vec::new();
     for vertices in 1..=order {
@@ -28,7 +28,7 @@ fn trees(order: usize) -> Vec<Tree> {
     trees
 }
 
-/// All multisets of trees with `vertices` vertices together, in ascending order from `least`.
+/// Collects all multisets of trees with `vertices` vertices in total, in ascending order from `least`.
 fn forests_of(
     trees: &[Tree],
     vertices: usize,
@@ -54,8 +54,8 @@ fn density(trees: &[Tree], tree: &Tree) -> f64 {
     tree.order as f64 * children.product::<f64>()
 }
 
-/// The largest |Σ bᵢ Φᵢ(τ) − θ^|τ|/γ(τ)| over the trees of exactly `order` vertices. Within a step,
-/// at the fraction θ, the weights bᵢ are those of the dense output.
+/// Returns the largest |Σ bᵢ Φᵢ(τ) − θ^|τ|/γ(τ)| over the trees with exactly `order` vertices. Within a step, at the
+/// fraction θ, the weights bᵢ are the weights of the dense output.
 pub(crate) fn residual(matrix: &[&[f64]], weights: &[f64], theta: f64, order: usize) -> f64 {
     let trees = trees(order);
     let mut elementary: Vec<Vec<f64>> = Vec::new();

@@ -1,4 +1,4 @@
-//! Errors that own what was computed up to them.
+//! Errors that carry the results up to them.
 
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
@@ -6,11 +6,11 @@ use core::fmt;
 
 use super::error::IntegrationError;
 
-/// An error that stopped an integration, with what was computed up to then, such as a [`Solution`](crate::Solution). `?` makes the
-/// error of it.
+/// An error that stopped an integration, with the results up to then, such as a [`Solution`](crate::Solution). The
+/// operator `?` converts it to the error alone.
 #[derive(Clone, PartialEq)]
 pub struct Partial<T> {
-    // One pointer where there is memory for it, so that a `Result` is not large because of its error.
+    // A single pointer if there is an allocator, so that a `Result` is not large because of its error.
     #[cfg(feature = "alloc")]
     parts: Box<(IntegrationError, T)>,
     #[cfg(not(feature = "alloc"))]
@@ -28,7 +28,7 @@ impl<T> Partial<T> {
         }
     }
 
-    /// The error.
+    /// Returns the error.
     #[must_use]
     pub fn error(&self) -> IntegrationError {
         self.parts.0
@@ -43,7 +43,7 @@ impl<T> Partial<T> {
     }
 }
 
-/// The message, without what was computed: that may be long.
+/// Shows the message without the results, which may be long.
 impl<T> fmt::Debug for Partial<T>
 where
     Self: fmt::Display,

@@ -1,10 +1,10 @@
 //! The real roots of a polynomial in the unit interval, one after the other.
 //!
-//! The signs of its Bernstein coefficients on an interval bound the number of roots there (Descartes' rule of signs: G. E.
-//! Collins & A. G. Akritas, *Polynomial Real Root Isolation Using Descarte's Rule of Signs*, SYMSAC 1976; F. Rouillier &
-//! P. Zimmermann, *Efficient isolation of polynomial's real roots*, J. Comput. Appl. Math. **162** (2004) 33–50).
-//! Intervals are halved until the number is known. The arithmetic is that of double-doubles, so that a sign is as certain
-//! as the coefficients: what is smaller than their rounding errors has none.
+//! The signs of the Bernstein coefficients on an interval bound the number of roots there (Descartes' rule of signs: G.
+//! E. Collins & A. G. Akritas, *Polynomial Real Root Isolation Using Descarte's Rule of Signs*, SYMSAC 1976; F.
+//! Rouillier & P. Zimmermann, *Efficient isolation of polynomial's real roots*, J. Comput. Appl. Math. **162** (2004)
+//! 33–50). Intervals are halved until the number is known. The arithmetic uses double-doubles, so that a sign is as
+//! certain as the coefficients: values smaller than their rounding errors have no sign.
 
 mod leaving;
 #[cfg(test)]
@@ -21,44 +21,44 @@ use crate::scalar::DoubleDouble;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polynomial {
     coefficients: [DoubleDouble; MAX_COEFFICIENTS],
-    /// By how much they may be wrong.
+    /// Bounds of the errors of the coefficients.
     errors: [f64; MAX_COEFFICIENTS],
-    /// What rounding makes of the constant: by so much the whole function may be shifted.
+    /// The rounding error of the constant, by which the whole function may be shifted.
     shift: f64,
-    /// How many of them there are.
+    /// The number of coefficients.
     count: usize,
-    /// Their machine epsilon.
+    /// The machine epsilon of the coefficients.
     epsilon: f64,
 }
 
 /// A root.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Root {
-    /// Where it is; the upper of two neighbouring numbers.
+    /// The position of the root; the upper of two neighbouring numbers.
     pub(crate) at: f64,
     /// The sign before it.
     pub(crate) before: f64,
-    /// The sign behind it: the same where the polynomial touches zero.
+    /// The sign after it, which is equal to `before` if the polynomial touches zero.
     pub(crate) behind: f64,
-    /// From where on that sign is certain.
+    /// The argument from which the sign after the root is certain.
     pub(crate) until: f64,
 }
 
-/// What the Bernstein coefficients of an interval say.
+/// The result of an inspection of the Bernstein coefficients on an interval.
 enum Finding {
-    /// Its first root.
+    /// The first root in the interval.
     Root(Root),
-    /// That it is to be halved.
+    /// The interval has to be halved.
     Unclear,
-    /// That the polynomial has no certain sign at its end, which is to be another one.
+    /// The polynomial has no certain sign at the end of the interval, which has to be moved.
     UncertainEnd,
-    /// That it has no root; the sign at its end, or 0 if that is uncertain.
+    /// There is no root in the interval; the sign at its end, or 0 if that is uncertain.
     NoRoot { last: f64 },
 }
 
 impl Polynomial {
-    /// The polynomial with these coefficients, which have relative errors of this machine epsilon; none if there are too
-    /// many, or one is not finite.
+    /// Creates the polynomial with these coefficients, whose relative errors are of the order of this machine epsilon.
+    /// `None` if there are too many, or one is not finite.
     pub(crate) fn new(
         coefficients: impl Iterator<Item = DoubleDouble>,
         epsilon: f64,
@@ -79,8 +79,8 @@ impl Polynomial {
         Some(polynomial)
     }
 
-    /// The polynomial whose argument is a part of a length, from its coefficients in powers of the argument over which the
-    /// length is given; none as [`new`](Self::new), or if a term is too large for a number.
+    /// Creates the polynomial whose argument is the fraction of a length, from coefficients in powers of the argument
+    /// in which the length is given. `None` under the conditions of [`new`](Self::new), or if a term overflows.
     pub(crate) fn over(
         coefficients: impl Iterator<Item = DoubleDouble>,
         length: f64,
@@ -109,7 +109,7 @@ impl Polynomial {
         epsilon: 0.0,
     };
 
-    /// Whether the last two terms are at most this part of the sum of all, or rounding errors.
+    /// Whether each of the last two terms is at most `part` times the sum of all terms, or a rounding error.
     pub(super) fn has_converged(&self, part: f64) -> bool {
         let sizes = self.coefficients().iter().map(|a| a.to_f64().abs());
         let least = part * sizes.clone().sum::<f64>();
@@ -123,7 +123,7 @@ impl Polynomial {
         self.coefficients.get(..self.count).unwrap_or_default()
     }
 
-    /// The polynomial over u, without its constant.
+    /// Returns the polynomial without its constant, divided by u.
     pub(super) fn over_argument(mut self) -> Self {
         let count = self.count;
         if let Some(coefficients) = self.coefficients.get_mut(..count) {
@@ -136,9 +136,9 @@ impl Polynomial {
         self
     }
 
-    /// This polynomial, given another one whose coefficients differ by rounding errors: they are no better than that. An error
-    /// of the constant shifts the function and makes no zeros; but from one window to the next, the sign of a function that is
-    /// no larger says nothing.
+    /// Returns this polynomial with error bounds enlarged to the differences from another one, whose coefficients
+    /// differ by rounding errors. An error of the constant shifts the function and makes no zeros; but from one window
+    /// to the next, the sign of a function that is not larger than the shift means nothing.
     pub(super) fn compared_with(mut self, other: &Self) -> Self {
         let pairs = self.coefficients.iter().zip(&other.coefficients);
         for (error, (a, b)) in self.errors.iter_mut().zip(pairs).skip(1) {
@@ -149,40 +149,40 @@ impl Polynomial {
         self
     }
 
-    /// The constant may be wrong by that much.
+    /// Raises the possible error of the constant to at least `error`.
     pub(super) fn shift_by(&mut self, error: f64) {
         self.shift = self.shift.max(error);
     }
 
-    /// Whether all that it changes is within the errors of the coefficients: then it has no zeros.
+    /// Whether all terms but the constant are within the errors of the coefficients, so that there are no zeros.
     fn is_constant(&self) -> bool {
         let sizes = self.coefficients().iter().map(|a| a.to_f64().abs());
         let [sizes, errors] = [sizes.skip(1).sum::<f64>(), self.errors.iter().skip(1).sum()];
         sizes <= errors
     }
 
-    /// Whether the constant exceeds all that the other terms are in the unit interval.
+    /// Whether the constant exceeds the sum of the magnitudes of the other terms in the unit interval.
     pub(crate) fn has_one_sign(&self) -> bool {
         let mut sizes = self.coefficients().iter().map(|a| a.to_f64().abs());
         let constant = sizes.next().unwrap_or(0.0);
         constant > sizes.sum::<f64>() * (1.0 + UNCERTAINTY * self.epsilon)
     }
 
-    /// The value at `u`, by Horner's rule.
+    /// Returns the value at `u`, by Horner's rule.
     fn value(&self, u: f64) -> f64 {
         let (u, zero) = (DoubleDouble::from(u), DoubleDouble::from(0.0));
         let coefficients = self.coefficients().iter().rev();
         coefficients.fold(zero, |sum, a| sum * u + *a).to_f64()
     }
 
-    /// Whether the value at `u` is this one, but for a small part of the terms and for rounding errors.
+    /// Whether the polynomial at `u` agrees with `value`, up to a small part of the terms and rounding errors.
     pub(super) fn is_near(&self, u: f64, value: f64) -> bool {
         let sum: f64 = self.coefficients().iter().map(|a| a.to_f64().abs()).sum();
         (self.value(u) - value).abs() <= NEAR * sum + self.uncertainty(u) + self.shift
     }
 
-    /// Whether the root of its tangent at 0 is no farther away than that, or its value there is 0. A polynomial that is 0
-    /// everywhere is not meant.
+    /// Whether the root of the tangent at 0 is no farther away than `distance`, or the value at 0 is 0. This is false
+    /// for the polynomial that is 0 everywhere.
     pub(super) fn is_zero_within(&self, distance: f64) -> bool {
         let mut sizes = self.coefficients().iter().map(|a| a.to_f64().abs());
         let [value, slope] = [sizes.next(), sizes.next()].map(|size| size.unwrap_or(0.0));
@@ -190,7 +190,7 @@ impl Polynomial {
         is_zero && sizes.fold(slope, f64::max) > 0.0
     }
 
-    /// The derivative at `u`.
+    /// Returns the derivative at `u`.
     pub(super) fn slope(&self, u: f64) -> f64 {
         let (u, zero) = (DoubleDouble::from(u), DoubleDouble::from(0.0));
         let coefficients = self.coefficients().iter().enumerate().skip(1).rev();
@@ -198,13 +198,13 @@ impl Polynomial {
         sum.to_f64()
     }
 
-    /// What the errors of the coefficients make of a value up to `u`: one that is not larger has no sign.
+    /// Returns the effect of the errors of the coefficients on a value up to `u`: a smaller value has no sign.
     fn uncertainty(&self, u: f64) -> f64 {
         let errors = self.errors.get(..self.count).unwrap_or_default();
         errors.iter().rev().fold(0.0, |sum, error| sum * u + error)
     }
 
-    /// The sign at `u`, if it has one that no shift of the function changes.
+    /// Returns the sign at `u`, if it has one that no shift of the function changes.
     pub(super) fn certain_sign(&self, u: f64) -> Option<f64> {
         let value = self.value(u);
         (value.abs() > self.uncertainty(u) + 2.0 * self.shift).then(|| value.signum())
@@ -215,7 +215,7 @@ impl Polynomial {
         self.value(u).abs() <= self.uncertainty(u)
     }
 
-    /// The sign just behind `u`, as it is before the next root.
+    /// Returns the sign just after `u`, which lasts until the next root.
     pub(super) fn sign_behind(&self, u: f64, next: Option<Root>) -> f64 {
         if let Some(root) = next {
             return root.before;
@@ -229,7 +229,8 @@ impl Polynomial {
         }
     }
 
-    /// The sign at 1, or next to it where it is not certain there; `otherwise` if it is not certain behind `from`.
+    /// Returns the sign at 1, or close to 1 if it is not certain there; `otherwise` if it is not certain anywhere after
+    /// `from`.
     pub(super) fn last_sign(&self, from: f64, otherwise: f64) -> f64 {
         let parts = (0..f64::MANTISSA_DIGITS).scan(f64::EPSILON, |part, _| {
             let u = 1.0 - *part;
@@ -243,13 +244,14 @@ impl Polynomial {
         signs.next().unwrap_or(otherwise)
     }
 
-    /// The first root behind `from`, up to 1. The sign behind `from` is given where it is that behind another root.
+    /// Returns the first root after `from`, up to 1. If `from` follows another root, `sign` is the sign after that
+    /// root.
     pub(crate) fn next_root(&self, from: f64, mut sign: f64) -> Option<Root> {
         if self.has_one_sign() || self.is_constant() {
             return None;
         }
         let (mut left, mut width) = (from, 1.0 - from);
-        // Up to where the sign was certain.
+        // The argument up to which the sign was certain.
         let mut until = from;
         let mut displaced = 0;
         for _ in 0..ISOLATION_STEPS {
@@ -274,7 +276,7 @@ impl Polynomial {
         None
     }
 
-    /// The first root in an interval, with the sign before it and up to where that was certain.
+    /// Inspects an interval for its first root, given the sign before it and the argument up to which that was certain.
     fn look_between(
         &self,
         (left, right): (f64, f64),
@@ -288,7 +290,7 @@ impl Polynomial {
             if !settled {
                 return Finding::Unclear;
             }
-            // A zero at the end would be seen from neither side.
+            // A zero at the end would be found from neither side.
             if right < 1.0 && may_displace && self.is_uncertain(right) {
                 return Finding::UncertainEnd;
             }
@@ -322,8 +324,8 @@ impl Polynomial {
         root.map_or(Finding::NoRoot { last: values.last }, Finding::Root)
     }
 
-    /// The first root in an interval that has one extremum, by its value: two roots, one that is double to within the
-    /// errors of the coefficients, or none.
+    /// Returns the first root in an interval that has one extremum, by the value there: there are two roots, one root
+    /// that is double to within the errors of the coefficients, or none.
     fn at_extremum(&self, a: f64, b: f64, sign: f64, slope: f64) -> Option<Root> {
         let at = bisect(a, b, |u| slope * self.slope(u));
         let value = sign * self.value(at);
@@ -342,8 +344,8 @@ impl Polynomial {
         }
     }
 
-    /// The root between two arguments, at the first of which the polynomial has this sign; the other one is certain at
-    /// the latest at `end`.
+    /// Returns the root between two arguments, at the first of which the polynomial has this sign. The opposite sign is
+    /// certain at `end` at the latest.
     fn crossing(&self, a: f64, b: f64, end: f64, sign: f64) -> Root {
         let at = bisect(a, b, |u| sign * self.value(u));
         Root {
@@ -354,13 +356,13 @@ impl Polynomial {
         }
     }
 
-    /// The first argument between two at which a sign is certain; the second one at the latest.
+    /// Returns the first argument between two at which a sign is certain; at the latest the second one.
     fn certain(&self, a: f64, b: f64, sign: f64) -> f64 {
         bisect(a, b, |u| self.uncertainty(u) - sign * self.value(u))
     }
 
-    /// The variations of the Bernstein coefficients on an interval and of their differences, those of the derivative. Plain numbers
-    /// are enough where their rounding errors change no sign.
+    /// Returns the variations of the Bernstein coefficients on an interval, and of their differences, which belong to
+    /// the derivative. Plain `f64` arithmetic is used if its rounding errors change no sign.
     fn variations(&self, a: f64, b: f64) -> [Variations; 2] {
         let least = self.uncertainty(b);
         let mut plain = [0.0; MAX_COEFFICIENTS];
@@ -392,7 +394,7 @@ impl Polynomial {
     }
 }
 
-/// The first number behind the zero of a function that is positive at `a` and not at `b`.
+/// Returns the first number after the zero of a function that is positive at `a` and not at `b`.
 fn bisect(a: f64, b: f64, function: impl Fn(f64) -> f64) -> f64 {
     let mut ends = [a, b].map(|u| (u, function(u)));
     let mut bracket = Bracket::new(a, b);
@@ -403,7 +405,7 @@ fn bisect(a: f64, b: f64, function: impl Fn(f64) -> f64) -> f64 {
     ends[1].0
 }
 
-/// A small number.
+/// Converts a small integer to a double-double.
 fn number(n: usize) -> DoubleDouble {
     DoubleDouble::from(as_number(n))
 }

@@ -1,5 +1,5 @@
-//! Detection of events by sampling: where the signs of an event function at two neighbouring times differ, it has
-//! crossed zero between them.
+//! Detection of events by sampling: if the signs of an event function at two neighbouring times differ, it has crossed
+//! zero between them.
 
 use super::junction::rounding;
 use super::location::Bracket;
@@ -13,7 +13,7 @@ use crate::limits::events::{COOLDOWN, EXTRAPOLATIONS, PARTS};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// The next events within the last step.
+/// Returns the next events within the last step.
 pub(super) fn next<
     S: Scalar,
     D: Dynamics<S> + ?Sized,
@@ -39,7 +39,7 @@ pub(super) fn next<
             {
                 return Some(locate(source, memory, step, (time, values)));
             }
-            // Nearer to zero than rounding tells: what follows decides.
+            // These values are too near to zero for a certain sign: the next samples decide.
             for event in changed.indices() {
                 let is_certain = has_crossed(event, &values, &noise);
                 if let (false, Some(value)) = (is_certain, values.as_mut_slice().get_mut(event)) {
@@ -52,20 +52,20 @@ pub(super) fn next<
     None
 }
 
-/// Whether a value that differs in sign is certain, or exactly zero: a function that reaches zero may stay there.
+/// Whether a changed sign is certain, or the value is exactly zero: a function that reaches zero may stay there.
 fn has_crossed<V: Values>(event: usize, values: &V, noise: &V) -> bool {
     let [value, noise] = [values, noise].map(|values| values.as_slice().get(event).copied());
     let pair = value.zip(noise);
     pair.is_some_and(|(value, noise)| value == 0.0 || value.abs() > noise || noise.is_nan())
 }
 
-/// The functions that have other signs than before, whether or not in the direction of their events.
+/// Returns the functions whose signs have changed, whether or not in the direction of their events.
 fn sign_changes<V: Values>(memory: &Memory<V>, values: &V) -> MetConditions {
     let pairs = memory.signs.as_slice().iter().zip(values.as_slice());
     MetConditions::of(pairs.map(|(before, after)| Crossing::Either.between(*before, *after)))
 }
 
-/// The events whose functions have crossed zero where they have these values.
+/// Returns the events whose functions have crossed zero when they have these values.
 fn crossings<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>>(
     source: &G,
     memory: &Memory<G::Values>,
@@ -79,8 +79,8 @@ fn crossings<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>>(
     MetConditions::of(crossed)
 }
 
-/// The first events up to a time at which some have occurred. The time is that just after the zero; events within the
-/// resolution of time occur together.
+/// Locates the first events before a time at which some have occurred. The result is the time just after the zero;
+/// events within the resolution of time occur together.
 fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>, T: Advance<S, D>>(
     source: &mut G,
     memory: &mut Memory<G::Values>,
@@ -123,7 +123,7 @@ fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>, T: Advanc
     }
     memory.at_event = values;
     let noise = rounding(source, step.dynamics(), (sample.t, &sample.x), &after);
-    // A zero that is crossed here in the direction that is not watched for is none of what follows, either.
+    // A zero that is crossed here in a direction that is not watched is not an event of the following part, either.
     memory.note_zeros(events.or(sign_changes(memory, &after)), time);
     let hysteresis = memory.hysteresis.as_slice().iter();
     memory.within_rounding = MetConditions::of(hysteresis.map(|least| *least > 0.0));
@@ -132,7 +132,7 @@ fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>, T: Advanc
     let signs = memory.signs.as_mut_slice().iter_mut().zip(noise);
     let signs = signs.zip(after.as_slice()).enumerate();
     for (_, ((sign, noise), value)) in signs.filter(|(i, _)| events.contains(*i)) {
-        // What has reached zero has no sign until it leaves it.
+        // A function that has reached zero has no sign until it leaves zero.
         if value.is_nan() || value.abs() <= *noise {
             *sign = 0.0;
         }
@@ -140,8 +140,8 @@ fn locate<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>, T: Advanc
     Occurring { t: time, events }
 }
 
-/// The first time between two at which events have occurred that have not at the first one: whatever goes on from there finds
-/// none of them before its zero.
+/// Returns the first time in an interval at which all of these events have occurred, none of which has at its
+/// beginning. An integration that continues from there thus finds none of them before its zero.
 fn together<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>, T: Advance<S, D>>(
     source: &mut G,
     memory: &Memory<G::Values>,
@@ -162,11 +162,12 @@ fn together<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>, T: Adva
     (time, values)
 }
 
-/// The sign of an event function after a reaction is that of its rate, taken along the derivative of the changed state.
-/// Where the function leaves zero, its values count as soon as they exceed their rounding errors: this is the cooldown.
-/// If it has come back by then, the event occurs again. (F. Biscani & D. Izzo, *Revisiting high-order Taylor methods for
-/// astrodynamics and celestial mechanics*, Mon. Not. R. Astron. Soc. **504** (2021) 2614, take for the cooldown the error
-/// of the event function over its rate, a time; a value does not depend on how the rate changes.)
+/// Restarts after a reaction. The sign of an event function is then the sign of its rate, taken along the derivative of
+/// the changed state. When the function leaves zero, its values count as soon as they exceed their rounding errors:
+/// this is the cooldown. If it has returned to zero by then, the event occurs again. (F. Biscani & D. Izzo, *Revisiting
+/// high-order Taylor methods for astrodynamics and celestial mechanics*, Mon. Not. R. Astron. Soc. **504** (2021) 2614,
+/// use a time as cooldown, the error of the event function over its rate. A threshold of the value does not depend on
+/// how the rate changes.)
 pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D>>(
     source: &mut G,
     memory: &mut Memory<G::Values>,
@@ -186,7 +187,8 @@ pub(super) fn restart<S: Scalar, D: Dynamics<S> + ?Sized, G: EventFunctions<S, D
     let mut hysteresis = G::Values::ZERO;
     let mut accumulating = MetConditions::default();
     let mut at_zero = MetConditions::default();
-    // Others that are zero to rounding have crossed it in the direction that is not watched for, or leave it.
+    // Other functions that are zero to rounding have crossed zero in a direction that is not watched, or are leaving
+    // it.
     let triples = signs.as_mut_slice().iter_mut().zip(noise.as_slice());
     let triples = triples.zip(hysteresis.as_mut_slice());
     for (_, ((sign, noise), least)) in triples.enumerate().filter(|(i, _)| !events.contains(*i)) {

@@ -1,4 +1,4 @@
-//! The signs of event functions on both sides of a state, apart from it.
+//! The signs of event functions on both sides of a state, at a distance from it.
 
 use super::EventFunctions;
 use super::values::Values;
@@ -8,18 +8,20 @@ use crate::limits::events::SIDES;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// What event functions are on both sides of a state, along the straight line that touches the motion there.
+/// The event functions on both sides of a state, along the tangent of the motion there.
 pub(super) struct Sides<V> {
-    /// Their signs before it and behind it, in the course of the integration, as near to it as rounding tells them; 0 where it does not.
+    /// The signs before and after the state, in the direction of the integration, as close to it as rounding permits; 0
+    /// if they are uncertain.
     signs: [V; 2],
-    /// How far from it that is.
+    /// The distance from the state at which the signs were taken.
     reach: V,
-    /// By how much they grow from before it to behind it, next to it.
+    /// The change of the functions from just before the state to just after it.
     change: V,
 }
 
 impl<V: Values> Sides<V> {
-    /// The sides of a state, at parts of a step from it; `noise` is what rounding makes of the functions.
+    /// Evaluates the functions on both sides of a state, at parts of a step from it; `noise` is the effect of rounding
+    /// on them.
     pub(super) fn of<S, D, G>(
         source: &mut G,
         dynamics: &D,
@@ -71,20 +73,20 @@ impl<V: Values> Sides<V> {
         [of(&self.signs[0]), of(&self.signs[1])]
     }
 
-    /// The sign before the state, if rounding tells it, and how far from it.
+    /// Returns the sign before the state, if it is certain, and its distance from the state.
     pub(super) fn before(&self, event: usize) -> Option<(f64, f64)> {
         let [before, _] = self.signs_of(event);
         let reach = self.reach.as_slice().get(event).copied();
         reach.filter(|_| before != 0.0).map(|reach| (before, reach))
     }
 
-    /// The sign before the state of a function that changes it there.
+    /// Returns the sign before the state of a function that changes sign there.
     pub(super) fn before_crossing(&self, event: usize) -> Option<f64> {
         let [before, behind] = self.signs_of(event);
         (before * behind < 0.0).then_some(before)
     }
 
-    /// Whether a function that has this value at the state moves away from zero.
+    /// Whether a function with this value at the state moves away from zero.
     pub(super) fn departs(&self, event: usize, value: f64) -> bool {
         let change = self.change.as_slice().get(event).copied();
         change.is_some_and(|change| change * value > 0.0)

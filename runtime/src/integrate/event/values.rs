@@ -4,16 +4,16 @@ use super::met_conditions::MetConditions;
 
 /// The values of one event function or of several.
 pub trait Values: Copy {
-    /// As many zeros.
+    /// All values zero.
     const ZERO: Self;
 
-    /// How many there are.
+    /// The number of values.
     const COUNT: usize;
 
-    /// The values.
+    /// Returns the values.
     fn as_slice(&self) -> &[f64];
 
-    /// The values, to be set.
+    /// Returns the values for modification.
     fn as_mut_slice(&mut self) -> &mut [f64];
 }
 

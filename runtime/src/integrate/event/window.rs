@@ -9,26 +9,26 @@ use crate::limits::events::{MOVED_EPSILONS, UNCERTAINTY};
 use crate::linalg::VectorSpace;
 use crate::scalar::{DoubleDouble, Scalar};
 
-/// A part of a step, over which the series of the event functions converge.
+/// A part of a step over which the series of the event functions converge.
 #[derive(Clone, Copy)]
 pub(super) struct Window<const K: usize> {
     pub(super) begin: f64,
     pub(super) end: f64,
-    /// The part of it behind which an event function may have another branch: it has a corner there.
+    /// The fraction of the window after which an event function may have another branch, because it has a corner there.
     pub(super) corner: Option<f64>,
-    /// The values of the event functions at its end.
+    /// The values of the event functions at the end of the window.
     pub(super) last: [f64; K],
-    /// Whether the polynomials are the functions.
+    /// Whether the polynomials agree with the functions.
     pub(super) is_known: bool,
 }
 
 impl<const K: usize> Window<K> {
-    /// The part of it up to a time.
+    /// Returns the fraction of the window up to a time.
     pub(super) fn fraction(&self, t: f64) -> f64 {
         (t - self.begin) / (self.end - self.begin)
     }
 
-    /// The first number that is not before a part of it.
+    /// Returns the first time that is not before a fraction of the window.
     pub(super) fn time(&self, fraction: f64) -> f64 {
         if fraction >= 1.0 {
             return self.end;
@@ -43,7 +43,7 @@ impl<const K: usize> Window<K> {
         }
     }
 
-    /// The part from which on signs of polynomials are not those of the functions.
+    /// Returns the fraction from which on the signs of the polynomials are not the signs of the functions.
     fn trusted(&self) -> f64 {
         if self.is_known {
             self.corner.unwrap_or(f64::INFINITY)
@@ -52,12 +52,13 @@ impl<const K: usize> Window<K> {
         }
     }
 
-    /// Whether a root of a polynomial is one of the function.
+    /// Whether a root of a polynomial is a root of the function.
     pub(super) fn trusts(&self, root: &Root) -> bool {
         root.at < self.trusted()
     }
 
-    /// A root of an event's polynomial with the sign that the function has behind it: at a corner it may turn back.
+    /// Returns a root of an event's polynomial with the sign that the function has after it: at a corner the function
+    /// may turn back.
     pub(super) fn behind(&self, event: usize, root: Root) -> Root {
         let value = self.last.get(event).copied().unwrap_or(f64::NAN);
         if self.trusts(&root) || value.is_nan() {
@@ -72,9 +73,9 @@ impl<const K: usize> Window<K> {
         }
     }
 
-    /// The sign of an event's function behind its last root, where it is certain; `sign` is that behind the last event, and
-    /// `from` and `resume` tell up to where that is known. Behind a corner the polynomial has none: a jump there is seen when
-    /// the next window begins.
+    /// Returns the sign of an event's function after its last root, if it is certain. `sign` is the sign after the last
+    /// event; `from` and `resume` tell up to where it is known. After a corner the polynomial has no sign: a jump there
+    /// is seen when the next window begins.
     pub(super) fn last_sign(
         &self,
         polynomial: &Polynomial,
@@ -96,25 +97,25 @@ impl<const K: usize> Window<K> {
 /// The polynomials of event functions from the beginning of a window.
 pub(super) struct Expansion<const K: usize> {
     pub(super) polynomials: [Polynomial; K],
-    /// Where the window ends.
+    /// The end of the window.
     pub(super) end: f64,
-    /// The part of it at which there is a corner.
+    /// The fraction of the window at which there is a corner.
     pub(super) corner: Option<f64>,
-    /// Whether it begins so near to a corner that rounding may have chosen the branch.
+    /// Whether the window begins so close to a corner that rounding may have chosen the branch.
     pub(super) is_at_corner: bool,
 }
 
-/// Makes the polynomials of event functions in a window from the polynomial of a step.
+/// Derives the polynomials of event functions in a window from the polynomial of a step.
 pub(super) struct Search<'a, D: ?Sized, X, const K: usize> {
     pub(super) events: &'a DeclaredEvents<K>,
     pub(super) dynamics: &'a D,
-    /// Where the window begins.
+    /// The beginning of the window.
     pub(super) from: &'a At<f64, X>,
-    /// Where it ends at the latest.
+    /// The latest possible end of the window.
     pub(super) end: f64,
-    /// How short it may become.
+    /// The shortest permitted window.
     pub(super) least: f64,
-    /// The shortest time that is safely distinguishable.
+    /// The shortest duration that is safely distinguishable.
     pub(super) resolution: f64,
 }
 
@@ -125,9 +126,12 @@ where
 {
     type Output = Option<Expansion<K>>;
 
-    /// The series of an event function may converge more slowly than that of the motion, for which the step was chosen.
-    /// Then the window is shorter than the step: its last two terms are rounding errors there, of the terms of the function or of what
-    /// they are made of, or as small in relation to the others as those of the motion are in the step. It ends behind the first corner.
+    /// Expands the event functions in a window.
+    ///
+    /// The series of an event function may converge more slowly than the series of the motion, for which the step was
+    /// chosen. The window is then shorter than the step. It is halved until the last two terms are rounding errors,
+    /// either of the terms of the function or of their operands, or until they are as small relative to the others as
+    /// the last terms of the motion in the step. The window ends just after the first corner.
     fn visit<const HALF: usize>(
         self,
         t: f64,
@@ -200,10 +204,10 @@ where
     }
 }
 
-/// A state and the motion from it, moved by some rounding errors upwards and downwards. What that makes of the series of a
-/// function is what rounding makes of it, and may be all there is: where terms cancel, as in √(x² + y²) − 1 on a circle. The
-/// signs are those of a linear congruential sequence (W. H. Press et al., *Numerical Recipes*, 2nd edition 1992, section 7.1), which no
-/// symmetry of a function cancels.
+/// Moves a state and the motion from it up and down by some rounding errors. The resulting change of a function's
+/// series is the effect of rounding on it, and may be as large as the series itself if terms cancel, as in √(x² + y²) −
+/// 1 on a circle. The signs are taken from a linear congruential sequence (W. H. Press et al., *Numerical Recipes*, 2nd
+/// edition 1992, section 7.1), so that no symmetry of a function cancels them.
 fn moved_by_rounding<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
     x: &X,
     motion: &TaylorCoefficients<X, HALF>,
@@ -224,7 +228,7 @@ fn moved_by_rounding<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
     (moved(x), moved_motion)
 }
 
-/// The polynomial of a function in the part of a step of this length, in units of the series.
+/// Returns the polynomial of a function over a part of a step with this length, in units of the series.
 fn polynomial_of<S, V, const HALF: usize>(
     series: &TaylorCoefficients<V, HALF>,
     index: usize,
@@ -242,7 +246,7 @@ where
     Polynomial::over(coefficients, length, S::machine_epsilon())
 }
 
-/// The first root at which a polynomial changes its sign.
+/// Returns the first root at which a polynomial changes its sign.
 fn first_change(polynomial: &Polynomial) -> Option<Root> {
     let mut next = polynomial.next_root(0.0, 0.0);
     while let Some(root) = next {
@@ -254,7 +258,7 @@ fn first_change(polynomial: &Polynomial) -> Option<Root> {
     None
 }
 
-/// A number with its digits beyond those of `f64`.
+/// Converts a number, with its digits beyond `f64`.
 pub(crate) fn double_double<S: Scalar>(value: S) -> DoubleDouble {
     let high = value.smallest();
     let low = (value - S::from_f64(high)).smallest();

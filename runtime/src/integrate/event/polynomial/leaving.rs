@@ -1,10 +1,11 @@
-//! Where a polynomial that is zero, to rounding, is so no more.
+//! The point at which a polynomial that is zero to rounding becomes distinguishable from zero.
 
 use super::Polynomial;
 use crate::scalar::DoubleDouble;
 
 impl Polynomial {
-    /// The first argument from `from` on at which the value exceeds `least`, with its sign there; none if it does not up to 1.
+    /// Returns the first argument from `from` on at which the value exceeds `least`, with its sign there; `None` if
+    /// there is none up to 1.
     pub(in crate::integrate::event) fn leaves(&self, from: f64, least: f64) -> Option<(f64, f64)> {
         let value = self.value(from);
         if value.abs() > least + self.uncertainty(from) {

@@ -1,9 +1,9 @@
-//! Roots of polynomials that are known by their roots.
+//! Tests of the roots of polynomials that are built from their roots.
 
 use super::{Polynomial, Root};
 use crate::scalar::DoubleDouble;
 
-/// The product of c and of (u − r) for each root r, to all digits; as numbers with 16 digits.
+/// Returns the product of c and (u − r) for each root r, computed to all digits and rounded to 16 digits.
 fn with_roots(c: f64, roots: &[f64]) -> Polynomial {
     let mut coefficients = vec![DoubleDouble::from(c)];
     for root in roots {
@@ -34,7 +34,8 @@ fn roots(polynomial: &Polynomial) -> Vec<Root> {
     roots
 }
 
-/// Numbers between 0 and 1 (a linear congruential generator of Knuth, *The Art of Computer Programming* **2**).
+/// Returns a number between 0 and 1 (a linear congruential generator of Knuth, *The Art of Computer Programming*
+/// **2**).
 fn random(state: &mut u64) -> f64 {
     *state = state
         .wrapping_mul(6_364_136_223_846_793_005)
@@ -47,7 +48,7 @@ fn two_roots_next_to_each_other_are_found_and_a_double_one() {
     for apart in [1e-7, 1e-6, 1e-3] {
         let found = roots(&with_roots(1.0, &[0.3, 0.3 + apart]));
         assert_eq!(found.len(), 2, "{apart}: {found:?}");
-        // The errors of the coefficients over the slope.
+        // Bounded by the errors of the coefficients over the slope.
         assert!((found[0].at - 0.3).abs() < 1e-16 / apart);
         assert!((found[1].at - 0.3 - apart).abs() < 1e-16 / apart);
         assert_eq!((found[0].before, found[1].behind), (1.0, 1.0));
@@ -56,11 +57,11 @@ fn two_roots_next_to_each_other_are_found_and_a_double_one() {
     assert_eq!(found.len(), 1);
     assert!((found[0].at - 0.3).abs() < 1e-7);
     assert_eq!((found[0].before, found[0].behind), (1.0, 1.0));
-    // Closer roots are one.
+    // Roots that are closer count as one.
     let found = roots(&with_roots(1.0, &[0.3, 0.3 + 1e-8]));
     assert_eq!(found.len(), 1);
     assert_eq!((found[0].before, found[0].behind), (1.0, 1.0));
-    // Near zero, and not at it.
+    // The minimum is close to zero, but above it.
     let mut lifted = with_roots(1.0, &[0.3, 0.3]);
     lifted.coefficients[0] += DoubleDouble::from(1e-14);
     assert_eq!(roots(&lifted), []);
@@ -76,7 +77,7 @@ fn roots_of_random_polynomials_are_found() {
             let gap = expected.windows(2).map(|pair| pair[1] - pair[0]);
             let gap = gap.fold(1.0, f64::min);
             let polynomial = with_roots(random(state) - 0.5, &expected);
-            // Where the roots are too close for the errors of the coefficients, nothing can be said.
+            // If the roots are too close for the errors of the coefficients, there is no expected result.
             let slopes = expected.iter().map(|root| polynomial.slope(*root).abs());
             let slope = slopes.fold(f64::INFINITY, f64::min);
             let error = polynomial.uncertainty(2.0) / slope;
@@ -99,7 +100,7 @@ fn roots_of_random_polynomials_are_found() {
     }
 }
 
-/// Multiple roots are one crossing or one touch each; what is zero everywhere has none.
+/// A multiple root is one crossing or one touch; a polynomial that is zero everywhere has no roots.
 #[test]
 fn clusters_are_one_root() {
     for (multiplicity, crosses) in [(2, false), (3, true), (4, false), (5, true), (7, true)] {
