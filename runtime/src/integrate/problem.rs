@@ -1,9 +1,9 @@
-//! Initial value problems: what is integrated, what is watched and kept on the way, and what limits it.
+//! Initial value problems: the system, what is watched and kept during its integration, and the limits.
 //!
-//! Input: dynamics and an initial state, then settings in any order, then a method. Output: a solution, or an error with the
-//! solution up to there. Without the feature `alloc` only the end is kept.
+//! Input: dynamics and an initial state, then settings in any order, then a method. Output: a solution, or an error
+//! with the solution up to it. Without the feature `alloc` only the end is kept.
 
-#![allow(clippy::type_complexity)] // The settings of a problem are in its type.
+#![allow(clippy::type_complexity)] // The type of a problem contains its settings.
 
 mod keep;
 mod member;
@@ -44,13 +44,13 @@ use crate::scalar::Scalar;
 use keep::Saved;
 pub use reaction::Reactions;
 
-/// An initial value problem: dynamics with an initial state, and what is asked of their integration.
+/// An initial value problem: dynamics with an initial state, and the settings of their integration.
 ///
-/// It is made from a model, or from any [`Dynamics`], and the state at which it begins. The law of its inputs follows, if there is one
-/// ([`feedback`](Self::feedback), [`driven_by`](Self::driven_by)). Then come settings in any order:
-/// events ([`when`](Self::when), [`on`](Self::on)), conditions ([`stop_when`](Self::stop_when)), observers
-/// ([`each_step`](Self::each_step)), what is kept ([`save`](Self::save)), limits. Each counts, none takes the place of another.
-/// [`solve`](Self::solve) integrates by a method.
+/// It is created from a model, or from any [`Dynamics`], and an initial state. The law of its inputs follows, if there
+/// is one ([`feedback`](Self::feedback), [`driven_by`](Self::driven_by)). Then come settings in any order: events
+/// ([`when`](Self::when), [`on`](Self::on)), conditions ([`stop_when`](Self::stop_when)), observers
+/// ([`each_step`](Self::each_step)), what is kept ([`save`](Self::save)), limits. Settings accumulate; none replaces
+/// another. Finally, [`solve`](Self::solve) integrates by a method.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -95,17 +95,17 @@ where
     scalar: PhantomData<S>,
 }
 
-/// What is watched.
+/// The conditions, events, reactions and observers of a problem.
 #[derive(Clone, Debug)]
 struct Watch<C, R, O> {
-    /// Conditions and events, of which there are so many.
+    /// Conditions and events; `count` is their number.
     conditions: C,
     count: usize,
     reactions: R,
     observer: O,
 }
 
-/// What limits an integration, as far as it is set.
+/// The limits of an integration, if they are set.
 #[derive(Clone, Copy, Debug, Default)]
 struct Limits {
     max_steps: Option<u64>,
@@ -113,7 +113,7 @@ struct Limits {
 }
 
 impl Limits {
-    /// A method with what is watched, and these limits.
+    /// Returns a driver: a method with what is watched, and these limits.
     fn driver<I, C, O>(self, method: I, conditions: C, observer: O) -> Driver<I, C, O> {
         Driver {
             integrator: method,
@@ -123,7 +123,7 @@ impl Limits {
         }
     }
 
-    /// The way to an end within these limits.
+    /// Returns the course to an end within these limits.
     fn course(self, end: f64) -> Course {
         Course {
             end,
@@ -131,7 +131,7 @@ impl Limits {
         }
     }
 
-    /// What an integration has found, which an error ends, or the largest number of steps.
+    /// Returns the result of an integration that has ended, possibly by an error or at the largest number of steps.
     fn found<S, D, T, K>(
         self,
         (mut outcome, result): (Outcome<D::State>, Result<(), IntegrationError>),
@@ -151,7 +151,7 @@ impl Limits {
         }
     }
 
-    /// An error at the largest number of steps, unless a limit is set.
+    /// Returns an error at the largest number of steps, unless a limit is set.
     fn check<X>(self, outcome: &mut Outcome<X>) -> Result<(), IntegrationError> {
         if outcome.reason == StopReason::StepLimit && self.max_steps.is_none() {
             outcome.reason = StopReason::Error;
@@ -166,7 +166,7 @@ impl Limits {
 }
 
 impl<S: Scalar, D: Dynamics<S>> Problem<S, D> {
-    /// The problem of a model, `Problem::new(&model, start)`, or of [`Dynamics`], from an initial state on.
+    /// Creates the problem of a model, `Problem::new(&model, start)`, or of any [`Dynamics`], from an initial state.
     pub fn new<Y, Kind>(system: Y, start: At<S, D::State>) -> Self
     where
         Y: System<Kind, S, Dynamics = D, State = D::State>,
@@ -187,7 +187,7 @@ impl<S: Scalar, D: Dynamics<S>> Problem<S, D> {
     }
 }
 
-/// Problems in which nothing is watched for yet.
+/// Problems in which nothing is watched yet.
 #[diagnostic::on_unimplemented(
     message = "the inputs are set before events, conditions and observers",
     note = "write `feedback`, `feedback_with_states`, `sampled_feedback`, `driven_by` or `under` directly behind `Problem::new`: a law may \
@@ -197,7 +197,7 @@ pub trait NothingWatched {}
 
 impl NothingWatched for ((), (), ()) {}
 
-/// Problems of which nothing but the end is kept yet.
+/// Problems that keep only their end so far.
 #[diagnostic::on_unimplemented(
     message = "what is kept of the motion was said before: `{Self}`",
     note = "call `save` once; `Dense` keeps the whole motion, so that `solution.at(t)` has every sample"
@@ -207,7 +207,7 @@ pub trait NothingSaved {}
 impl NothingSaved for End {}
 
 impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
-    /// The problem of other dynamics, before anything is watched for.
+    /// Replaces the dynamics, before anything is watched.
     pub(crate) fn with_dynamics<E: Dynamics<S>>(
         self,
         change: impl FnOnce(D, At<f64, D::State>) -> (E, At<f64, E::State>),
@@ -228,9 +228,9 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
 }
 
 impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
-    /// Limits the number of steps, rejected ones included, in a [`Run`] for each call. Then the integration ends by
-    /// [`StopReason::StepLimit`](crate::StopReason::StepLimit). Without a limit more than 10⁸ steps are an error,
-    /// [`TooManySteps`](crate::IntegrationError::TooManySteps).
+    /// Limits the number of steps, including rejected ones; in a [`Run`], the number for each call. At the limit the
+    /// integration ends with [`StopReason::StepLimit`](crate::StopReason::StepLimit). Without this setting, more than
+    /// 10⁸ steps are an error, [`TooManySteps`](crate::IntegrationError::TooManySteps).
     pub fn max_steps(mut self, steps: u64) -> Self {
         self.limits.max_steps = Some(steps);
         self
@@ -239,16 +239,16 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     /// Sets the relative error of the accelerations at which the integration ends near a singularity of the mass matrix: the
     /// machine epsilon over the smallest relative pivot. Infinity turns the check off.
     ///
-    /// The default is the relative tolerance of an adaptive method and 10⁻⁶ for fixed steps, but not below 4096
-    /// machine epsilons, since the pivots of regular models are small, too.
+    /// The default is the relative tolerance of an adaptive method, or 10⁻⁶ for fixed steps, but at least 4096 machine
+    /// epsilons, since the pivots of regular models are small, too.
     pub fn singularity_tolerance(mut self, tolerance: f64) -> Self {
         self.limits.singularity_tolerance = Some(tolerance);
         self
     }
 
     /// Calls `observer` at every sample, at every event and at the end of every step. It returns nothing, or
-    /// `ControlFlow::Break(())` where the integration is to end. Of several observers each is called, in the order in which they
-    /// are set, also where one before it stops.
+    /// `ControlFlow::Break(())` to end the integration. Several observers are called in the order in which they are
+    /// set, even if an earlier one stops the integration.
     pub fn each_step<F, A>(self, observer: F) -> Problem<S, D, K, C, R, (O, EachStep<F>)>
     where
         F: FnMut(&Progress<'_, D::State>) -> A,
@@ -262,7 +262,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         })
     }
 
-    /// Adds conditions and a reaction behind those that there are.
+    /// Appends conditions and a reaction to the existing ones.
     fn with<E, A>(
         self,
         conditions: E,
@@ -279,7 +279,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         })
     }
 
-    /// The dynamics: the equations of motion of a model under its law.
+    /// Returns the dynamics: the equations of motion of a model under its law.
     pub fn dynamics(&self) -> &D {
         &self.dynamics
     }
@@ -298,13 +298,14 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         }
     }
 
-    /// Integrates by a method until the time `end`, which may lie before the start, or until an event, a condition or an
-    /// observer stops, or events follow each other ever faster, as the bounces of a ball that comes to rest:
-    /// [`Solution::reason`](crate::Solution) tells which.
+    /// Integrates by a method until the time `end`, which may be before the start.
+    ///
+    /// The integration ends earlier if an event, a condition or an observer stops it, or if events follow each other
+    /// ever faster, like the bounces of a ball that comes to rest: [`Solution::reason`](crate::Solution) tells which.
     ///
     /// # Errors
     ///
-    /// Any of [`IntegrationError`](crate::IntegrationError), with the solution up to there.
+    /// Any [`IntegrationError`](crate::IntegrationError), with the solution up to it.
     pub fn solve<I>(
         self,
         end: f64,
@@ -319,7 +320,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     {
         match self.into_member(end, method) {
             Ok(mut member) => {
-                // No step is left to be taken.
+                // With its own steps, a member continues until it has ended.
                 let _ = member.go_on(Steps::Own);
                 member.finish()
             }
@@ -329,8 +330,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
 }
 
 impl<S: Scalar, D: Dynamics<S>, N, C, R, O> Problem<S, D, N, C, R, O> {
-    /// What is kept of the motion besides its end and its events: samples ([`Every`], a list of times, [`StepEnds`]), or
-    /// all of it ([`Dense`]).
+    /// Sets what is kept of the motion in addition to its end and its events: samples ([`Every`], a list of times,
+    /// [`StepEnds`]), or the whole motion ([`Dense`]).
     pub fn save<K: Saved>(self, keep: K) -> Problem<S, D, K, C, R, O>
     where
         N: NothingSaved,

@@ -1,8 +1,8 @@
 //! The projection of a state onto the manifold on which the equations hold.
 //!
-//! E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), IV.4 (the standard projection
-//! method): a step is taken and accepted as if there were no manifold, and its end is then projected. The order of the method
-//! stays, since the projection moves the end by no more than the error of the step.
+//! E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), IV.4 (the standard
+//! projection method): a step is taken and accepted without regard to the manifold, and its end is then projected. The
+//! method keeps its order, since the projection moves the end by no more than the error of the step.
 
 use super::compensated::Compensated;
 use super::dynamics::Dynamics;
@@ -14,9 +14,9 @@ use crate::linalg::lane_select::from_index;
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
-/// A state on the manifold on which the equations of a system hold, as [`Dynamics::project`] finds it.
+/// A state on the manifold on which the equations of a system hold, as found by [`Dynamics::project`].
 ///
-/// It succeeds in all lanes unless a constraint that is [`checked`](Self::checked) is violated in one.
+/// The projection succeeds in all lanes unless a constraint that is [`checked`](Self::checked) is violated in one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection<S, X> {
     state: X,
@@ -24,12 +24,12 @@ pub struct Projection<S, X> {
     failed: S,
     /// The residual of the first constraint that is violated.
     residual: S,
-    /// Its index.
+    /// The index of this constraint.
     constraint: S,
 }
 
 impl<S: Scalar, X> Projection<S, X> {
-    /// A projection that has succeeded.
+    /// Creates a projection that has succeeded.
     #[inline]
     #[must_use]
     pub fn new(state: X) -> Self {
@@ -42,13 +42,13 @@ impl<S: Scalar, X> Projection<S, X> {
         }
     }
 
-    /// Fails in lanes in which the residual that is left of a constraint exceeds the one that is allowed, or is not a number. The
-    /// first constraint that is violated is reported, by its [name](Dynamics::constraint_name).
+    /// Fails in lanes in which the remaining residual of a constraint exceeds the allowed one, or is NaN. The first
+    /// violated constraint is reported by its [name](Dynamics::constraint_name).
     #[inline]
     #[must_use]
     pub fn checked(mut self, constraint: usize, residual: S, allowed: S) -> Self {
         let exceeds = (residual.abs() - allowed).signum();
-        // Of NaN the sign is NaN, which `max` ignores.
+        // The sign of NaN is NaN, which `max` ignores.
         let is_within = (-exceeds + S::ratio(1.0, 2.0)).max(S::zero()).signum();
         let fails = (S::one() - is_within) * (S::one() - self.failed);
         if fails.largest() > 0.0 {
@@ -59,20 +59,20 @@ impl<S: Scalar, X> Projection<S, X> {
         self
     }
 
-    /// The state on the manifold.
+    /// Returns the state on the manifold.
     #[inline]
     pub fn state(&self) -> &X {
         &self.state
     }
 
-    /// The state on the manifold.
+    /// Converts the projection into the state on the manifold.
     #[inline]
     #[must_use]
     pub fn into_state(self) -> X {
         self.state
     }
 
-    /// Whether a constraint is violated in a lane.
+    /// Whether a constraint is violated in any lane.
     #[inline]
     #[must_use]
     pub fn has_failed(&self) -> bool {
@@ -80,18 +80,19 @@ impl<S: Scalar, X> Projection<S, X> {
     }
 }
 
-/// The end of a step that is projected, or a state at which a motion begins.
+/// The end of a step that is projected, or the initial state of a motion.
 pub(crate) struct Projected<'a, S: Scalar, D: Dynamics<S> + ?Sized> {
     pub(crate) dynamics: &'a D,
     /// The time in each lane.
     pub(crate) t: S,
     /// The state from which the step was taken.
     pub(crate) before: &'a D::State,
-    /// The lane of a motion that has steps of its own.
+    /// The lane of a motion with its own steps; `None` for all lanes together.
     pub(crate) lane: Option<usize>,
 }
 
-/// The end of a step on the manifold, and the correction. That goes through the compensated sum, so that its rounding does not add up.
+/// Returns the end of a step on the manifold, and the correction. The correction is added to the compensated sum, so
+/// that its rounding errors do not accumulate.
 pub(crate) fn corrected<S: Scalar, X: VectorSpace<S>>(
     state: &Compensated<X>,
     projection: &Projection<S, X>,
@@ -102,12 +103,12 @@ pub(crate) fn corrected<S: Scalar, X: VectorSpace<S>>(
 }
 
 impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
-    /// The largest component of the correction over the error that is allowed in it; a component of which none is allowed does not
-    /// count.
+    /// Returns the largest component of the correction over its allowed error. Components without an allowed error do
+    /// not count.
     ///
     /// # Errors
     ///
-    /// If the projection has failed, has left the numbers, or has moved the state by more than the tolerance and rounding
+    /// If the projection has failed, is not finite, or has moved the state by more than the tolerance and rounding
     /// explain; fixed steps have no tolerance.
     pub(crate) fn check(
         &self,
@@ -165,8 +166,9 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
         }
     }
 
-    /// An error unless the tolerance and rounding explain the correction: by how much projecting moves a state on the manifold whose
-    /// components are moved by some rounding errors of them, and of their change in the step.
+    /// Returns an error unless the tolerance and rounding explain the correction. The effect of rounding is found by
+    /// moving the components of a state on the manifold by some rounding errors, of themselves and of their change in
+    /// the step, and projecting it again.
     #[cold]
     fn check_distance(
         &self,
@@ -205,7 +207,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
         })
     }
 
-    /// What counts of a scalar: the value in the lane, or the largest of all.
+    /// Returns the relevant number in a scalar: the value in the lane, or the largest in all lanes.
     fn largest(&self, x: S) -> f64 {
         self.lane
             .map_or_else(|| x.largest(), |lane| x.in_lane(lane))
@@ -216,7 +218,8 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
     }
 }
 
-/// An error unless a state at which a motion begins is on the manifold, as far as the tolerance and rounding tell. It stays as it is.
+/// Returns an error unless an initial state is on the manifold, within the tolerance and rounding. The state is not
+/// changed.
 #[inline]
 pub(crate) fn check_start<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
@@ -240,7 +243,7 @@ pub(crate) fn check_start<S: Scalar, D: Dynamics<S> + ?Sized>(
     start.check(found, &correction, &allowed, true).map(|_| ())
 }
 
-/// The state on the manifold nearest to one within a step; none where there is no manifold.
+/// Returns the state on the manifold nearest to a state within a step; `None` if there is no manifold.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! What is kept of a motion.
+//! The settings of what is kept of a motion.
 
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
@@ -23,7 +23,7 @@ use crate::integrate::outcome::Outcome;
 use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;
 
-/// What [`Problem::save`](crate::Problem::save) takes, of whatever problem.
+/// The types that [`Problem::save`](crate::Problem::save) accepts, for any problem.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say what to keep of a motion",
     note = "write `Every(0.01)`, a list of times, `StepEnds` or `Dense`"
@@ -46,13 +46,13 @@ mod saved {
     impl<const N: usize> Saved for &[f64; N] {}
 }
 
-/// What [`Problem::save`](crate::Problem::save) takes.
+/// The types that [`Problem::save`](crate::Problem::save) accepts for a problem.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say what to keep of a motion",
     note = "write `Every(0.01)`, a list of times, `StepEnds` or `Dense`"
 )]
 pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Saved + Sized {
-    /// What is kept.
+    /// The type of what is kept.
     type Kept;
     /// The times of samples.
     #[doc(hidden)]
@@ -64,7 +64,7 @@ pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Saved + Sized {
     #[doc(hidden)]
     const READS_STEPS: bool = false;
 
-    /// The times of samples in a part of an integration, and what collects.
+    /// Returns the times of samples in a part of an integration, and the collector.
     #[doc(hidden)]
     fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<Self::Times, Self::Collection>;
 
@@ -72,7 +72,7 @@ pub trait Keep<S: Scalar, D: Dynamics<S>, T>: Saved + Sized {
     fn finish(collection: Self::Collection, outcome: &Outcome<D::State>) -> Self::Kept;
 }
 
-/// How a collection begins.
+/// The beginning of a collection.
 #[derive(Debug)]
 pub struct Begun<T, C> {
     /// The times of samples.
@@ -92,7 +92,7 @@ impl<T, C> Begun<T, C> {
     }
 }
 
-/// Nothing but the end.
+/// Keeps only the end.
 #[derive(Clone, Copy, Debug)]
 pub struct End;
 
@@ -108,8 +108,9 @@ impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for End {
     fn finish(_: Uncollected, _: &Outcome<D::State>) {}
 }
 
-/// Samples at the start and every so often: at t₀, t₀ + Δt, … up to the end. The parts of a [`Run`](crate::problem::Run) share this
-/// grid, and each sample is kept by one of them.
+/// Samples at the start and at regular intervals: at t₀, t₀ + Δt, … up to the end.
+///
+/// The parts of a [`Run`](crate::problem::Run) share this grid, and each sample is kept by one of them.
 #[cfg(feature = "alloc")]
 #[derive(Clone, Copy, Debug)]
 pub struct Every(pub f64);
@@ -119,13 +120,15 @@ pub struct Every(pub f64);
 #[derive(Clone, Copy, Debug)]
 pub struct StepEnds;
 
-/// The whole motion: it can be asked at any time, `solution.at(t)`. Between the ends of steps a state is on the manifold of the
-/// [dynamics](crate::Dynamics::project) as far as the tolerance goes; samples are on it.
+/// The whole motion, which can be evaluated at any time: `solution.at(t)`.
+///
+/// Between the ends of steps a state is on the manifold of the [dynamics](crate::Dynamics::project) within the
+/// tolerance; samples are on it exactly.
 #[cfg(feature = "alloc")]
 #[derive(Clone, Copy, Debug)]
 pub struct Dense;
 
-/// The states at the times of samples.
+/// The states at the sample times.
 #[cfg(feature = "alloc")]
 #[derive(Debug)]
 pub struct Samples<S, X>(Vec<At<S, X>>);
@@ -162,7 +165,7 @@ where
     }
 }
 
-/// Further lists of times.
+/// Implements `Keep` for other lists of times.
 #[cfg(feature = "alloc")]
 macro_rules! lists_of_times {
     ($([$($parameter:tt)*] $list:ty;)*) => {$(
@@ -198,7 +201,8 @@ impl<S: Scalar, D: Dynamics<S>, T> Keep<S, D, T> for Every {
 
     fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<TimeGrid, Self::Collection> {
         let (Self(interval), end) = (self, part.end);
-        // The interval has to be above the resolution of the times, which are refused with the end if they are not finite.
+        // The interval has to be above the resolution of times. Times that are not finite are refused together with the
+        // end.
         let largest = start.t.abs().max(end.abs()).max(part.origin.abs());
         let resolution = 16.0 * f64::EPSILON * largest;
         let is_resolved = interval > resolution || resolution.is_infinite();
@@ -258,7 +262,7 @@ where
     const READS_STEPS: bool = true;
 
     fn begin(self, start: &At<f64, D::State>, part: Part) -> Begun<(), Self::Collection> {
-        // The end of the part before is not kept again.
+        // The end of the previous part is not kept again.
         let is_kept = part.kept.step.is_some_and(|t| t - start.t == 0.0);
         let first = (!is_kept).then(|| start.clone().on_scalar());
         Begun::valid((), CollectedSteps(first.into_iter().collect()))
@@ -269,7 +273,7 @@ where
     }
 }
 
-/// The polynomials of the steps, from an initial state on.
+/// The polynomials of the steps, starting from an initial state.
 #[cfg(feature = "alloc")]
 pub struct Whole<X, P> {
     initial: At<f64, X>,
@@ -318,10 +322,10 @@ where
     }
 }
 
-/// What a problem collects: what is kept, and the events.
+/// The collector of a problem: what is kept, and the events.
 pub(super) struct Collecting<'a, C, S, X> {
     pub(super) kept: &'a mut C,
-    #[cfg_attr(not(feature = "alloc"), allow(dead_code))] // Nothing without memory for them.
+    #[cfg_attr(not(feature = "alloc"), allow(dead_code))] // Unused without an allocator.
     pub(super) events: &'a mut Events<S, X>,
     pub(super) so_far: &'a mut KeptSoFar,
 }

@@ -1,6 +1,6 @@
 //! Problems in progress, until their end.
 
-#![allow(clippy::type_complexity)] // The settings of a problem are in its type.
+#![allow(clippy::type_complexity)] // The type of a problem contains its settings.
 
 use super::keep::{Begun, Collecting, Keep};
 use super::part::{KeptSoFar, Part};
@@ -33,7 +33,7 @@ where
     dynamics: D,
     reactions: R,
     limits: Limits,
-    /// The times of samples that are left.
+    /// The remaining sample times.
     times: K::Times,
     collection: K::Collection,
     events: Events<S, D::State>,
@@ -45,7 +45,8 @@ where
 }
 
 impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
-    /// The problem in progress by a method, until the time `end`; what an integration finds where it does not begin.
+    /// Starts the problem by a method, until the time `end`. If it cannot start, the error is the result of the
+    /// integration.
     #[inline]
     pub(crate) fn into_member<I>(
         self,
@@ -104,9 +105,9 @@ where
     O: Observer<D::State>,
     K: Keep<S, D, I::Stepper>,
 {
-    /// Goes on until the caller is to take a step: the time towards which. `None` at the end.
+    /// Continues until the caller is to take a step, and returns the time towards which to take it. `None` at the end.
     pub(crate) fn go_on(&mut self, steps: Steps) -> Option<f64> {
-        // The times that were kept matter to the parts of a run alone.
+        // The times that were kept only matter to the parts of a run.
         let mut kept = KeptSoFar::default();
         let mut collector = Collecting {
             kept: &mut self.collection,
@@ -128,13 +129,13 @@ where
         None
     }
 
-    /// Goes on behind a step, which the stepper knows.
+    /// Continues after a step that the stepper has taken.
     pub(crate) fn stepped(&mut self, taken: Taken) -> Option<f64> {
         self.state.beginning = Beginning::Stepped(taken);
         self.go_on(Steps::Shared)
     }
 
-    /// What the integration has found.
+    /// Returns the result of the integration.
     #[inline]
     pub(crate) fn finish(self) -> Found<S, D::State, K::Kept> {
         let ended = (self.outcome, self.result);
@@ -154,19 +155,19 @@ where
         &mut self.stepper
     }
 
-    /// The smallest relative pivot that does not end the integration.
+    /// Returns the smallest relative pivot that does not end the integration.
     pub(crate) fn min_pivot(&self) -> f64 {
         self.state.min_pivot
     }
 
-    /// The state from which the last step was taken becomes the last that is known, or the one reached if none could be taken.
+    /// Sets the last known state to the one before the last step, or to the present state if no step could be taken.
     pub(crate) fn catch_up(&mut self) {
         let (t, x) = (self.stepper.previous_time(), self.stepper.previous_state());
         let x = x.unwrap_or(self.stepper.state()).clone();
         self.outcome.last = At { t, x };
     }
 
-    /// Whether there is nothing to look at in a step to this time, nor at its end, after so many attempted steps.
+    /// Whether neither a step to this time nor its end has to be examined, after this number of attempted steps.
     #[inline]
     pub(crate) fn passes_over(&self, time: f64, attempts: impl Fn() -> u64) -> bool {
         let LoopState { end, update, .. } = self.state;
@@ -179,19 +180,19 @@ where
             && attempts() < self.state.step_limit
     }
 
-    /// Whether states within a step to this time are asked for: by events, by what is kept, or by a sample.
+    /// Whether states within a step to this time are needed: by events, by what is kept, or by a sample.
     pub(crate) fn looks_within(&self, time: f64) -> bool {
         let is_asked = C::COUNT > 0 || K::READS_STEPS;
         is_asked || self.samples_are_due(|sample| self.comes_before(sample, time))
     }
 
-    /// Whether the next sample, if there is one, is due.
+    /// Whether there is a next sample, and it is due.
     #[inline]
     fn samples_are_due(&self, is_due: impl Fn(f64) -> bool) -> bool {
         self.times.next().is_some_and(is_due)
     }
 
-    /// Whether `a` comes before `b` in the course of the integration.
+    /// Whether `a` comes before `b` in the direction of the integration.
     #[inline]
     fn comes_before(&self, a: f64, b: f64) -> bool {
         if self.state.end >= self.state.start {

@@ -1,23 +1,23 @@
 //! The parts of an integration.
 
-/// Where a part of an integration lies in the whole of it.
+/// The position of a part within the whole integration.
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(not(feature = "alloc"), allow(dead_code))] // What is kept is allocated.
+#[cfg_attr(not(feature = "alloc"), allow(dead_code))] // Keeping needs an allocator.
 pub struct Part {
-    /// The time at which the problem begins, and with it the grid of samples.
+    /// The initial time of the problem, at which the grid of samples begins.
     pub(super) origin: f64,
-    /// The time at which the part ends.
+    /// The end of the part.
     pub(super) end: f64,
-    /// What the parts before have kept.
+    /// What the previous parts have kept.
     pub(super) kept: KeptSoFar,
-    /// Whether the integration is in parts: samples beyond this one wait for the others.
+    /// Whether the integration is in parts: samples after this one are left to the others.
     pub(super) is_one_of_several: bool,
 }
 
-/// The times up to which an integration has kept what is asked for.
+/// The times up to which an integration has kept samples and steps.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct KeptSoFar {
-    /// The last sample.
+    /// The time of the last sample.
     pub(super) sample: Option<f64>,
     /// The end of the last step.
     pub(super) step: Option<f64>,

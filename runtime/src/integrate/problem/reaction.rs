@@ -1,4 +1,4 @@
-//! What happens at events.
+//! Reactions to events.
 
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
@@ -8,10 +8,10 @@ use crate::scalar::Scalar;
 
 /// The reactions to the events of a problem.
 pub trait Reactions<S: Scalar, D: Dynamics<S>> {
-    /// Whether there is one.
+    /// Whether there are any reactions.
     const REACTS: bool;
 
-    /// What happens at an event, if there is a reaction to it.
+    /// Runs the reaction to an event, if there is one.
     fn react(&mut self, event: usize, t: S, x: &mut D::State, dynamics: &mut D) -> Reaction;
 }
 
@@ -23,7 +23,7 @@ impl<S: Scalar, D: Dynamics<S>> Reactions<S, D> for () {
     }
 }
 
-/// Reactions, and one more to so many events from an index on.
+/// Reactions, and one more for `count` events from the index `first` on.
 #[derive(Clone, Copy, Debug)]
 pub struct Then<R, F> {
     pub(super) others: R,
@@ -58,7 +58,7 @@ pub trait React<S: Scalar, D: Dynamics<S>> {
     fn react(&mut self, state: &mut At<S, D::State>, dynamics: &mut D) -> Reaction;
 }
 
-/// A function of the state.
+/// A reaction that is a function of the state.
 #[derive(Clone, Copy, Debug)]
 pub struct OfState<F>(pub(super) F);
 
@@ -77,7 +77,7 @@ where
     }
 }
 
-/// A function of the state and of the dynamics.
+/// A reaction that is a function of the state and of the dynamics.
 #[derive(Clone, Copy, Debug)]
 pub struct OfDynamics<F>(pub(super) F);
 

@@ -22,7 +22,8 @@ use crate::integrate::partial::Partial;
 use crate::integrate::stepper::{Advance as _, Statistics, Stepper as _};
 use crate::scalar::Scalar;
 
-/// An integration in progress, from [`Problem::start`] or [`Problem::resume`] on: it is advanced, asked and changed by hand.
+/// An integration in progress, created by [`Problem::start`] or [`Problem::resume`], which is advanced, inspected and
+/// changed by hand.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -57,25 +58,25 @@ where
     dynamics: D,
     reactions: R,
     keep: K,
-    /// The time at which the problem begins.
+    /// The initial time of the problem.
     origin: f64,
     kept: KeptSoFar,
     limits: Limits,
     stepper: I::Stepper,
-    /// What is known of the events, as far as the integration goes on from where it was known.
+    /// What is known about the events, if the integration continues from where it is known.
     memory: Option<C::Memory>,
-    /// What a checkpoint knew of them.
+    /// What a checkpoint knew about the events.
     events: Option<EventSigns>,
     scalar: PhantomData<S>,
 }
 
 impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
-    /// The integration in progress by a method, to be advanced by hand.
+    /// Starts the integration by a method, to be advanced by hand.
     ///
     /// # Errors
     ///
-    /// If a setting is invalid, or the state is not finite or singular, or does not meet the [constraints](Dynamics::project) of the
-    /// dynamics.
+    /// If a setting is invalid, the state is not finite or singular, or does not satisfy the
+    /// [constraints](Dynamics::project) of the dynamics.
     pub fn start<I>(self, method: I) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
     where
         I: Integrator<S, D>,
@@ -86,8 +87,9 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         })
     }
 
-    /// The integration that goes on from a checkpoint in place of the start: to the last bit as if it had not stopped, if the
-    /// dynamics and the settings are the same. Dynamics with other parameters begin there anew.
+    /// Continues the integration from a checkpoint instead of the start. If the dynamics and the settings are
+    /// unchanged, it continues to the last bit as if it had not stopped. With other parameters of the dynamics, the
+    /// method restarts there.
     ///
     /// # Errors
     ///
@@ -131,7 +133,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         } = self.watch;
         let driver = self.limits.driver(method, conditions, observer);
         let (stepper, events) = stepper(&driver, &self.dynamics, &self.start)?;
-        // What lies at a checkpoint was kept by the run that made it.
+        // Anything at the time of a checkpoint was kept by the run that made it.
         let before = Some(stepper.time()).filter(|t| t - self.start.t != 0.0);
         Ok(Run {
             origin: self.start.t,
@@ -163,7 +165,7 @@ where
         (self.memory, self.events) = (None, None);
     }
 
-    /// What is known of the events, if it serves to go on from here to `end`.
+    /// Returns what is known about the events, if it is valid for continuing from here to `end`.
     fn recall_events(&mut self, end: f64) -> Option<C::Memory> {
         let (t, x) = (self.stepper.time(), self.stepper.state());
         let condition = &mut self.driver.conditions;
@@ -175,7 +177,7 @@ where
         known.filter(|memory| memory.goes_on(t, end))
     }
 
-    /// The state reached.
+    /// Returns the state reached.
     pub fn state(&self) -> At<S, D::State> {
         let x = self.stepper.state().clone();
         At {
@@ -184,27 +186,27 @@ where
         }
     }
 
-    /// The time from which the last step was taken.
+    /// Returns the time at the beginning of the last step.
     pub fn previous_time(&self) -> f64 {
         self.stepper.previous_time()
     }
 
-    /// The cost so far.
+    /// Returns the statistics so far.
     pub fn statistics(&self) -> Statistics {
         self.stepper.statistics()
     }
 
-    /// The dynamics.
+    /// Returns the dynamics.
     pub fn dynamics(&self) -> &D {
         &self.dynamics
     }
 
-    /// The stepper of the method, which knows what its last step was.
+    /// Returns the stepper of the method, which holds its last step.
     pub fn stepper(&self) -> &I::Stepper {
         &self.stepper
     }
 
-    /// Everything that the integration remembers, to go on from by [`Problem::resume`].
+    /// Returns the whole state of the integration, from which [`Problem::resume`] continues.
     pub fn checkpoint(&self) -> Checkpoint<I::Memory>
     where
         I: Resume<S, D>,
@@ -216,7 +218,7 @@ where
         }
     }
 
-    /// The state at a time within the last step.
+    /// Returns the state at a time within the last step.
     ///
     /// # Errors
     ///
@@ -237,12 +239,13 @@ where
         })
     }
 
-    /// Changes the state, the dynamics, or both, and goes on from there: a load is picked up, a parameter is tuned.
-    /// The time stays.
+    /// Changes the state, the dynamics, or both, and continues from there, for example when a load is picked up or a
+    /// parameter is tuned. The time does not change.
     ///
     /// # Errors
     ///
-    /// If the state is not finite or singular then, or does not meet the [constraints](Dynamics::project) of the dynamics. The state is as before, and the dynamics stay changed.
+    /// If the changed state is not finite or singular, or does not satisfy the [constraints](Dynamics::project) of the
+    /// dynamics. The state is then as before, but the dynamics stay changed.
     pub fn change(
         &mut self,
         change: impl FnOnce(&mut At<S, D::State>, &mut D),
@@ -258,7 +261,7 @@ where
         }
         let restarted = self.stepper.restart_at(&self.dynamics, t, here.x);
         if restarted.is_ok() {
-            // The state behind the change is another one than that at the end of the step.
+            // The state after the change differs from the state at the end of the step.
             self.kept.step = None;
         } else {
             self.stepper.restart(&self.dynamics);
@@ -277,14 +280,16 @@ where
     O: Observer<D::State>,
     K: Keep<S, D, I::Stepper> + Clone,
 {
-    /// Integrates until the time `end`, where a step ends, or until an event, a condition or an observer stops. An integration in parts
-    /// has other steps than one in one go, and differs from it by rounding. The solution has the samples and
-    /// events of this part, and the cost since the start of the run. Samples are those of the whole integration: each is kept by
-    /// the part that comes to it first, and a list of times may go beyond this part.
+    /// Integrates until the time `end`, or until an event, a condition or an observer stops.
+    ///
+    /// A step ends at `end`: an integration in parts has other steps than one in one go, and its results differ by
+    /// rounding. The solution has the samples and events of this part, and the statistics since the start of the run.
+    /// Samples belong to the whole integration: each is kept by the part that reaches it first, and a list of times may
+    /// extend beyond this part.
     ///
     /// # Errors
     ///
-    /// Any of [`IntegrationError`], with the solution up to there. The integration can go on from there, too.
+    /// Any [`IntegrationError`], with the solution up to it. The integration can be continued from there.
     pub fn advance(
         &mut self,
         end: f64,
@@ -292,12 +297,12 @@ where
         self.advance_by(end, self.limits)
     }
 
-    /// Takes one step towards the time `end`, or the part of one up to an event; none at the end, or where a condition holds
-    /// from the start.
+    /// Takes one step towards the time `end`, or its part up to an event. Returns `None` at the end, or if a condition
+    /// holds from the start.
     ///
     /// # Errors
     ///
-    /// Any of [`IntegrationError`].
+    /// Any [`IntegrationError`].
     pub fn step(
         &mut self,
         end: f64,
@@ -313,7 +318,7 @@ where
         if self.statistics().steps > steps {
             Ok(Some(solution))
         } else {
-            // What lies at the start is kept by the next step.
+            // Anything at the start is kept by the next step.
             self.kept = kept;
             Ok(None)
         }
@@ -347,7 +352,7 @@ where
         limits.found::<_, _, _, K>((outcome, result), collection, events)
     }
 
-    /// Advances, then restarts the stepper where the integration has stopped.
+    /// Advances, then restarts the stepper at the time at which the integration has stopped.
     fn go_on(
         &mut self,
         start: &At<f64, D::State>,
@@ -366,7 +371,8 @@ where
         }
         let t = outcome.last.t;
         if t - self.stepper.time() != 0.0 {
-            // The derivative parts of the state at an event are those at a time that moves.
+            // At an event, the derivative parts of the outcome's state belong to a time that moves, so that it is
+            // interpolated anew.
             let At { x, .. } = LastStep::new(&self.dynamics, &mut self.stepper).at(t);
             self.forget_events();
             result = result.and(self.stepper.restart_at(&self.dynamics, t, x));

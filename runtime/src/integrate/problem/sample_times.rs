@@ -1,4 +1,4 @@
-//! The times of samples in a part of an integration.
+//! The sample times in a part of an integration.
 
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
@@ -8,16 +8,16 @@ use super::part::Part;
 #[cfg(feature = "alloc")]
 use crate::integrate::error::IntegrationError;
 
-/// The times of samples, one after the other.
+/// A sequence of sample times.
 pub trait SampleTimes {
-    /// The next time.
+    /// Returns the next time.
     fn next(&self) -> Option<f64>;
 
-    /// Goes on to the time behind it.
+    /// Proceeds to the time after the next one.
     fn advance(&mut self);
 }
 
-/// There are none.
+/// No samples.
 impl SampleTimes for () {
     #[inline]
     fn next(&self) -> Option<f64> {
@@ -28,7 +28,7 @@ impl SampleTimes for () {
     fn advance(&mut self) {}
 }
 
-/// A list of times, of which so many are taken.
+/// A list of times, with the number of those that were taken.
 #[cfg(feature = "alloc")]
 #[derive(Debug)]
 pub struct ListedTimes {
@@ -51,11 +51,11 @@ impl SampleTimes for ListedTimes {
 
 #[cfg(feature = "alloc")]
 impl ListedTimes {
-    /// Those of a list that belong to a part which begins at `start`.
+    /// Selects the times in a list that belong to a part which begins at `start`.
     ///
     /// # Errors
     ///
-    /// If a time lies outside of the integration, is not finite, or comes before the one before it. The list is as it was then.
+    /// If a time is outside of the integration, not finite, or before its predecessor.
     pub(super) fn of(
         mut times: Vec<f64>,
         start: f64,
@@ -64,7 +64,8 @@ impl ListedTimes {
         let end = part.end;
         let mut span = start.min(end)..=start.max(end);
         if part.is_one_of_several {
-            // The others belong to other parts. What is no time is refused, and so is what lies before the start.
+            // The other times belong to other parts. Numbers that are not finite and times before the start are kept,
+            // so that they are refused.
             let is_before = |t: &f64| (t - part.origin) * (end - part.origin) < 0.0;
             let before = times.iter().any(|t| is_before(t) && t.is_finite());
             let is_left = |t: f64| {
@@ -91,7 +92,7 @@ impl ListedTimes {
     }
 }
 
-/// An error unless the times are finite and advance in the direction from `start` to the end.
+/// Returns an error unless the times are finite and advance in the direction from `start` to the end.
 #[cfg(feature = "alloc")]
 fn check_order(times: &[f64], start: f64, end: f64) -> Result<(), IntegrationError> {
     let times = times.iter().chain([&end]);
@@ -113,14 +114,14 @@ fn check_order(times: &[f64], start: f64, end: f64) -> Result<(), IntegrationErr
     Ok(())
 }
 
-/// The multiples of an interval in a part, counted from where the problem begins. One that differs from the start, the end or the last
-/// sample of the part before by rounding is that.
+/// The multiples of an interval in a part, counted from the initial time of the problem. A multiple that differs only
+/// by rounding from the start, the end or the last sample of the previous part is taken to be equal to it.
 #[cfg(feature = "alloc")]
 #[derive(Debug)]
 pub struct TimeGrid {
     origin: f64,
     interval: f64,
-    /// The start and the end of the part, and both in intervals.
+    /// The start and the end of the part; `multiples` has both in units of the interval.
     span: [f64; 2],
     multiples: [f64; 2],
     rounding: f64,
@@ -130,7 +131,7 @@ pub struct TimeGrid {
 
 #[cfg(feature = "alloc")]
 impl TimeGrid {
-    /// The times in a part that begins at `start`; none where the interval or the end is not valid.
+    /// Returns the times in a part that begins at `start`; there are none if the interval or the end is invalid.
     pub(super) fn of(interval: f64, start: f64, part: Part) -> Self {
         let Part { origin, end, .. } = part;
         let interval = interval.copysign(end - start);
@@ -156,7 +157,7 @@ impl SampleTimes for TimeGrid {
     #[inline]
     fn next(&self) -> Option<f64> {
         let ([start, end], [first, last]) = (self.span, self.multiples);
-        // Not a number where the end is not.
+        // This is NaN if the end is.
         (last.is_finite() && self.next <= last + self.rounding).then(|| {
             if (self.next - last).abs() <= self.rounding {
                 end

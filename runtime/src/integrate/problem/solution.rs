@@ -23,29 +23,29 @@ use crate::linalg::VectorSpace;
 use crate::number_format::Readable;
 use crate::scalar::Scalar;
 
-/// What an integration has found. It is its last state, too: `solution.t`, `solution.q[0]`.
+/// The result of an integration. It dereferences to its last state: `solution.t`, `solution.q[0]`.
 ///
-/// What was kept besides depends on [`Problem::save`](crate::Problem::save): [`samples`](Self::samples), or the motion
+/// What else was kept depends on [`Problem::save`](crate::Problem::save): [`samples`](Self::samples), or the motion
 /// [`at`](Self::at) any time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<S, X, K = ()> {
-    /// The last state: at the end, or where an event, a condition or an observer stopped.
+    /// The last state: at the end, or where an event, a condition or an observer stopped the integration.
     pub last: At<S, X>,
-    /// Why it ended there.
+    /// The reason for which the integration ended there.
     pub reason: StopReason,
-    /// Which conditions or events stopped it, or which observer, in the order in which they were set.
+    /// The conditions, events or observers that stopped it, numbered in the order in which they were set.
     pub met: MetConditions,
-    /// The cost.
+    /// The cost of the integration.
     pub statistics: Statistics,
     #[cfg_attr(not(feature = "alloc"), allow(dead_code))]
     events: Events<S, X>,
     kept: K,
 }
 
-/// What an integration returns.
+/// The return type of an integration.
 pub(crate) type Found<S, X, K> = Result<Solution<S, X, K>, Partial<Solution<S, X, K>>>;
 
-/// The events that occurred; nothing without memory for them.
+/// The events that occurred; empty without an allocator.
 #[cfg(feature = "alloc")]
 pub(crate) type Events<S, X> = Vec<Occurrence<X, S>>;
 #[cfg(not(feature = "alloc"))]
@@ -74,7 +74,7 @@ impl<S, X, K> Deref for Solution<S, X, K> {
 
 #[cfg(feature = "alloc")]
 impl<S, X, K> Solution<S, X, K> {
-    /// The events that occurred, in the order of time. Those at which the integration stopped are among them.
+    /// Returns the events that occurred, in the order of time, including the events at which the integration stopped.
     #[must_use]
     pub fn events(&self) -> &[Occurrence<X, S>] {
         &self.events
@@ -86,7 +86,7 @@ impl<S, X> IntoIterator for Solution<S, X, Vec<At<S, X>>> {
     type Item = At<S, X>;
     type IntoIter = alloc::vec::IntoIter<At<S, X>>;
 
-    /// The samples.
+    /// Iterates over the samples.
     fn into_iter(self) -> Self::IntoIter {
         self.kept.into_iter()
     }
@@ -94,7 +94,7 @@ impl<S, X> IntoIterator for Solution<S, X, Vec<At<S, X>>> {
 
 #[cfg(feature = "alloc")]
 impl<S: Scalar, X, K> Solution<S, X, K> {
-    /// The samples, in the order of time.
+    /// Returns the samples, in the order of time.
     #[must_use]
     pub fn samples(&self) -> &[At<S, X>]
     where
@@ -103,7 +103,7 @@ impl<S: Scalar, X, K> Solution<S, X, K> {
         self.kept.samples()
     }
 
-    /// The state at a time between the start and the last; at a jump, the state after it.
+    /// Returns the state at a time between the start and the last state; at a jump, the state after it.
     ///
     /// # Errors
     ///
@@ -116,7 +116,7 @@ impl<S: Scalar, X, K> Solution<S, X, K> {
         Ok(At { t, x })
     }
 
-    /// The state at a time, before a jump where there is one.
+    /// Returns the state at a time; at a jump, the state before it.
     ///
     /// # Errors
     ///
@@ -129,7 +129,7 @@ impl<S: Scalar, X, K> Solution<S, X, K> {
         Ok(At { t, x })
     }
 
-    /// The derivative of the state at a time, of the polynomial of the step; none where no step was taken.
+    /// Returns the derivative of the state at a time, from the polynomial of the step; `None` if no step was taken.
     ///
     /// # Errors
     ///
@@ -141,7 +141,8 @@ impl<S: Scalar, X, K> Solution<S, X, K> {
         self.kept.slope(t)
     }
 
-    /// The start, the ends of the steps, and the events at which a reaction or the end cuts one.
+    /// Returns the times of the start, of the ends of steps, and of the events at which a reaction or the end cuts a
+    /// step.
     pub fn times<'a>(&'a self) -> impl DoubleEndedIterator<Item = f64> + use<'a, S, X, K>
     where
         K: KeptMotion<S, X>,
@@ -151,14 +152,14 @@ impl<S: Scalar, X, K> Solution<S, X, K> {
     }
 }
 
-/// What is kept by `save(Every(…))`, a list of times or `StepEnds`.
+/// The types of what `save(Every(…))`, a list of times or `StepEnds` keep.
 #[cfg(feature = "alloc")]
 #[diagnostic::on_unimplemented(
     message = "no samples were kept",
     note = "write `.save(Every(0.01))`, `.save(StepEnds)` or a list of times before `.solve(…)`"
 )]
 pub trait KeptSamples<S, X> {
-    /// The samples, in the order of time.
+    /// Returns the samples, in the order of time.
     fn samples(&self) -> &[At<S, X>];
 }
 
@@ -169,23 +170,23 @@ impl<S, X> KeptSamples<S, X> for Vec<At<S, X>> {
     }
 }
 
-/// What is kept by `save(Dense)`.
+/// The type of what `save(Dense)` keeps.
 #[cfg(feature = "alloc")]
 #[diagnostic::on_unimplemented(
     message = "the motion was not kept",
     note = "write `.save(Dense)` before `.solve(…)`"
 )]
 pub trait KeptMotion<S, X> {
-    /// The state at a time, after a jump.
+    /// Returns the state at a time, after a jump if there is one.
     fn state(&self, t: f64) -> Result<X, IntegrationError>;
 
-    /// The state at a time, before a jump.
+    /// Returns the state at a time, before a jump if there is one.
     fn state_before(&self, t: f64) -> Result<X, IntegrationError>;
 
-    /// The derivative at a time.
+    /// Returns the derivative at a time.
     fn slope(&self, t: f64) -> Result<Option<X>, IntegrationError>;
 
-    /// The times between which there is one polynomial.
+    /// Returns the times between which there is one polynomial.
     fn ends_of_steps(&self) -> impl DoubleEndedIterator<Item = f64>;
 }
 
@@ -214,13 +215,13 @@ where
 }
 
 impl<S, X, K> Partial<Solution<S, X, K>> {
-    /// The solution up to the error.
+    /// Returns the solution up to the error.
     #[must_use]
     pub fn solution(&self) -> &Solution<S, X, K> {
         self.value()
     }
 
-    /// The solution up to the error, owned.
+    /// Converts the error into the solution up to it.
     #[must_use]
     pub fn into_solution(self) -> Solution<S, X, K> {
         self.into_value()

@@ -1,24 +1,24 @@
-//! What a problem is made of: a model, or any dynamics.
+//! The systems of problems: models, or any dynamics.
 
 use crate::integrate::dynamics::Dynamics;
 use crate::scalar::Scalar;
 
-/// What [`Problem::new`](crate::Problem::new) takes: a model, `&model`, or `model` itself, whose parameters reactions can then change;
-/// or any [`Dynamics`], owned or borrowed.
+/// The types that [`Problem::new`](crate::Problem::new) accepts as a system.
 ///
-/// `Kind` tells the implementations apart, and is always inferred.
+/// This is a model, either `&model`, or `model` itself, so that reactions can change its parameters; or any
+/// [`Dynamics`], owned or borrowed. `Kind` distinguishes the implementations, and is always inferred.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no equations of motion to integrate",
     note = "a model enters by reference, `Problem::new(&model, start)`; `start` is a `State` with as many coordinates as it has, \
             on its scalar; other systems implement `Dynamics`"
 )]
 pub trait System<Kind, S: Scalar> {
-    /// The differential equations.
+    /// The type of the differential equations.
     type Dynamics: Dynamics<S, State = Self::State>;
-    /// Their state.
+    /// The type of their state.
     type State;
 
-    /// The differential equations.
+    /// Converts the system into its differential equations.
     fn into_dynamics(self) -> Self::Dynamics;
 }
 

@@ -1,4 +1,4 @@
-//! Events: which function, which direction, and what happens there.
+//! The settings of events: their functions, directions and actions.
 
 use super::Problem;
 use super::reaction::{OfDynamics, OfState, Then};
@@ -12,9 +12,11 @@ use crate::integrate::event::{
 use crate::integrate::observer::Flow;
 use crate::scalar::Scalar;
 
-/// An event that still needs its action: [`record`](Self::record), [`stop`](Self::stop), [`then`](Self::then) or
-/// [`then_with`](Self::then_with). It occurs at zeros of either direction, unless [`rising`](Self::rising) or
-/// [`falling`](Self::falling) is said.
+/// An event that still needs an action: [`record`](Self::record), [`stop`](Self::stop), [`then`](Self::then) or
+/// [`then_with`](Self::then_with).
+///
+/// It occurs at zeros in either direction, unless it is restricted by [`rising`](Self::rising) or
+/// [`falling`](Self::falling).
 #[must_use = "say what happens at the event: `record()`, `stop()` or `then(…)`"]
 #[derive(Clone, Copy, Debug)]
 pub struct When<P, E> {
@@ -22,12 +24,12 @@ pub struct When<P, E> {
     events: E,
 }
 
-/// The events of which the direction is set.
+/// Events whose direction can be set.
 pub trait Directed {
-    /// Sets it.
+    /// Changes the direction of each event.
     fn direct(&mut self, change: impl FnMut(Event) -> Event);
 
-    /// Sets the parts of steps.
+    /// Sets the number of parts of a step.
     fn sample(&mut self, parts: u32);
 }
 
@@ -53,17 +55,17 @@ impl<const K: usize> Directed for DeclaredEvents<K> {
     }
 }
 
-/// One event that the model `M` declares, or several: [`DeclaredEvent`]s.
+/// One or several events that the model `M` declares: [`DeclaredEvent`]s.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an event that `{M}` declares",
     note = "an event is named by a constant of the model, as `Ball::FLOOR` is of `Ball` with the clause `event(floor = height)`, \
             several by an array of constants; functions of the state are watched for by `when(|x| …)`"
 )]
 pub trait DeclaredBy<M> {
-    /// The events.
+    /// The type of the events.
     type Events;
 
-    /// Zeros of either direction.
+    /// Returns the events, at zeros in either direction.
     fn events(self) -> Self::Events;
 }
 
@@ -87,11 +89,13 @@ impl<M, const N: usize> DeclaredBy<M> for [DeclaredEvent<M>; N] {
 }
 
 impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
-    /// An event: where a function of the state crosses zero. It returns a number, or an array of them, each of which is an
-    /// event; on [lanes](crate::Lanes), whose motions go on together, `f64`, made of all lanes.
+    /// Adds an event at the zeros of a function of the state. The function returns a number, or an array of numbers,
+    /// each of which is an event; on [lanes](crate::Lanes), whose motions share their steps, it returns an `f64`
+    /// computed from all lanes.
     ///
-    /// A closure is sampled in each step ([`When::samples`]), so that two zeros in one of the parts are missed; events that the
-    /// model declares ([`on`](Self::on)) are found by their Taylor series under [`Taylor`](crate::Taylor).
+    /// A closure is sampled in each step ([`When::samples`]), so that a pair of zeros in one part of a step is missed.
+    /// Events that the model declares ([`on`](Self::on)) are found from their Taylor series with
+    /// [`Taylor`](crate::Taylor).
     pub fn when<F, V>(self, function: F) -> When<Self, FunctionOfState<F>>
     where
         F: FnMut(&At<S, D::State>) -> V,
@@ -103,7 +107,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         }
     }
 
-    /// An event that the model declares by the clause `event`, by its constant: `Ball::FLOOR`; or several.
+    /// Adds one or several events that the model declares in the clause `event`, by their constants, such as
+    /// `Ball::FLOOR`.
     pub fn on<E, M>(self, events: E) -> When<Self, E::Events>
     where
         S: SingleNumber,
@@ -116,9 +121,10 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         }
     }
 
-    /// Stops at the first **end of a step** at which the condition holds, or at the start if it holds there: a [`Run`](super::Run) does
-    /// not go on while it holds. Steps may be long, and a condition that holds only within one is not seen: the place at which
-    /// x > 10 begins to hold is found by an event, `when(|x| x.q[0] - 10.0).rising().stop()`.
+    /// Stops at the first **end of a step** at which the condition holds, or at the start if it holds there; a
+    /// [`Run`](super::Run) does not continue while it holds. Steps may be long, and a condition that holds only within
+    /// a step is not noticed. To find the place at which x > 10 begins to hold, use an event: `when(|x| x.q[0] -
+    /// 10.0).rising().stop()`.
     pub fn stop_when<F>(self, condition: F) -> Problem<S, D, K, (C, PredicateOfState<F>), R, O>
     where
         F: FnMut(&At<S, D::State>) -> bool,
@@ -128,22 +134,22 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
 }
 
 impl<P, E: Directed> When<P, E> {
-    /// Only where it rises through zero.
+    /// Restricts the event to zeros at which the function rises.
     pub fn rising(mut self) -> Self {
         self.events
             .direct(|event| event.crossing_by(Crossing::Rising));
         self
     }
 
-    /// Only where it falls through zero.
+    /// Restricts the event to zeros at which the function falls.
     pub fn falling(mut self) -> Self {
         self.events
             .direct(|event| event.crossing_by(Crossing::Falling));
         self
     }
 
-    /// Sets the number of equal parts of each step at whose ends the function is evaluated, where it has no series: 8 by
-    /// default, and 1 for methods without dense output.
+    /// Sets the number of equal parts of each step at whose ends the function is evaluated if it has no series. The
+    /// default is 8, or 1 for methods without dense output.
     pub fn samples(mut self, parts: u32) -> Self {
         self.events.sample(parts);
         self
@@ -156,19 +162,19 @@ where
     D: Dynamics<S>,
     E: Directed + Watched<S, D>,
 {
-    /// The integration stops there.
+    /// Stops the integration at the event.
     pub fn stop(mut self) -> Problem<S, D, K, (C, E), R, O> {
         self.events.direct(Event::terminal);
         self.problem.with(self.events, |others, _| others)
     }
 
-    /// The event is recorded: it is one of [`Solution::events`](crate::Solution::events).
+    /// Records the event in [`Solution::events`](crate::Solution::events).
     pub fn record(self) -> Problem<S, D, K, (C, E), R, O> {
         self.problem.with(self.events, |others, _| others)
     }
 
-    /// The event is recorded, and the state changes: a ball bounces, a stage separates. The function changes the state in place
-    /// and returns nothing, or `ControlFlow::Break(())` where the integration is to end.
+    /// Records the event and changes the state: a ball bounces, a stage separates. The function changes the state in
+    /// place and returns nothing, or `ControlFlow::Break(())` to end the integration.
     pub fn then<F, A>(self, reaction: F) -> Problem<S, D, K, (C, E), Then<R, OfState<F>>, O>
     where
         F: FnMut(&mut At<S, D::State>) -> A,
@@ -177,8 +183,9 @@ where
         self.reacting(OfState(reaction))
     }
 
-    /// The event is recorded, and the state or the dynamics change: a spring breaks, a load is picked up. The dynamics of an
-    /// owned model, `Problem::new(model, start)`, change by [`EquationsOfMotion::change`](crate::EquationsOfMotion::change).
+    /// Records the event and changes the state or the dynamics: a spring breaks, a load is picked up. The dynamics of
+    /// an owned model, `Problem::new(model, start)`, are changed by
+    /// [`EquationsOfMotion::change`](crate::EquationsOfMotion::change).
     pub fn then_with<F, A>(self, reaction: F) -> Problem<S, D, K, (C, E), Then<R, OfDynamics<F>>, O>
     where
         F: FnMut(&mut At<S, D::State>, &mut D) -> A,
@@ -197,14 +204,16 @@ where
     }
 }
 
-/// What an event with an action is: a part of a problem.
+/// Implemented by no type; the methods below require it, so that an event without an action is an error with an
+/// explanation.
 #[diagnostic::on_unimplemented(
     message = "it is not said what happens at the event",
     note = "write `.record()`, `.stop()` or `.then(|x| …)` behind it"
 )]
 pub trait HasAction {}
 
-/// Namesakes of the methods of a problem, by which the compiler says that the event lacks its action. Nothing calls them.
+/// Methods with the names of methods of a problem, by which the compiler reports that the event lacks its action.
+/// Nothing calls them.
 #[doc(hidden)]
 impl<P, E> When<P, E> {
     pub fn solve<T, I>(self, _: T, _: I) -> Result<(), IntegrationError>
