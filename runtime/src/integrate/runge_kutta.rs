@@ -1,7 +1,7 @@
 //! Explicit Runge–Kutta methods with fixed steps.
 //!
-//! A method is its Butcher tableau, with a reference; the step is written once. Hairer, Nørsett & Wanner, *Solving
-//! Ordinary Differential Equations I*, 2nd edition (1993), II.1. The adaptive method of order 8 is
+//! Each method is given by its Butcher tableau, with a reference; the step is implemented once for all. Hairer, Nørsett
+//! & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.1. The adaptive method of order 8 is
 //! [`Dop853`](crate::Dop853).
 
 use super::checkpoint::Resume;
@@ -26,8 +26,8 @@ use crate::scalar::Scalar;
 pub struct ButcherTableau<const STAGES: usize> {
     /// The nodes cᵢ.
     pub nodes: [f64; STAGES],
-    /// The rows of the Runge–Kutta matrix aᵢⱼ, each up to its last entry before the diagonal. Entries beyond that
-    /// are not read.
+    /// The rows of the Runge–Kutta matrix aᵢⱼ. Trailing zeros before the diagonal may be omitted; entries on or after
+    /// the diagonal are not read.
     pub matrix: [&'static [f64]; STAGES],
     /// The weights bᵢ.
     pub weights: [f64; STAGES],
@@ -41,7 +41,7 @@ pub const CLASSICAL_FOURTH_ORDER: ButcherTableau<4> = ButcherTableau {
     weights: [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
 };
 
-/// The linear combination Σ aⱼ kⱼ, without the terms whose coefficient is zero.
+/// Returns the linear combination Σ aⱼ kⱼ, skipping terms whose coefficient is zero.
 #[inline]
 pub(crate) fn combination<S: Scalar, X: VectorSpace<S>>(
     coefficients: &[f64],
@@ -57,7 +57,7 @@ pub(crate) fn combination<S: Scalar, X: VectorSpace<S>>(
     sum
 }
 
-/// The derivative kᵢ = f(t + cᵢ h, x + h Σ aᵢⱼ kⱼ) of a stage.
+/// Returns the derivative kᵢ = f(t + cᵢ h, x + h Σ aᵢⱼ kⱼ) of a stage.
 #[inline]
 pub(crate) fn stage<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
@@ -75,11 +75,11 @@ pub(crate) fn stage<S: Scalar, D: Dynamics<S> + ?Sized>(
 
 /// An explicit Runge–Kutta method with steps of fixed size.
 ///
-/// Sample times need not be multiples of the step. The interval between two of them is divided
-/// into equal steps that are at most as long as the given one.
+/// Sample times need not be multiples of the step size. The interval between two of them is divided into equal steps
+/// that are at most as long as the given step size.
 ///
-/// There is no error control: halve the step and compare. Near a singularity of the mass matrix
-/// the integration ends where the estimated relative error of the accelerations exceeds 10⁻⁶.
+/// There is no error control: to check the accuracy, halve the step size and compare. Near a singularity of the mass
+/// matrix the integration ends where the estimated relative error of the accelerations exceeds 10⁻⁶.
 ///
 /// ```
 /// use lagrangian::{At, Dynamics, Problem, RungeKutta};
@@ -108,7 +108,7 @@ pub struct RungeKutta<const STAGES: usize> {
 }
 
 impl RungeKutta<4> {
-    /// The classical method of order 4 with steps of size `step`.
+    /// Creates the classical method of order 4 with steps of size `step`.
     #[must_use]
     pub fn classical(step: f64) -> Self {
         Self::new(CLASSICAL_FOURTH_ORDER, step)
@@ -116,8 +116,7 @@ impl RungeKutta<4> {
 }
 
 impl<const STAGES: usize> RungeKutta<STAGES> {
-    /// The method of a tableau with steps of size `step`, which is positive also when integrating
-    /// backwards.
+    /// Creates the method of a tableau with steps of size `step`, which is positive even for backward integrations.
     #[must_use]
     pub fn new(tableau: ButcherTableau<STAGES>, step: f64) -> Self {
         Self { tableau, step }
@@ -131,7 +130,7 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
         }
     }
 
-    /// The increment h Σ bᵢ kᵢ over a step h from (t, x), where x is reduced.
+    /// Returns the increment h Σ bᵢ kᵢ over a step h from (t, x), where x is reduced.
     #[inline]
     fn increment<S: Scalar, D: Dynamics<S> + ?Sized>(
         &self,
@@ -181,7 +180,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Integrator<S, D>
     }
 }
 
-/// Takes the steps of a [`RungeKutta`] method.
+/// The stepper of a [`RungeKutta`] method.
 ///
 /// Time and state are compensated sums, so that their rounding errors do not grow over a long integration.
 #[derive(Clone, Debug)]
@@ -189,12 +188,12 @@ pub struct RungeKuttaStepper<X, const STAGES: usize> {
     method: RungeKutta<STAGES>,
     clock: Clock,
     state: Compensated<X>,
-    /// Where the last step began.
+    /// The time and the state at the beginning of the last step.
     previous: (Clock, Compensated<X>),
     statistics: Statistics,
 }
 
-/// What is stored of a [`RungeKuttaStepper`]: all but its method.
+/// The stored part of a [`RungeKuttaStepper`]: everything except its method.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RungeKuttaMemory<X> {
@@ -240,7 +239,8 @@ impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
     }
 }
 
-/// An error of so much of the size of each component, and as much where it is zero.
+/// Returns the tolerance that allows this part of the size of each component, and the same number if the component is
+/// zero.
 fn error_of_size<S: Scalar>(part: f64) -> ErrorTolerance<S> {
     ErrorTolerance {
         relative: part,
@@ -250,7 +250,7 @@ fn error_of_size<S: Scalar>(part: f64) -> ErrorTolerance<S> {
 }
 
 impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
-    /// The end of a step, on the manifold of the dynamics if they have one.
+    /// Returns the end of a step, projected onto the manifold of the dynamics if they have one.
     #[inline]
     fn projected<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
@@ -339,7 +339,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
         Ok(())
     }
 
-    /// A step of the method from the last time to `t`: as accurate as the step itself.
+    /// Takes a step of the method from the previous time to `t`; this is as accurate as the step itself.
     fn interpolate(&mut self, dynamics: &D, t: f64) -> X {
         let (clock, previous) = &self.previous;
         let h = clock.until(t);

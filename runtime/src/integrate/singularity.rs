@@ -20,22 +20,22 @@ pub struct Singularity {
     cause: Cause,
 }
 
-/// What there is to say of a singularity.
+/// The cause of a singularity.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Cause {
     /// The mass matrix is singular.
     MassMatrix,
-    /// It is a pole of a reduced model at this coordinate, the value of which is the first one.
+    /// The state is at a pole of a reduced model in this coordinate, whose value is the first of `values`.
     Pole,
     /// The Lagrangian is not a number.
     OutsideDomain,
 }
 
 impl Singularity {
-    /// The singularity in the block of the mass matrix that belongs to `coordinate`.
+    /// Creates the singularity in the block of the mass matrix that belongs to `coordinate`.
     ///
-    /// `names` are those of all coordinates, `dependencies` the indices of those on which the
-    /// determinant of the block depends, and `value` gives the value of a coordinate.
+    /// `names` are the names of all coordinates, `dependencies` are the indices of the coordinates on which the
+    /// determinant of the block depends, and `value` returns the value of a coordinate.
     pub fn new(
         relative_pivot: f64,
         coordinate: usize,
@@ -57,25 +57,25 @@ impl Singularity {
         }
     }
 
-    /// The same of a reduced model at a pole of its coordinate, which has this value.
+    /// Changes the cause to a pole of a reduced model in its coordinate, which has this value.
     pub(crate) fn at_pole(mut self, value: f64) -> Self {
         self.cause = Cause::Pole;
         self.values[0] = value;
         self
     }
 
-    /// The same where the Lagrangian is not a number.
+    /// Changes the cause to a Lagrangian that is not a number.
     pub(crate) fn outside_domain(mut self) -> Self {
         self.cause = Cause::OutsideDomain;
         self
     }
 
-    /// Whether the accelerations have an error that can be estimated.
+    /// Whether the error of the accelerations can be estimated.
     pub(crate) fn has_estimate(&self) -> bool {
         self.cause == Cause::MassMatrix || self.relative_pivot > 0.0
     }
 
-    /// How many coordinates make it so.
+    /// Returns the number of coordinates that cause the singularity.
     fn count(&self) -> usize {
         match self.cause {
             Cause::MassMatrix => self.dependencies.len(),
@@ -84,21 +84,21 @@ impl Singularity {
         }
     }
 
-    /// The relative pivot: the pivot of the factored mass matrix over its diagonal entry before elimination, or sin²θ at a
-    /// pole of θ.
+    /// Returns the relative pivot: the pivot of the factored mass matrix over its diagonal entry before elimination, or
+    /// sin²θ at a pole of θ.
     #[must_use]
     pub fn relative_pivot(&self) -> f64 {
         self.relative_pivot
     }
 
-    /// The coordinate to which the pivot belongs.
+    /// Returns the name of the coordinate to which the pivot belongs.
     #[must_use]
     pub fn coordinate(&self) -> &'static str {
         usize::try_from(self.coordinate).map_or("?", |index| self.name(index))
     }
 
-    /// Names and values of the coordinates on which the singularity depends, at most six of them.
-    /// None if parameters or the time alone make the mass matrix singular.
+    /// Returns the names and values of the coordinates on which the singularity depends, at most six of them. There are
+    /// none if parameters or the time alone make the mass matrix singular.
     pub fn coordinates(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
         let dependency = |i: usize| match self.dependencies.get(i) {
             Some(index) if self.cause == Cause::MassMatrix => self.name(*index),
@@ -107,7 +107,7 @@ impl Singularity {
         (0..self.count()).map(dependency).zip(self.values)
     }
 
-    /// The configuration, as the end of a clause.
+    /// Writes the configuration as the end of a clause.
     pub(crate) fn write_coordinates(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, (name, value)) in self.coordinates().enumerate() {
             let separator = if i == 0 { " where" } else { "," };
@@ -120,7 +120,7 @@ impl Singularity {
         Ok(())
     }
 
-    /// What is said of a pole.
+    /// Writes the message about a pole.
     fn write_pole(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (coordinate, value) = (self.coordinate(), Readable(self.values[0]));
         if self.relative_pivot > 0.0 {

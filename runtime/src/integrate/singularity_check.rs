@@ -1,11 +1,11 @@
-//! Whether the mass matrix is regular where an integration begins and at the ends of its steps.
+//! Checks that the mass matrix is regular at the start of an integration and at the ends of its steps.
 
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::singularity::Singularity;
 use crate::scalar::Scalar;
 
-/// An error if a relative pivot is below `min_pivot`.
+/// Returns an error if a relative pivot is below `min_pivot`.
 pub(crate) fn check_singularity<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     t: f64,
@@ -19,7 +19,7 @@ pub(crate) fn check_singularity<S: Scalar, D: Dynamics<S> + ?Sized>(
     found.map_or(Ok(()), |found| Err(singular::<S>(t, found)))
 }
 
-/// An error if, at the end of a step, a relative pivot is below `min_pivot`.
+/// Returns an error if, at the end of a step, a relative pivot is below `min_pivot`.
 #[inline]
 pub(crate) fn check_singularity_in_motion<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
@@ -34,7 +34,7 @@ pub(crate) fn check_singularity_in_motion<S: Scalar, D: Dynamics<S> + ?Sized>(
     found.map_or(Ok(()), |found| Err(singular::<S>(t, found)))
 }
 
-/// The error of a singularity.
+/// Returns the error for a singularity.
 #[cold]
 pub(crate) fn singular<S: Scalar>(time: f64, singularity: Singularity) -> IntegrationError {
     IntegrationError::SingularConfiguration {

@@ -1,15 +1,15 @@
-//! What a stepper shows of its last step: the polynomial, where it has one.
+//! Access to the polynomial of the last step of a stepper.
 
 use crate::integrate::taylor::coefficients::TaylorCoefficients;
 use crate::scalar::Scalar;
 
-/// What is done with the Taylor polynomial of a step.
+/// A visitor of the Taylor polynomial of a step.
 pub trait StepPolynomial<S: Scalar, X> {
-    /// What comes out.
+    /// The result of the visit.
     type Output;
 
-    /// Called with the time about which the polynomial is, the unit of time, and the coefficients, of which that of order
-    /// 0 may be another state with the same derivatives.
+    /// Visits the polynomial, given the time about which it is expanded, the unit of time, and the coefficients. The
+    /// coefficient of order 0 may be another state with equal derivatives.
     fn visit<const HALF: usize>(
         self,
         t: f64,

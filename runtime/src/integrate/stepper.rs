@@ -1,4 +1,4 @@
-//! Steppers, and the check that times, states and derivatives are finite.
+//! Steppers, and checks that times, states and derivatives are finite.
 
 use super::compensated::Clock;
 use super::dynamics::Dynamics;
@@ -9,8 +9,8 @@ use crate::scalar::Scalar;
 
 /// An integration in progress, step by step.
 ///
-/// A clone is a checkpoint: the integration continued from it is the same to the last bit.
-/// The steps are taken by [`Advance::step`]. A sampled controller with a zero-order hold, ten times a second:
+/// A clone is a checkpoint: an integration continued from it is identical to the last bit. Steps are taken by
+/// [`Advance::step`]. For example, a sampled controller with a zero-order hold, ten times a second:
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -44,61 +44,63 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 pub trait Stepper<S: Scalar, X: VectorSpace<S>>: Clone {
-    /// Whether [`interpolate`](Advance::interpolate) is dense output, so cheap that sample times need not be ends of
-    /// steps.
+    /// Whether [`interpolate`](Advance::interpolate) is dense output, which is cheap enough that sample times need not
+    /// be ends of steps.
     const DENSE_OUTPUT: bool;
 
-    /// The time reached.
+    /// Returns the time reached.
     fn time(&self) -> f64;
 
-    /// The state at that time.
+    /// Returns the state at that time.
     fn state(&self) -> &X;
 
-    /// The time from which the last step was taken.
+    /// Returns the time at the beginning of the last step.
     fn previous_time(&self) -> f64;
 
-    /// The cost so far.
+    /// Returns the statistics so far.
     fn statistics(&self) -> Statistics;
 
-    /// The state from which the last step was taken, where it is known.
+    /// Returns the state at the beginning of the last step, if it is known.
     fn previous_state(&self) -> Option<&X> {
         None
     }
 
-    /// What comes of the Taylor polynomial of the last step, where there is one: events are found by it.
+    /// Applies a visitor to the Taylor polynomial of the last step, if there is one; events are found by it.
     fn visit_polynomial<V: StepPolynomial<S, X>>(&self, visitor: V) -> Option<V::Output> {
         let _ = visitor;
         None
     }
 }
 
-/// A stepper of systems that have what its method needs.
+/// A stepper for the dynamics that its method supports.
 ///
-/// The dynamics are passed to each step, and must be the same until [`restart`](Self::restart).
+/// The dynamics are passed to each step, and must not change until [`restart`](Self::restart) is called.
 pub trait Advance<S: Scalar, D: Dynamics<S> + ?Sized>: Stepper<S, D::State> {
-    /// Takes one step towards the time `target` and never beyond it; the last one lands on it
-    /// exactly. At the target it does nothing.
+    /// Takes one step towards the time `target`, and never beyond it; the last step lands on it exactly. At the target
+    /// nothing is done.
     ///
     /// # Errors
     ///
-    /// If no step gives a finite state and meets the tolerance, or its end cannot be [projected](Dynamics::project). The stepper keeps its time and state.
+    /// If no step gives a finite state and meets the tolerance, or its end cannot be [projected](Dynamics::project).
+    /// The stepper then keeps its time and state.
     fn step(&mut self, dynamics: &D, target: f64) -> Result<(), IntegrationError>;
 
-    /// The state at a time within the last step, on a curve that ends at the end of the step. It is on the manifold of the dynamics as far
-    /// as the tolerance of the method goes; a [`Run`](crate::problem::Run) and samples [project](Dynamics::project) it.
+    /// Returns the state at a time within the last step, on a curve that ends at the end of the step. It is on the
+    /// manifold of the dynamics within the tolerance of the method; a [`Run`](crate::problem::Run) and samples
+    /// [project](Dynamics::project) it.
     fn interpolate(&mut self, dynamics: &D, t: f64) -> D::State;
 
-    /// Discards what was computed from the dynamics, because they have changed: a new value of a held input, a load
-    /// that was picked up.
+    /// Discards everything computed from the dynamics, because they have changed, for example by a new value of a held
+    /// input.
     fn restart(&mut self, dynamics: &D);
 
-    /// Goes on from another time and state: after an impact, from where an event is within the last step. The statistics
-    /// go on, too.
+    /// Continues from another time and state, for example after an impact, at the time of an event within the last
+    /// step. The statistics are continued, too.
     ///
     /// # Errors
     ///
-    /// If the time, the state or its derivative is not finite, or the state is off the [manifold](Dynamics::project) of the dynamics. The
-    /// stepper is as it was then.
+    /// If the time, the state or its derivative is not finite, or the state is off the [manifold](Dynamics::project) of
+    /// the dynamics. The stepper is then unchanged.
     fn restart_at(&mut self, dynamics: &D, t: f64, x: D::State) -> Result<(), IntegrationError>;
 }
 
@@ -112,20 +114,20 @@ pub struct Statistics {
     pub rejected: u64,
     /// Evaluations of the derivative.
     pub evaluations: u64,
-    /// How far [`Dynamics::project`] has moved the ends of steps: the largest component of a correction over the error that is
-    /// allowed in it; of fixed steps, over the error that a tolerance of 1 would allow. 0 without a projection.
+    /// The largest move of the end of a step by [`Dynamics::project`]: the largest component of a correction over its
+    /// allowed error; for fixed steps, over the error that a tolerance of 1 would allow. 0 without a projection.
     #[cfg_attr(feature = "serde", serde(default))]
     pub projection: f64,
 }
 
 impl Statistics {
-    /// Accepted and rejected steps.
+    /// Returns the number of accepted and rejected steps.
     #[must_use]
     pub fn attempts(&self) -> u64 {
         self.steps.saturating_add(self.rejected)
     }
 
-    /// The cost of this part and of another one.
+    /// Returns the combined statistics of this part and another one.
     #[must_use]
     pub(crate) fn plus(self, other: Self) -> Self {
         Self {
@@ -137,7 +139,7 @@ impl Statistics {
     }
 }
 
-/// The time from `clock` to `target`; none at the target.
+/// Returns the time from `clock` to `target`; `None` at the target.
 pub(crate) fn remaining(clock: &Clock, target: f64) -> Result<Option<f64>, IntegrationError> {
     let remaining = clock.until(target);
     if remaining.is_finite() {
@@ -147,7 +149,8 @@ pub(crate) fn remaining(clock: &Clock, target: f64) -> Result<Option<f64>, Integ
     }
 }
 
-/// The derivative; an error unless it, the time and the state are finite, and errors that are allowed are numbers.
+/// Returns the derivative, or an error unless the derivative, the time and the state are finite and the allowed errors
+/// are valid.
 pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
     t: f64,
@@ -167,7 +170,7 @@ pub(crate) fn checked_derivative<S: Scalar, D: Dynamics<S> + ?Sized>(
     }
 }
 
-/// An error if what is allowed in a component is negative or not a number.
+/// Returns an error if the allowed error of a component is negative or not a number.
 #[inline(never)]
 fn checked_sizes<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
@@ -192,7 +195,8 @@ fn checked_sizes<S: Scalar, D: Dynamics<S> + ?Sized>(
     }
 }
 
-/// The derivative, where it is one evaluation of many: its code is not repeated there.
+/// Evaluates the derivative out of line. It is called where it is one evaluation of many, so that its code is not
+/// repeated there.
 #[inline(never)]
 pub(crate) fn derivative_apart<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
@@ -202,7 +206,7 @@ pub(crate) fn derivative_apart<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics.derivative(t, x)
 }
 
-/// An error unless the time and the state are finite.
+/// Returns an error unless the time and the state are finite.
 #[inline]
 pub(crate) fn checked_state<S: Scalar, D: Dynamics<S> + ?Sized>(
     dynamics: &D,
@@ -231,7 +235,7 @@ fn non_finite_state<S: Scalar, D: Dynamics<S> + ?Sized>(
     }
 }
 
-/// The value of a lane that is not finite.
+/// Returns the value of a lane that is not finite.
 fn non_finite_lane<S: Scalar>(value: S) -> f64 {
     let least = value.smallest();
     if least.is_finite() {

@@ -34,29 +34,31 @@ use super::tolerance::Tolerance;
 use crate::limits::taylor::SINGULARITY_TOLERANCE;
 use crate::scalar::Scalar;
 
-/// The Taylor series method of order 2·`HALF`, with steps that are chosen from the last coefficients, and the
-/// polynomials as dense output.
+/// The Taylor series method of order 2·`HALF`.
+///
+/// The step sizes are chosen from the last coefficients, and the polynomials are the dense output.
 ///
 /// The last two terms of the polynomial, at the end of a step, are about absoluteᵢ + relative · sizeᵢ for each
-/// component. The size of a component is what it reaches within the step, and for the rest the tolerances mean what they
-/// mean for [`Dop853`](crate::Dop853#tolerances), but that the time T is 8 times as long: they depend neither on the
-/// unit of time nor on how far an angle has turned, and sizes can be given by coordinate. Without a tolerance that is
-/// set, both are the machine epsilon of the scalar: the method costs little more at full accuracy. A relative tolerance
-/// alone does not depend on any unit.
+/// component. The size of a component is the largest value that it reaches within the step. Otherwise the tolerances
+/// mean what they mean for [`Dop853`](crate::Dop853#tolerances), except that the time T is 8 times as long: they depend
+/// neither on the unit of time nor on how far an angle has turned, and sizes can be given by coordinate. By default,
+/// both tolerances are the machine epsilon of the scalar, since full accuracy costs little more with this method. A
+/// relative tolerance alone does not depend on any unit.
 ///
-/// A series does not see what comes: where a force has a corner, its polynomial goes on as before it. So the derivative
-/// at the end of a step is compared with that of the polynomial, and in a step that is long, or for which a polynomial
-/// of low degree is enough, at sixteen times within it, too; where they differ, the step is shortened. For a force that acts for
-/// a shorter time, such as a pulse of an external function, set [`max_step`](Self::max_step) to less than its duration. With dual
-/// numbers the derivative parts count, too, relative to their largest component, so that a derivative is as accurate
-/// where the value rests.
+/// A series cannot anticipate a change of the equations: where a force has a corner, the polynomial continues as before
+/// it. Therefore the derivative at the end of a step is compared with the derivative of the polynomial. In a step that
+/// is long, or for which a polynomial of low degree is enough, they are also compared at sixteen times within it. Where
+/// they differ, the step is shortened. If a force acts for a shorter time, such as a pulse of an external function, set
+/// [`max_step`](Self::max_step) to less than its duration. With dual numbers the derivative parts count, too, relative
+/// to their largest component, so that a derivative is equally accurate where the value is at rest.
 ///
 /// # Corners and jumps
 ///
-/// The corners and jumps of |u|, sgn u, min, max and atan2 in a declaration are found by the series of their switching functions
-/// ([`Series::branches`]), however short a contact is. Where the equations behind one differ from the polynomial, the step ends
-/// there, to the digits of the scalar, and the next one begins on the branch behind: square waves, relays, forces that are switched
-/// on, dry friction that reverses. Sensitivities (dual numbers, `StateTransition`) jump with the force.
+/// The corners and jumps of |u|, sgn u, min, max and atan2 in a declaration are found from the series of their
+/// switching functions ([`Series::branches`]), however short a contact is. If the equations after a change of sign
+/// differ from the polynomial, the step ends there, to the digits of the scalar, and the next step begins on the new
+/// branch. This covers square waves, relays, forces that are switched on, and dry friction that reverses. Sensitivities
+/// (dual numbers, `StateTransition`) jump with the force.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -72,10 +74,10 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
-/// Where the equations on both sides of a discontinuity surface lead back to it, as dry friction that holds a mass, the motion
-/// cannot leave it: [`IntegrationError::SlidingMode`] names the switching function and the time.
+/// If the equations on both sides of a discontinuity surface lead back to it, like dry friction that holds a mass, the
+/// motion cannot leave it: [`IntegrationError::SlidingMode`] names the switching function and the time.
 ///
-/// It integrates what has a [`Series`]: a model with the clause `taylor` in its declaration.
+/// The method integrates systems that have a [`Series`], such as a model with the clause `taylor` in its declaration.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -98,13 +100,13 @@ use crate::scalar::Scalar;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Taylor<const HALF: usize = 14> {
-    /// The machine epsilon of the scalar unless set.
+    /// The machine epsilon of the scalar if `None`.
     tolerance: Option<Tolerance>,
     max_step: Option<f64>,
 }
 
 impl Taylor<6> {
-    /// The method of order 12, for relative tolerances of about 10⁻⁸.
+    /// Creates the method of order 12, for relative tolerances of about 10⁻⁸.
     #[must_use]
     pub fn order_12() -> Self {
         Self::of_half_order()
@@ -112,7 +114,7 @@ impl Taylor<6> {
 }
 
 impl Taylor<8> {
-    /// The method of order 16, for relative tolerances of about 10⁻¹².
+    /// Creates the method of order 16, for relative tolerances of about 10⁻¹².
     #[must_use]
     pub fn order_16() -> Self {
         Self::of_half_order()
@@ -120,11 +122,11 @@ impl Taylor<8> {
 }
 
 impl Taylor<14> {
-    /// The method of order 28, for the accuracy of `f64`.
+    /// Creates the method of order 28, for the accuracy of `f64`.
     ///
-    /// The best order for a tolerance ε is −½ ln ε + 1 where the cost of a step grows by the square of its order (Jorba &
-    /// Zou 2005, section 3.2), which is 19. It grows more slowly here: the processor waits for the terms of one order,
-    /// and does most of the sums meanwhile.
+    /// The best order for a tolerance ε is −½ ln ε + 1 if the cost of a step grows with the square of its order (Jorba
+    /// & Zou 2005, section 3.2), which would be 19. Here the cost grows more slowly: the processor waits for the terms
+    /// of one order, and computes most of the sums meanwhile.
     #[must_use]
     pub fn new() -> Self {
         Self::of_half_order()
@@ -132,7 +134,7 @@ impl Taylor<14> {
 }
 
 impl Taylor<20> {
-    /// The method of order 40, for the accuracy of double-doubles.
+    /// Creates the method of order 40, for the accuracy of double-doubles.
     #[must_use]
     pub fn order_40() -> Self {
         Self::of_half_order()
@@ -140,7 +142,7 @@ impl Taylor<20> {
 }
 
 impl<const HALF: usize> Taylor<HALF> {
-    /// The method of order 2·`HALF`.
+    /// Creates the method of order 2·`HALF`.
     #[must_use]
     pub fn of_half_order() -> Self {
         const { assert!(HALF > 0, "the order of a Taylor polynomial is at least 2") }
@@ -150,7 +152,8 @@ impl<const HALF: usize> Taylor<HALF> {
         }
     }
 
-    /// Sets the tolerance of the last terms relative to the size of a component. The absolute one is 0 unless it is set.
+    /// Sets the tolerance of the last terms relative to the size of a component. The absolute tolerance is then 0
+    /// unless it is set.
     #[must_use]
     pub fn relative_tolerance(mut self, relative: f64) -> Self {
         let absolute = self.tolerance.map_or(0.0, |tolerance| tolerance.absolute);
@@ -158,8 +161,8 @@ impl<const HALF: usize> Taylor<HALF> {
         self
     }
 
-    /// Sets the tolerance of the last terms in the units of a coordinate; that of a velocity is divided by a
-    /// [time of the motion](crate::Dop853#tolerances). The relative one is 0 unless it is set.
+    /// Sets the tolerance of the last terms in the units of a coordinate. For a velocity it is divided by a [time scale
+    /// of the motion](crate::Dop853#tolerances). The relative tolerance is then 0 unless it is set.
     #[must_use]
     pub fn absolute_tolerance(mut self, absolute: f64) -> Self {
         let relative = self.tolerance.map_or(0.0, |tolerance| tolerance.relative);

@@ -24,7 +24,7 @@ pub(super) struct KeptSoFar {
 }
 
 impl Part {
-    /// The integration of a problem in one go.
+    /// Returns the only part of an integration in one go.
     pub(super) fn whole(origin: f64, end: f64) -> Self {
         Self {
             origin,

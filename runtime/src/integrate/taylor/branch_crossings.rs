@@ -1,58 +1,58 @@
-//! Where a motion passes from one branch of its equations to another.
+//! The times at which a motion passes from one branch of its equations to another.
 //!
-//! A series continues the branch on which a step begins: that of |u|, sgn u, min, max and atan2. A contact that begins and
-//! ends within a step does not show at its end. The switching functions, whose signs distinguish branches, have series of
-//! their own. Behind each change of their signs the series of the motion is compared with the equations; where they differ, the
-//! step ends at that change (L. Dieci & L. Lopez, *A survey of numerical methods for IVPs of ODEs with discontinuous
-//! right-hand side*, J. Comput. Appl. Math. **236** (2012) 3967–3991, section 3).
+//! A series continues the branch on which a step begins, for example of |u|, sgn u, min, max or atan2. A contact that
+//! begins and ends within a step does not show at its end. The switching functions, whose signs distinguish branches,
+//! have their own series. After each change of their signs the series of the motion is compared with the equations. If
+//! they differ, the step ends at that change (L. Dieci & L. Lopez, *A survey of numerical methods for IVPs of ODEs with
+//! discontinuous right-hand side*, J. Comput. Appl. Math. **236** (2012) 3967–3991, section 3).
 
 use super::unit_polynomial::UnitPolynomial;
 use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{CONVERGED, MAX_CROSSINGS, MAX_HALVINGS, ONE_SIGN};
 
-/// Visits the Taylor coefficients of each switching function in turn.
+/// A visitor of the Taylor coefficients of each switching function in turn.
 pub type BranchVisitor<'a, S> = dyn FnMut(&mut dyn Iterator<Item = S>) + 'a;
 
-/// A change of the sign of a switching function.
+/// A sign change of a switching function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Crossing {
-    /// Where it is, as a part of the step.
+    /// The position as a fraction of the step.
     pub(super) at: f64,
     /// The index of the switching function.
     pub(super) function: usize,
 }
 
-/// The changes of sign of switching functions within a step, in order.
+/// The sign changes of switching functions within a step, in order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BranchCrossings {
     crossings: [Crossing; MAX_CROSSINGS],
     count: usize,
-    /// How many functions have been looked at.
+    /// The number of functions that were examined.
     functions: usize,
-    /// A part of the step within which two times are the same but for rounding.
+    /// The fraction of the step within which two times are equal to rounding.
     resolution: f64,
-    /// The part of the step over which the series of all functions converge; 1 or less.
+    /// The fraction of the step over which the series of all functions converge; at most 1.
     pub(super) converging: f64,
-    /// A function that is zero at the end of the step but for rounding.
+    /// A function that is zero to rounding at the end of the step.
     pub(super) at_end: Option<usize>,
-    /// Whether a function is nothing but rounding errors, so that its changes of sign are unknown.
+    /// Whether a function consists of rounding errors only, so that its sign changes are unknown.
     pub(super) has_noise: bool,
 }
 
 /// A step in which switching functions change their signs.
 pub(super) struct SearchedStep<T, M> {
-    /// Its length in units of the series.
+    /// The length of the step in units of the series.
     pub(super) length: f64,
     /// The machine epsilon of the coefficients.
     pub(super) epsilon: f64,
-    /// The greater of the last two terms of the motion's series at the end of the step, over the sum of all.
+    /// The larger of the last two terms of the motion's series at the end of the step, over the sum of all terms.
     pub(super) last_terms: T,
-    /// The sum of the terms of the motion's series in its largest component.
+    /// The sum of the terms of the motion's series in the component with the largest sum.
     pub(super) size: M,
 }
 
 impl BranchCrossings {
-    /// None, in a step of which a part of this length is a rounding error of the time.
+    /// Creates an empty list for a step of which a fraction `resolution` is a rounding error of the time.
     pub(super) fn none(resolution: f64) -> Self {
         Self {
             crossings: [Crossing {
@@ -68,8 +68,8 @@ impl BranchCrossings {
         }
     }
 
-    /// Adds the changes of sign of the next function, which has these coefficients. One that has no series at the beginning of
-    /// the step has none.
+    /// Adds the sign changes of the next function, which has these coefficients. A function without a series at the
+    /// beginning of the step has none.
     pub(super) fn add<T: Fn() -> f64, M: Fn() -> f64>(
         &mut self,
         coefficients: impl Iterator<Item = f64>,
@@ -130,7 +130,8 @@ impl BranchCrossings {
         }
     }
 
-    /// Whether the sign with which a step begins, by which its branch was chosen, is not that behind its beginning.
+    /// Whether the sign at the beginning of a step, by which its branch was chosen, differs from the sign just after
+    /// the beginning.
     fn begins_on_other_branch(&self, polynomial: &UnitPolynomial) -> bool {
         let mut coefficients = polynomial.coefficients().iter();
         let value = coefficients.next().copied().unwrap_or(0.0);
@@ -146,8 +147,8 @@ impl BranchCrossings {
         value == 0.0 || value * behind < 0.0
     }
 
-    /// Adds a change, unless there is one at that time already. Of more than are kept, those that come last are left out: the
-    /// step is to end before them.
+    /// Adds a sign change, unless there already is one at that time. If there are more than can be kept, the last ones
+    /// are dropped, and the step is to end before them.
     fn insert(&mut self, crossing: Crossing) {
         let kept = &self.crossings[..self.count];
         let is_together = |other: &Crossing| (other.at - crossing.at).abs() <= self.resolution;
@@ -167,8 +168,9 @@ impl BranchCrossings {
         }
     }
 
-    /// Each change of sign with two times between it and the next, or the end of the step. They divide it by the golden section:
-    /// what is symmetric or antisymmetric about the middle does not vanish at both.
+    /// Returns each sign change with two times between it and the next one, or the end of the step. They divide this
+    /// interval by the golden section, so that a function that is symmetric or antisymmetric about the middle does not
+    /// vanish at both.
     pub(super) fn with_times_behind(&self) -> impl Iterator<Item = (Crossing, [f64; 2])> + '_ {
         let crossings = &self.crossings[..self.count];
         let next = crossings.iter().skip(1).map(|next| next.at);
@@ -181,7 +183,7 @@ impl BranchCrossings {
     }
 }
 
-/// The part of a step over which the last two terms are small in relation to the sum of all.
+/// Returns the fraction of a step over which the last two terms are small relative to the sum of all terms.
 fn converging_part(terms: &[f64], allowed: impl Fn() -> f64) -> f64 {
     let (mut part, mut limit) = (1.0, CONVERGED);
     for halving in 0..MAX_HALVINGS {
@@ -204,8 +206,8 @@ fn converging_part(terms: &[f64], allowed: impl Fn() -> f64) -> f64 {
     part
 }
 
-/// Terms below so many rounding errors of those of the motion are rounding errors.
+/// Terms below this number of rounding errors of the motion's terms are rounding errors.
 const NOISE: f64 = 64.0;
 
-/// The smaller part, (3 − √5)/2.
+/// The smaller part of the golden section, (3 − √5)/2.
 const GOLDEN_SECTION: f64 = 0.381_966_011_250_105_1;

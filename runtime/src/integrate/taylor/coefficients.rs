@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TaylorCoefficients<X, const HALF: usize> {
     initial: X,
-    /// The coefficients of order 1 and more.
+    /// The coefficients of order 1 and higher.
     #[cfg_attr(feature = "serde", serde(with = "crate::array_as_tuple"))]
     #[cfg_attr(
         feature = "serde",
@@ -24,7 +24,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
     /// The order of the polynomial.
     pub const ORDER: usize = 2 * HALF;
 
-    /// The polynomial whose coefficients are all `initial`, until they are set.
+    /// Creates the polynomial whose coefficients are all `initial`, until they are set.
     #[inline]
     #[must_use]
     pub fn new(initial: X) -> Self {
@@ -32,33 +32,33 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         Self { initial, pairs }
     }
 
-    /// The coefficient of order 0.
+    /// Returns the coefficient of order 0.
     #[inline]
     #[must_use]
     pub fn initial(&self) -> &X {
         &self.initial
     }
 
-    /// The coefficient of order 0, to be set.
+    /// Returns the coefficient of order 0 for modification.
     #[inline]
     pub fn initial_mut(&mut self) -> &mut X {
         &mut self.initial
     }
 
-    /// The coefficients of order 1 and more, in order.
+    /// Returns the coefficients of order 1 and higher, in order.
     #[inline]
     #[must_use]
     pub fn higher(&self) -> &[X] {
         self.pairs.as_flattened()
     }
 
-    /// The coefficients of order 1 and more, to be set.
+    /// Returns the coefficients of order 1 and higher for modification.
     #[inline]
     pub fn higher_mut(&mut self) -> &mut [X] {
         self.pairs.as_flattened_mut()
     }
 
-    /// The polynomial of what is made of each coefficient.
+    /// Applies a function to each coefficient.
     #[inline]
     pub(crate) fn map<Y>(&self, function: impl Fn(&X) -> Y) -> TaylorCoefficients<Y, HALF> {
         TaylorCoefficients {
@@ -67,7 +67,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         }
     }
 
-    /// The terms up to the order 2·`LEADING`; beyond the order of this polynomial, its last coefficients again.
+    /// Returns the terms up to the order 2·`LEADING`; orders beyond this polynomial repeat its last coefficients.
     #[inline]
     pub(crate) fn leading<const LEADING: usize>(&self) -> TaylorCoefficients<X, LEADING> {
         let pairs = if let Some(pairs) = self.pairs.first_chunk() {
@@ -82,7 +82,8 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         }
     }
 
-    /// The greater of the last two terms at τ, over the sum of the magnitudes of all, in the worst component.
+    /// Returns the larger of the last two terms at τ, over the sum of the magnitudes of all terms, in the worst
+    /// component.
     pub(crate) fn last_terms<S: Scalar>(&self, tau: f64) -> f64
     where
         X: VectorSpace<S>,
@@ -90,7 +91,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         self.last_terms_in(S::from_f64(tau), S::largest)
     }
 
-    /// The same of what `read` reads of a scalar, such as the value in a lane.
+    /// [`last_terms`](Self::last_terms) of the number that `read` extracts from a scalar, such as the value in a lane.
     pub(super) fn last_terms_in<S: Scalar>(&self, tau: S, read: impl Fn(S) -> f64) -> f64
     where
         X: VectorSpace<S>,
@@ -103,7 +104,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         ratios.fold(0.0, f64::max)
     }
 
-    /// The sum of the magnitudes of all terms at τ but the constant, in the component in which it is greatest.
+    /// Returns the sum of the magnitudes of all terms but the constant at τ, in the component in which it is largest.
     pub(super) fn change_size_in<S: Scalar>(&self, tau: S, read: impl Fn(S) -> f64) -> f64
     where
         X: VectorSpace<S>,
@@ -112,7 +113,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         sum.components().map(read).fold(0.0, f64::max)
     }
 
-    /// The sum of the magnitudes of the terms at τ but the constant, and those of the last two.
+    /// Returns the sum of the magnitudes of all terms but the constant at τ, and the magnitudes of the last two terms.
     fn term_sizes<S: Scalar>(&self, tau: S) -> (X, [X; 2])
     where
         X: VectorSpace<S>,
@@ -131,7 +132,8 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         (sum, last)
     }
 
-    /// Adds a change to the value at τ, by the coefficient of the highest order, so that it is least noticed before.
+    /// Adds a change to the value at τ by the coefficient of the highest order, so that earlier values are affected
+    /// least.
     pub(super) fn change_end<S: Scalar>(&mut self, tau: S, change: &X)
     where
         X: VectorSpace<S>,
@@ -141,7 +143,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         }
     }
 
-    /// The same in one lane.
+    /// [`change_end`](Self::change_end) in one lane.
     pub(super) fn change_end_in<const L: usize>(&mut self, lane: usize, tau: f64, change: &X::Lane)
     where
         X: LaneStates<L>,
@@ -153,7 +155,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         }
     }
 
-    /// The coefficient of the highest order for which a change can be divided by the power of τ, and that power.
+    /// Returns the coefficient of the highest order whose power of τ can divide a change, and that power.
     fn last_that_counts<S: Scalar>(&mut self, tau: S) -> Option<(&mut X, S)> {
         let least = libm::sqrt(S::min_positive().largest());
         let (mut power, mut order) = (tau, 1);
@@ -164,7 +166,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         Some((self.higher_mut().get_mut(order - 1)?, power))
     }
 
-    /// The coefficients about τ.
+    /// Returns the coefficients about τ.
     pub(crate) fn shifted<S: Scalar>(&self, tau: S) -> Self
     where
         X: VectorSpace<S>,
@@ -185,8 +187,8 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         shifted
     }
 
-    /// x(τ) − x(0), by Horner's rule for the coefficients of odd and of even order in turn, so that one need not wait for
-    /// the other (Knuth, *The Art of Computer Programming* 2, 3rd edition 1997, section 4.6.4).
+    /// Returns x(τ) − x(0), by Horner's rule for the coefficients of odd and of even order in turn, so that neither has
+    /// to wait for the other (Knuth, *The Art of Computer Programming* 2, 3rd edition 1997, section 4.6.4).
     #[inline]
     #[must_use]
     pub fn change<S: Scalar>(&self, tau: S) -> X
@@ -203,7 +205,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         with_higher(&odd, tau, &even).map(|component| component * tau)
     }
 
-    /// dx/dτ.
+    /// Returns dx/dτ.
     #[inline]
     #[must_use]
     pub fn derivative<S: Scalar>(&self, tau: S) -> X
@@ -213,8 +215,8 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         self.change_and_derivative(tau).1
     }
 
-    /// x(τ) − x(0) and dx/dτ, by the same rule for a polynomial and its derivative: with x(τ) − x(0) = τ A(τ²) + τ² B(τ²),
-    /// dx/dτ = A + 2 τ B + 2 τ² (A′ + τ B′).
+    /// Returns x(τ) − x(0) and dx/dτ, by Horner's rule for a polynomial and its derivative: with x(τ) − x(0) = τ A(τ²)
+    /// + τ² B(τ²), dx/dτ = A + 2 τ B + 2 τ² (A′ + τ B′).
     #[inline]
     #[must_use]
     pub fn change_and_derivative<S: Scalar>(&self, tau: S) -> (X, X)
@@ -240,7 +242,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         (change, with_higher(&slope, square + square, &higher))
     }
 
-    /// The coefficients of the highest orders, with which a rule begins.
+    /// Returns the coefficients of the highest orders, with which Horner's rule begins.
     #[inline]
     fn last_pair(&self, pair: Option<&[X; 2]>) -> [X; 2] {
         match pair {
@@ -250,7 +252,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
     }
 }
 
-/// x + τ · higher.
+/// Returns x + τ · higher.
 #[inline]
 fn with_higher<S: Scalar, X: VectorSpace<S>>(x: &X, tau: S, higher: &X) -> X {
     let mut sum = x.clone();
@@ -258,7 +260,7 @@ fn with_higher<S: Scalar, X: VectorSpace<S>>(x: &X, tau: S, higher: &X) -> X {
     sum
 }
 
-/// An order as a number.
+/// Converts an order to a floating-point number.
 #[allow(clippy::cast_precision_loss)] // Orders are small.
 pub(super) const fn number(order: usize) -> f64 {
     order as f64
@@ -270,7 +272,7 @@ mod tests {
 
     use super::{TaylorCoefficients, number};
 
-    /// Fails unless the polynomial with the coefficients 1, 2, … is what its definition says.
+    /// Asserts that the polynomial with the coefficients 1, 2, … agrees with its definition.
     fn check<const HALF: usize>() {
         let mut polynomial = TaylorCoefficients::<_, HALF>::new(SVector::from([7.0_f64]));
         for (index, coefficient) in polynomial.higher_mut().iter_mut().enumerate() {
@@ -282,7 +284,7 @@ mod tests {
             };
             let change: f64 = terms(0).map(|(k, power)| number(k) * power).sum();
             let slope: f64 = terms(1).map(|(k, power)| number(k * k) * power).sum();
-            // 0⁰ is 1, the inverse of 0 does not occur.
+            // 0⁰ is 1; the inverse of 0 does not occur.
             let size: f64 = terms(0).map(|(k, power)| number(k * k) * power.abs()).sum();
             let (found, derivative) = polynomial.change_and_derivative(tau);
             assert!((found[0] - change).abs() <= 1e-14 * size, "{tau}");

@@ -3,28 +3,29 @@
 use super::recurrences::convolution;
 use crate::scalar::Scalar;
 
-/// Convolutions order after order, as each order is known only after the one before (relaxed multiplication: J. van der
+/// Convolutions, order by order, as each order is known only after the previous one (relaxed multiplication: J. van der
 /// Hoeven, *Relax, but Don't be Too Lazy*, Journal of Symbolic Computation **34** (2002) 479–542).
 pub(crate) trait OnlineConvolutions<S, const FACTORS: usize, const PAIRS: usize> {
-    /// The sums of the next order, given the terms of the present one, of order 1 at first, and the indices of the factors
-    /// that are paired. Those of order 1 are empty.
+    /// Returns the sums of the next order, given the terms of the present order, which is 1 at first, and the indices
+    /// of the factors in each pair. The sums of order 1 are empty.
     fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) -> [S; PAIRS];
 }
 
-/// As many orders are summed at once: each term that is loaded is in as many products, and the sums stay in registers.
+/// The number of orders that are summed together: each loaded term is used in this number of products, and the sums
+/// stay in registers.
 pub(super) const ORDERS: usize = 4;
 
-/// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of several pairs of factors, order after order.
+/// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of several pairs of factors, order by order.
 ///
-/// The coefficient k of a product is that sum and x₀ yₖ + xₖ y₀.
+/// The coefficient of order k of a product is this sum plus x₀ yₖ + xₖ y₀.
 #[derive(Clone, Debug)]
 #[repr(align(64))] // Lanes are loaded from whole cache lines.
 pub(crate) struct Convolutions<S, const FACTORS: usize, const PAIRS: usize, const HALF: usize> {
     /// The terms of order 1, 2, … of each factor.
     terms: [[[S; 2]; HALF]; FACTORS],
-    /// What is known of the sums of the orders n + 1 to n + 4, where n is the multiple of 4 below the present order.
+    /// The known parts of the sums of orders n + 1 to n + 4, where n is the multiple of 4 below the present order.
     sums: [[S; ORDERS]; PAIRS],
-    /// The number of pairs before those that fill the last block by repeating one.
+    /// The number of pairs before the repetitions of one that fill the last block.
     different: usize,
     order: usize,
 }
@@ -32,7 +33,7 @@ pub(crate) struct Convolutions<S, const FACTORS: usize, const PAIRS: usize, cons
 impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     Convolutions<S, FACTORS, PAIRS, HALF>
 {
-    /// The convolutions of order 1 of some pairs of factors, which are empty sums.
+    /// Creates the convolutions of order 1 for these pairs of factors, which are empty sums.
     #[inline]
     pub(crate) fn new(pairs: &[[usize; 2]; PAIRS]) -> Self {
         let repeated = pairs.windows(2).rev().take_while(|pair| pair[0] == pair[1]);
@@ -44,7 +45,7 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
         }
     }
 
-    /// Changes the sums of each pair, given the terms that are known.
+    /// Updates the sums of each pair from the terms that are known.
     #[inline]
     fn each(
         &mut self,
@@ -92,8 +93,8 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     }
 }
 
-/// The convolutions up to so low an order that the pairs of factors need no memory for sums: those of all pairs are computed
-/// side by side, term by term.
+/// Convolutions up to such a low order that the pairs of factors need no memory for sums: the sums of all pairs are
+/// computed side by side, term by term.
 #[derive(Clone, Debug)]
 pub(crate) struct FewConvolutions<S, const FACTORS: usize, const HALF: usize> {
     /// The terms of order 1, 2, … of all factors.
@@ -133,7 +134,8 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     }
 }
 
-/// The sums of the products whose orders add up to n + 1, …, n + 4, of the n terms that are known, a multiple of 4.
+/// Returns the sums of the products whose orders add up to n + 1, …, n + 4, over the n known terms, where n is a
+/// multiple of 4.
 #[inline]
 fn products<S: Scalar>(x: &[S], y: &[S]) -> [S; ORDERS] {
     let mut sums = [S::zero(); ORDERS];
@@ -148,7 +150,7 @@ fn products<S: Scalar>(x: &[S], y: &[S]) -> [S; ORDERS] {
         }
     }
     let windows = before.windows(ORDERS + 1).rev().step_by(2);
-    // Two sums of each order, so that one need not wait for the other.
+    // There are two sums for each order, so that neither has to wait for the other.
     let mut others = [S::zero(); ORDERS];
     for ([x_i, x_j], y) in x.as_chunks::<2>().0.iter().zip(windows) {
         for (sum, y) in sums.iter_mut().zip(&y[1..]) {
@@ -164,7 +166,7 @@ fn products<S: Scalar>(x: &[S], y: &[S]) -> [S; ORDERS] {
     sums
 }
 
-/// A sum and those of its products that have one of the last terms.
+/// Adds the products that contain one of the last terms to a sum.
 #[inline]
 fn with_last<S: Scalar, const LAST: usize>(x: &[S], y: &[S], sum: S) -> S {
     let ends = (

@@ -1,14 +1,15 @@
 //! The passage of a motion through a discontinuity surface, on which a switching function g is zero.
 //!
-//! A. F. Filippov, *Differential Equations with Discontinuous Righthand Sides* (1988), § 10; L. Dieci & L. Lopez, *A survey of
-//! numerical methods for IVPs of ODEs with discontinuous right-hand side*, J. Comput. Appl. Math. **236** (2012) 3967–3991,
-//! section 2: where the vector fields of both sides point to the same one, the motion crosses the surface (a transversal
-//! crossing); where both point to the surface, it stays on it (a sliding mode).
+//! A. F. Filippov, *Differential Equations with Discontinuous Righthand Sides* (1988), § 10; L. Dieci & L. Lopez, *A
+//! survey of numerical methods for IVPs of ODEs with discontinuous right-hand side*, J. Comput. Appl. Math. **236**
+//! (2012) 3967–3991, section 2. If the vector fields on both sides point to the same side, the motion crosses the
+//! surface (a transversal crossing); if both point towards the surface, it stays on it (a sliding mode).
 //!
-//! On the surface itself rounding would choose the branch. So the equations are evaluated a short time behind it, where the
-//! motion before it, continued, has a certain sign of g; and what the motion would have done between the surface and there on
-//! the branch behind is put in place of what it has done on the one before. This is repeated until it changes nothing. The time
-//! of the crossing is a scalar: its digits beyond those of `f64`, and its derivative parts, are in the state behind.
+//! On the surface itself rounding would choose the branch. The equations are therefore evaluated a short time after it,
+//! where the continuation of the motion before the surface has a certain sign of g. The motion between the surface and
+//! this time on the old branch is then replaced by the motion on the new branch. This is repeated until it changes
+//! nothing. The time of the crossing is a scalar: the state after it includes its digits beyond `f64` and its
+//! derivative parts.
 
 use super::branch_crossings::Crossing;
 use super::residual::moved;
@@ -22,24 +23,24 @@ use crate::limits::taylor::{
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// A step that leads to a discontinuity surface, of one motion or of one in a lane.
+/// A step that leads to a discontinuity surface, of a single motion or of a motion in a lane.
 pub(super) struct StepToSurface<'a, S: Scalar, D: Series<S> + ?Sized, const HALF: usize> {
     pub(super) dynamics: &'a D,
-    /// The state at its beginning.
+    /// The state at the beginning of the step.
     pub(super) from: &'a Compensated<D::State>,
-    /// The series about its beginning.
+    /// The series about the beginning of the step.
     pub(super) coefficients: &'a TaylorCoefficients<D::State, HALF>,
     /// The unit of time of the series.
     pub(super) unit: S,
-    /// A time as a scalar.
+    /// Converts a time to a scalar.
     pub(super) time: &'a dyn Fn(f64) -> S,
-    /// The argument of the series at a time.
+    /// Returns the argument of the series at a time.
     pub(super) argument: &'a dyn Fn(f64) -> S,
     pub(super) lane: usize,
     pub(super) begin: f64,
-    /// Its end, if there were no surface.
+    /// The end of the step if there were no surface.
     pub(super) end: f64,
-    /// The time that is not to be passed.
+    /// The time that must not be passed.
     pub(super) target: f64,
 }
 
@@ -49,13 +50,14 @@ pub(super) struct Arrival<X> {
     pub(super) state: Compensated<X>,
 }
 
-/// What becomes of a motion at a discontinuity surface.
+/// The continuation of a motion at a discontinuity surface.
 pub(super) enum Passage<X> {
-    /// It goes on behind it, or ends on it.
+    /// The motion continues after the surface, or ends on it.
     Crosses(Arrival<X>),
-    /// It would be led back at once: a sliding mode. The state is that to which the branch before it leads.
+    /// The motion would be led back immediately: a sliding mode. The state is the one to which the branch before the
+    /// surface leads.
     Slides(Arrival<X>),
-    /// The sign of the switching function is nowhere certain.
+    /// The sign of the switching function is not certain anywhere.
     Unclear,
 }
 
@@ -65,13 +67,13 @@ struct Along<S> {
 }
 
 impl<S: Scalar> Along<S> {
-    /// The value at an argument.
+    /// Returns the value at an argument.
     fn value(&self, tau: S) -> S {
         let coefficients = self.coefficients.iter().rev();
         coefficients.fold(S::zero(), |sum, a| sum * tau + *a)
     }
 
-    /// The change from the beginning to an argument.
+    /// Returns the change from the beginning to an argument.
     fn change(&self, tau: S) -> S {
         let higher = self.coefficients.iter().skip(1).rev();
         tau * higher.fold(S::zero(), |sum, a| sum * tau + *a)
@@ -79,7 +81,8 @@ impl<S: Scalar> Along<S> {
 }
 
 impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D, HALF> {
-    /// What becomes of the motion. `behind` is where series are computed; the number of evaluations is added.
+    /// Determines how the motion continues. Series are computed in `behind`; the number of evaluations is added to
+    /// `evaluations`.
     pub(super) fn pass(
         &self,
         crossing: Crossing,
@@ -92,11 +95,11 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
         let h = self.end - self.begin;
         let after = self.read(root) * self.read(self.unit);
         let time = self.begin + if after * h > 0.0 { after } else { 0.0 };
-        // Steps end at times that are numbers of `f64`, whatever the scalar.
+        // Steps end at times that are `f64` numbers, whatever the scalar.
         let epsilon = S::machine_epsilon().max(f64::EPSILON);
         let first = FIRST_PUSH * epsilon * (time.abs() + h.abs());
         let function = (crossing.function, root);
-        // Behind a corner the series may converge up to it alone, as that of a root.
+        // After a corner the series may converge only up to it, like the series of a square root.
         let long = 0.25 * libm::sqrt(epsilon) * h.abs();
         let t = time + long.copysign(h);
         if long > first
@@ -121,7 +124,8 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
         Passage::Unclear
     }
 
-    /// The argument at which the switching function is zero: to the digits of the scalar, with its derivative parts.
+    /// Returns the argument at which the switching function is zero, to the digits of the scalar and with its
+    /// derivative parts.
     fn root(&self, crossing: Crossing) -> Option<S> {
         let whole = (self.argument)(self.end);
         let mut root = whole * S::from_f64(crossing.at);
@@ -136,14 +140,14 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
         if slope == 0.0 {
             return Some(root);
         }
-        // The root is known to many digits; only of a multiple one nothing more is found.
+        // The root is already known to many digits; a multiple root is not improved.
         let resolution = RESOLUTION * f64::EPSILON * self.read(whole).abs();
         let largest = resolution.max(MAX_PUSH * self.read(root).abs());
         for _ in 0..ROOT_ITERATIONS {
             let value = if last_terms <= S::machine_epsilon() {
                 along.value(root)
             } else {
-                // The function is known by its values alone.
+                // The function is known only by its values.
                 let state = self.from.plus(self.coefficients.change(root));
                 let state = state.reduced(self.dynamics);
                 let t = (self.time)(self.begin) + root * self.unit;
@@ -164,7 +168,8 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
         Some(root)
     }
 
-    /// The derivative of a switching function at an argument, and the greater of the last two terms there over the sum of all.
+    /// Returns the derivative of a switching function at an argument, and the larger of its last two terms there over
+    /// the sum of all terms.
     fn slope_and_last_terms(&self, along: &Along<S>, tau: f64) -> [f64; 2] {
         let (mut power, mut before, mut order) = (1.0, 0.0, 0.0);
         let (mut slope, mut sum, mut last) = (0.0, 0.0, [0.0; 2]);
@@ -180,8 +185,8 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
         [slope, f64::max(last[0], last[1]) / sum]
     }
 
-    /// What becomes of the motion, if that is certain at a time behind the surface; of a corner alone, where the motion on one
-    /// branch is that on the other up to there but for rounding, if that is asked for.
+    /// Determines how the motion continues, if that is certain at a time after the surface. If `of_corner` is set, only
+    /// a corner is accepted: the motions on both branches then agree up to this time except for rounding.
     fn settle(
         &self,
         (function, root): (usize, S),
@@ -193,7 +198,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
         let on_surface = self.coefficients.change(root);
         let here = (self.time)(t);
         let mut state = self.continued(t).state;
-        // The value of the switching function that the last series leads to, and the first correction of the state.
+        // The value of the switching function predicted by the last series, and the first correction of the state.
         let (mut expected, mut first) = (None, None);
         let least = if S::DERIVATIVES > 0 {
             SETTLING_OF_DERIVATIVES
@@ -236,7 +241,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
         None
     }
 
-    /// The motion on the branch on which the step begins.
+    /// Returns the motion on the branch on which the step begins.
     fn continued(&self, t: f64) -> Arrival<D::State> {
         let change = self.coefficients.change((self.argument)(t));
         Arrival {
@@ -269,7 +274,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
         None
     }
 
-    /// A switching function along a series, or its value alone where the series is that of another state.
+    /// Returns a switching function along a series; only its value is valid if the series belongs to another state.
     fn along(
         &self,
         t: S,
@@ -293,7 +298,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
         found
     }
 
-    /// Whether corrections of a state are rounding errors, or much smaller than the first ones.
+    /// Whether corrections of a state are rounding errors, or much smaller than the first corrections.
     fn is_small(&self, corrections: &D::State, x: &D::State, first: &D::State) -> bool {
         let epsilon = S::machine_epsilon();
         let sizes = x.components().zip(first.components());
@@ -310,7 +315,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
     }
 }
 
-/// The switching function that is zero at a state but for rounding, if there is one.
+/// Returns the switching function that is zero to rounding at a state, if there is one.
 #[cold]
 pub(super) fn surface_at<S: Scalar, D: Series<S> + ?Sized, const HALF: usize>(
     dynamics: &D,

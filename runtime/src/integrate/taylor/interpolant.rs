@@ -6,7 +6,8 @@ use crate::integrate::dense_output::{DenseOutput, Interpolant};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// The motion within a step of a [`Taylor`](crate::Taylor) method: its polynomial, with the error of the step.
+/// The motion within a step of a [`Taylor`](crate::Taylor) method: the polynomial of the step, with the error of the
+/// step.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -17,7 +18,7 @@ use crate::scalar::Scalar;
     ))
 )]
 pub struct TaylorInterpolant<X, const HALF: usize> {
-    /// The time about which it is.
+    /// The time about which the polynomial is expanded.
     pub(super) time: f64,
     /// The state at that time.
     pub(super) from: Compensated<X>,
@@ -28,7 +29,7 @@ pub struct TaylorInterpolant<X, const HALF: usize> {
 }
 
 impl<X, const HALF: usize> TaylorInterpolant<X, HALF> {
-    /// The polynomial that rests at `x`, until its coefficients are computed.
+    /// Creates the polynomial that is constant at `x`, until its coefficients are computed.
     pub(super) fn at_rest<S: Scalar>(time: f64, x: X) -> Self
     where
         X: VectorSpace<S>,
@@ -41,13 +42,13 @@ impl<X, const HALF: usize> TaylorInterpolant<X, HALF> {
         }
     }
 
-    /// The argument of the polynomial.
+    /// Returns the argument of the polynomial at a time.
     pub(super) fn argument<S: Scalar>(&self, t: f64) -> S {
         let [high, low] = difference(t, self.time).map(S::from_f64);
         (high + low) / S::from_f64(self.unit)
     }
 
-    /// The state at an argument and the derivative there by the time.
+    /// Returns the state at an argument, and its derivative with respect to time.
     #[inline]
     pub(super) fn state_and_derivative<S: Scalar>(&self, tau: S) -> (Compensated<X>, X)
     where
@@ -59,7 +60,7 @@ impl<X, const HALF: usize> TaylorInterpolant<X, HALF> {
         (self.from.plus(change), derivative)
     }
 
-    /// The derivative at the time about which it is.
+    /// Returns the derivative at the time about which the polynomial is expanded.
     #[inline]
     pub(super) fn first_derivative<S: Scalar>(&self) -> X
     where
@@ -98,8 +99,8 @@ where
     }
 }
 
-/// The exact difference of two numbers as the sum of two (Knuth, *The Art of Computer Programming* **2**, 3rd edition
-/// (1997), section 4.2.2, theorem B).
+/// Returns the exact difference of two numbers as a sum of two numbers (Knuth, *The Art of Computer Programming* **2**,
+/// 3rd edition (1997), section 4.2.2, theorem B).
 pub(super) fn difference<S: Scalar>(x: S, y: S) -> [S; 2] {
     let high = x - y;
     let part = high - x;
