@@ -1,8 +1,8 @@
-//! The steps of the Taylor series method in lanes, each with a step of its own.
+//! The steps of the Taylor series method in lanes, each with its own step size.
 //!
-//! The arithmetic of the states, the series and their checks is that of [`Lanes`]; what differs between lanes is in
-//! arrays: times, units of time, which of them still move. A lane does not depend on the others, but that its series is
-//! computed as often as that of the lane which needs most.
+//! The arithmetic of states, series and checks is vectorized ([`Lanes`]). Quantities that control single lanes are in
+//! arrays: times, units of time, and which lanes still move. Lanes do not depend on each other, except that every
+//! series is computed as often as the lane that needs most requires.
 
 mod checks;
 mod expansion;
@@ -25,10 +25,10 @@ use crate::limits::taylor::{FIRST_UNIT, LANDING, MIN_STEP};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
 
-/// Takes the steps of a [`Taylor`] method for `L` motions at once, each with its own time, step and end.
+/// The stepper of a [`Taylor`] method for `L` motions at once, each with its own time, step size and end.
 ///
-/// An [`Ensemble`](crate::Ensemble) uses it, and gives lanes that have finished to further motions. Here it is done by
-/// hand:
+/// An [`Ensemble`](crate::Ensemble) uses it, and assigns new motions to lanes that have finished. Here it is used
+/// directly:
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -54,21 +54,22 @@ pub struct TaylorLanes<X, const L: usize, const HALF: usize> {
     method: Taylor<HALF>,
     time: [f64; L],
     state: Compensated<X>,
-    /// Powers of two near the sizes of the steps.
+    /// Powers of two near the step sizes.
     unit: [f64; L],
     /// The polynomials of the last step, about the reduced states.
     coefficients: TaylorCoefficients<X, HALF>,
-    /// Where the last step began, and its units of time.
+    /// The times and states at the beginning of the last step, and its units of time.
     previous: ([f64; L], Compensated<X>, [f64; L]),
     /// The lengths of the last steps, 0 before the first.
     length: [f64; L],
-    /// The times in which the motions go on: those at their starts, or the longest steps so far.
+    /// The time scales of the motions: the ones at their starts, or the longest steps so far.
     time_scale: [f64; L],
     /// Whether a lane has been set since the last step.
     is_new: [bool; L],
     /// The switching function whose discontinuity surface the motion in a lane cannot leave, if there is one.
     sliding: [Option<usize>; L],
-    /// How many of the last steps of each lane ended at discontinuity surfaces after nothing but rounding errors of the time.
+    /// The number of consecutive last steps of each lane that ended at discontinuity surfaces after no more than
+    /// rounding errors of the time.
     short_passages: [u32; L],
     statistics: [Statistics; L],
     errors: [Option<IntegrationError>; L],
@@ -77,7 +78,7 @@ pub struct TaylorLanes<X, const L: usize, const HALF: usize> {
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     const ORDER: usize = 2 * HALF;
 
-    /// All lanes at time `t` and state `x`.
+    /// Creates a stepper with all lanes at time `t` and state `x`.
     #[must_use]
     pub fn new(method: Taylor<HALF>, t: f64, x: &X::Lane) -> Self {
         let state = Compensated::new(X::broadcast(x));
@@ -98,7 +99,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// Sets the time and the state of a lane, in which another motion then begins; nothing if there is no such lane.
+    /// Sets the time and the state of a lane, in which a new motion then begins. Does nothing if there is no such lane.
     pub fn set_lane(&mut self, lane: usize, t: f64, x: &X::Lane) {
         if lane >= L {
             return;
@@ -116,48 +117,48 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.errors[lane] = None;
     }
 
-    /// The time reached in a lane; NaN if there is no such lane.
+    /// Returns the time reached in a lane; NaN if there is no such lane.
     #[must_use]
     pub fn time(&self, lane: usize) -> f64 {
         self.time.get(lane).copied().unwrap_or(f64::NAN)
     }
 
-    /// The state at that time.
+    /// Returns the state at that time.
     #[must_use]
     pub fn state(&self, lane: usize) -> X::Lane {
         self.state.value().lane(lane)
     }
 
-    /// The times reached in all lanes.
+    /// Returns the times reached in all lanes.
     #[must_use]
     pub fn times(&self) -> Lanes<L> {
         Lanes(self.time)
     }
 
-    /// The states in all lanes.
+    /// Returns the states in all lanes.
     #[must_use]
     pub fn states(&self) -> &X {
         self.state.value()
     }
 
-    /// The time from which the last step of a lane was taken; NaN if there is no such lane.
+    /// Returns the time at the beginning of the last step of a lane; NaN if there is no such lane.
     #[must_use]
     pub fn previous_time(&self, lane: usize) -> f64 {
         self.previous.0.get(lane).copied().unwrap_or(f64::NAN)
     }
 
-    /// The states from which the last steps were taken.
+    /// Returns the states at the beginning of the last steps.
     pub(crate) fn previous_states(&self) -> &X {
         self.previous.1.value()
     }
 
-    /// The cost of the motion in a lane so far.
+    /// Returns the statistics of the motion in a lane so far.
     #[must_use]
     pub fn statistics(&self, lane: usize) -> Statistics {
         self.statistics.get(lane).copied().unwrap_or_default()
     }
 
-    /// Why the motion in a lane could not go on, if so. It stays where it is until the lane is
+    /// Returns the error that stopped the motion in a lane, if there is one. The lane keeps its state until it is
     /// [set](Self::set_lane).
     #[must_use]
     pub fn error(&self, lane: usize) -> Option<IntegrationError> {
@@ -171,8 +172,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// The states at times within the last step of each lane, on the manifold of the [dynamics](crate::Dynamics::project) as far as the
-    /// tolerance goes.
+    /// Returns the states at times within the last step of each lane. They are on the manifold of the
+    /// [dynamics](crate::Dynamics::project) within the tolerance.
     #[must_use]
     pub fn interpolate(&self, times: &[f64; L]) -> X {
         let (from, state, unit) = &self.previous;
@@ -181,10 +182,10 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         state.plus(self.coefficients.change(tau)).into_value()
     }
 
-    /// Takes one step in each lane towards its end, and never beyond it; the last one lands on it exactly. A lane at its
-    /// end, or with an error, does nothing.
+    /// Takes one step in each lane towards its end, and never beyond it; the last step lands on it exactly. A lane at
+    /// its end, or with an error, does nothing.
     ///
-    /// The dynamics must be the same in a lane until it is set.
+    /// The dynamics of a lane must not change until the lane is set.
     pub fn step<D>(&mut self, dynamics: &D, ends: &[f64; L])
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
@@ -200,7 +201,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let mut targets = self.time;
         let mut pending = moving;
         let mut component = [None; L];
-        // Of lanes whose steps end at discontinuity surfaces.
+        // The arrivals of lanes whose steps end at discontinuity surfaces.
         let mut arrivals = None;
         loop {
             for lane in lanes(&pending) {
@@ -234,7 +235,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// Where a step of a lane ends that is proposed on the way to `end`; none if it is too small.
+    /// Returns the end of a proposed step of a lane on the way to `end`; `None` if the step is too small.
     fn target(&self, lane: usize, proposed: f64, end: f64) -> Option<f64> {
         let time = self.time[lane];
         let least = (MIN_STEP * f64::EPSILON * time.abs()).max(f64::MIN_POSITIVE);
@@ -245,7 +246,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         (proposed > least).then(|| time + proposed.copysign(remaining))
     }
 
-    /// Ends a step of the lanes that move.
+    /// Completes a step of the lanes that move.
     fn accept(
         &mut self,
         moving: &[bool; L],
@@ -270,7 +271,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// The lanes without an error that are not at their ends.
+    /// Returns the lanes without an error that are not at their ends.
     fn moving<D>(&mut self, dynamics: &D, ends: &[f64; L]) -> [bool; L]
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
@@ -288,7 +289,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         })
     }
 
-    /// Checks the lanes that are new, and chooses their first units of time.
+    /// Checks new lanes, and chooses their first units of time.
     fn begin<D>(&mut self, dynamics: &D)
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
@@ -327,7 +328,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         dynamics.derivative(Lanes(self.time), &dynamics.reduced(value, &value.zeroed()))
     }
 
-    /// What is wrong with the settings of the method, the time, the state or its derivative in a lane.
+    /// Returns an error in the settings of the method, the time, the state or its derivative in a lane, if there is
+    /// one.
     fn setting_error<D>(
         &self,
         dynamics: &D,
@@ -359,7 +361,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         })
     }
 
-    /// The polynomials at a time in each lane.
+    /// Evaluates the polynomials at a time in each lane.
     fn at(&self, times: &[f64; L]) -> Reached<X, L> {
         let [high, low] = difference(Lanes(*times), Lanes(self.time));
         let tau = (high + low) / Lanes(self.unit);
@@ -369,24 +371,24 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 }
 
-/// What the polynomials are at a time in each lane.
+/// The values of the polynomials at a time in each lane.
 struct Reached<X, const L: usize> {
-    /// Their arguments.
+    /// The arguments of the polynomials.
     tau: Lanes<L>,
     state: Compensated<X>,
-    /// Their derivatives by their arguments.
+    /// The derivatives of the polynomials with respect to their arguments.
     slope: X,
 }
 
-/// What the polynomials say about the next step in each lane.
+/// The next step in each lane, as proposed by the polynomials.
 struct Proposals<const L: usize> {
-    /// Its length; 0 where there is none.
+    /// The length of the step; 0 if there is none.
     step: [f64; L],
     /// The larger of the two terms of about half the order, over their tolerances.
     middle: Lanes<L>,
 }
 
-/// The lanes for which a mask holds.
+/// Returns the lanes for which a mask is true.
 fn lanes<const L: usize>(mask: &[bool; L]) -> impl Iterator<Item = usize> + use<L> {
     let mask = *mask;
     (0..L).filter(move |&lane| mask[lane])
@@ -396,7 +398,7 @@ fn any<const L: usize>(mask: &[bool; L]) -> bool {
     mask.contains(&true)
 }
 
-/// The index and the value of the first component that is not finite in a lane.
+/// Returns the index and the value of the first component in a lane that is not finite.
 fn non_finite<X: LaneStates<L>, const L: usize>(states: &X, lane: usize) -> Option<(usize, f64)> {
     let components = states.components().map(|component| component.lane(lane));
     components

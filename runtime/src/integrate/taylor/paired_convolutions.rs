@@ -1,20 +1,24 @@
-//! The sums of products in recurrences for Taylor coefficients, of a few pairs at a time.
+//! The sums of products in recurrences for Taylor coefficients, several pairs at a time.
 
-// Called as functions they return the sums through memory: the double pendulum takes 1.4 times as long.
+// If they are not inlined, these functions return the sums through memory, and the double pendulum takes 1.4 times as
+// long.
 #![allow(clippy::inline_always)]
 
 use super::convolutions::{ORDERS, OnlineConvolutions};
 use crate::scalar::Scalar;
 
-/// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of pairs of factors, order after order, as [`Convolutions`](super::Convolutions) are,
-/// but with the terms of both factors of each pair side by side, so that `LANES` pairs are summed at once in vector
-/// registers. A factor is stored for each pair that it belongs to.
+/// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of pairs of factors, order by order.
 ///
-/// Of every fourth order on, the sums of four orders are begun at once: each term that is loaded is in four products. Only
-/// two products of a sum have a term of the order before: all others can be added while that term is computed.
+/// In contrast to [`Convolutions`](super::Convolutions), the terms of both factors of each pair are stored side by
+/// side, so that `LANES` pairs are summed at once in vector registers. A factor is stored for each pair that it belongs
+/// to.
 ///
-/// Which factors a pair has is `arrange`, code rather than a table: indices that are read in a loop over the blocks become
-/// gather instructions, with which an arm of three joints takes 1.18 times as long.
+/// At every fourth order, the sums of four orders are begun together: each loaded term is used in four products. Only
+/// two products of a sum contain a term of the previous order; all others can be added while that term is being
+/// computed.
+///
+/// The factors of each pair are selected by `arrange`, which is code rather than a table. Indices that are read in a
+/// loop over the blocks would become gather instructions, with which an arm of three joints takes 1.18 times as long.
 #[derive(Clone, Debug)]
 #[repr(align(64))] // Rows begin at multiples of a vector register.
 pub(crate) struct PairedConvolutions<
@@ -24,24 +28,24 @@ pub(crate) struct PairedConvolutions<
     const HALF: usize,
     A = (),
 > {
-    /// The terms of the first factors: blocks of `LANES` pairs, and in each a row for each order.
+    /// The terms of the first factors: blocks of `LANES` pairs, each with a row for each order.
     first: [[[S; PAIRS]; 2]; HALF],
-    /// Those of the second ones.
+    /// The terms of the second factors.
     second: [[[S; PAIRS]; 2]; HALF],
-    /// What is known of the sums of the orders n + 1 to n + 4, where n is the multiple of 4 below the next order: blocks
-    /// of `LANES` pairs, and in each a row for each order.
+    /// The known parts of the sums of orders n + 1 to n + 4, where n is the multiple of 4 below the next order: blocks
+    /// of `LANES` pairs, each with a row for each order.
     begun: [[S; PAIRS]; ORDERS],
-    /// The sums of the next order but for the products with a term of the present one.
+    /// The sums of the next order without the products that contain a term of the present order.
     partial: [S; PAIRS],
     order: usize,
-    /// The first and the second factors of all pairs.
+    /// Returns the first and the second factors of all pairs.
     arrange: A,
 }
 
 impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize, A>
     PairedConvolutions<S, PAIRS, LANES, HALF, A>
 {
-    /// Before any term is known. `PAIRS` is a multiple of `LANES`.
+    /// Creates the convolutions before any term is known. `PAIRS` is a multiple of `LANES`.
     #[inline(always)]
     pub(crate) fn new(arrange: A) -> Self {
         const { assert!(PAIRS.is_multiple_of(LANES)) }
@@ -55,8 +59,8 @@ impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize, A>
         }
     }
 
-    /// The sums of the next order, given the terms of the present one; `partial` computes those of the order after that
-    /// as far as the terms are known, given the sums that were begun.
+    /// Returns the sums of the next order, given the terms of the present one. `partial` computes the sums of the order
+    /// after that from the known terms, given the sums that were begun.
     #[inline(always)]
     fn advance_by<const BEGIN: bool>(
         &mut self,
@@ -96,7 +100,7 @@ impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize, A>
             }
             let mut next = partial(begun, &x[..order - 1], &y[..order - 1]);
             if order > 2 {
-                // Not read back from where they are stored, which would have to wait until they are there.
+                // The new terms are not read back from memory, which would have to wait until they are stored.
                 next = plus(&plus(&next, &x[1], &new_y), &new_x, &y[1]);
             } else if order == 2 {
                 next = plus(&next, &new_x, &new_y);
@@ -148,7 +152,7 @@ where
     }
 }
 
-/// The sum and x y in each lane.
+/// Returns sum + x y in each lane.
 #[inline(always)]
 fn plus<S: Scalar, const LANES: usize>(
     sum: &[S; LANES],
@@ -158,12 +162,13 @@ fn plus<S: Scalar, const LANES: usize>(
     core::array::from_fn(|lane| x[lane].mul_add(y[lane], sum[lane]))
 }
 
-/// As many lanes are summed at once, or once half more: the sums of four orders then stay in registers, and there are enough
-/// of them to hide the latency of an addition.
+/// The number of lanes that are summed at once; `HALF_MORE` is one and a half times as many. The sums of four orders
+/// then stay in registers, and there are enough of them to hide the latency of an addition.
 const LANES_AT_ONCE: usize = 8;
 const HALF_MORE: usize = 12;
 
-/// The sums of the products whose orders add up to n + 1, …, n + 4, of the n terms that are known, a multiple of 4.
+/// Computes the sums of the products whose orders add up to n + 1, …, n + 4, over the n known terms, where n is a
+/// multiple of 4.
 #[inline(always)]
 fn products<S: Scalar, const LANES: usize>(
     begun: &mut [[S; LANES]],
@@ -189,7 +194,7 @@ fn products<S: Scalar, const LANES: usize>(
     }
 }
 
-/// The same in some of the lanes.
+/// [`products`] in `PART` of the lanes, from `first` on.
 #[inline(always)]
 fn products_of<S: Scalar, const LANES: usize, const PART: usize>(
     first: usize,
@@ -200,7 +205,7 @@ fn products_of<S: Scalar, const LANES: usize, const PART: usize>(
     let part = |row: &[S; LANES]| -> [S; PART] { core::array::from_fn(|lane| row[first + lane]) };
     let zero = [S::zero(); PART];
     let [mut s0, mut s1, mut s2, mut s3] = [zero; ORDERS];
-    // The terms of y that were last met.
+    // The last terms of y that were read.
     let [mut w1, mut w2, mut w3] = [zero; 3];
     let fours = x
         .as_chunks::<4>()
@@ -236,7 +241,7 @@ fn products_of<S: Scalar, const LANES: usize, const PART: usize>(
     }
 }
 
-/// The products of the terms of order 3 and more, as many as there are.
+/// Returns the sum of the `COUNT` products of the terms of order 3 and higher.
 #[inline(always)]
 fn middle<S: Scalar, const LANES: usize, const COUNT: usize>(
     x: &[[S; LANES]],
@@ -251,7 +256,8 @@ fn middle<S: Scalar, const LANES: usize, const COUNT: usize>(
     })
 }
 
-/// A sum that was begun and those of its products that have one of the last terms, but for those with the first ones.
+/// Returns a sum that was begun plus its products with one of the last terms, without the products of the first two
+/// terms.
 #[inline(always)]
 fn with_last<S: Scalar, const LANES: usize, const LAST: usize>(
     begun: &[[S; LANES]],
@@ -268,7 +274,7 @@ fn with_last<S: Scalar, const LANES: usize, const LAST: usize>(
         return [S::zero(); LANES];
     };
     let _: [&[[S; LANES]; LAST]; 4] = [x_first, x_last, y_first, y_last];
-    // The newest terms come last.
+    // The newest terms are added last.
     let mut sum = begun[LAST];
     for i in 0..LAST {
         sum = plus(&sum, &x_first[LAST - 1 - i], &y_last[i]);
@@ -282,7 +288,7 @@ mod tests {
     use super::PairedConvolutions;
     use crate::integrate::taylor::{Convolutions, OnlineConvolutions};
 
-    /// Small whole numbers, so that sums are exact in any order.
+    /// Small integers, so that sums are exact in any order.
     fn factor(index: usize, order: usize) -> f64 {
         f64::from(u8::try_from((7 * index + 5 * order + index * order) % 11).unwrap()) - 5.0
     }
@@ -291,7 +297,7 @@ mod tests {
         core::array::from_fn(|i| [i % 5, (2 * i + i / 5) % 5])
     }
 
-    /// Fails unless the sums of all orders are those of the definition.
+    /// Asserts that the sums of all orders agree with the definition.
     fn check<const PAIRS: usize, const HALF: usize>(
         mut convolutions: impl OnlineConvolutions<f64, 5, PAIRS>,
     ) {
@@ -312,7 +318,7 @@ mod tests {
         }
     }
 
-    /// The factors of the pairs, by their indices.
+    /// Selects the factors of the pairs by their indices.
     fn arranged<const PAIRS: usize>(
         pairs: [[usize; 2]; PAIRS],
     ) -> impl Fn(&[f64; 5]) -> [[f64; PAIRS]; 2] {
@@ -340,7 +346,7 @@ mod tests {
 
     const REPEATED: [[usize; 2]; 4] = [[0, 1], [1, 1], [2, 3], [2, 3]];
 
-    /// The sums of three pairs, of which the last is repeated, up to order 12.
+    /// Returns the sums of three pairs, the last of which is repeated, up to order 12.
     fn with_repeated(mut convolutions: impl OnlineConvolutions<f64, 5, 4>) -> [[f64; 3]; 11] {
         core::array::from_fn(|i| {
             let factors = core::array::from_fn(|index| factor(index, i + 1));

@@ -1,16 +1,17 @@
 //! Building blocks of Taylor series that are written by hand.
 //!
-//! A function of a series is a block that is given the coefficients of its arguments order after order, from order 0,
-//! and returns those of its value. Sums, differences and multiples by constants need no block. The formulas follow from
-//! the differential equations of the functions: R. E. Moore, *Interval Analysis* (1966), section 11.2; À. Jorba & M. Zou,
-//! Experimental Mathematics **14** (2005) 99–117, proposition 2.1; A. Griewank & A. Walther, *Evaluating Derivatives*,
-//! 2nd edition (2008), section 13.2.
+//! Each function of a series has a block. It is given the coefficients of its arguments order by order, from order 0,
+//! and returns the coefficients of its value. Sums, differences and multiples by constants need no block. The formulas
+//! follow from the differential equations of the functions: R. E. Moore, *Interval Analysis* (1966), section 11.2; À.
+//! Jorba & M. Zou, Experimental Mathematics **14** (2005) 99–117, proposition 2.1; A. Griewank & A. Walther,
+//! *Evaluating Derivatives*, 2nd edition (2008), section 13.2.
 //!
-//! A block of half order `HALF` serves polynomials of order 2·`HALF`, as [`TaylorCoefficients`](crate::TaylorCoefficients)
-//! are; beyond, what it returns is without meaning. Nothing is allocated. Where a function has no derivative, as √x at 0,
-//! the coefficients are not finite.
+//! A block of half order `HALF` serves polynomials of order 2·`HALF`, like
+//! [`TaylorCoefficients`](crate::TaylorCoefficients); beyond this order its results are meaningless. Nothing is
+//! allocated. Where a function has no derivative, such as √x at 0, the coefficients are not finite.
 //!
-//! The Kepler problem, r̈ = −r/|r|³ in the plane, with a [`Square`] for each coordinate, a [`Power`] and two [`Product`]s:
+//! For example, the Kepler problem, r̈ = −r/|r|³ in the plane, has a [`Square`] for each coordinate, a [`Power`] and
+//! two [`Product`]s:
 //!
 //! ```
 //! use lagrangian::prelude::*;

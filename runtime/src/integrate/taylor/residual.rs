@@ -5,27 +5,27 @@ use crate::limits::taylor::{CHANGES, CROSSING_ROUNDING, MOVED_EPSILONS, RESIDUAL
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
-/// A time within a step, the reduced state of the polynomial there, and its derivative.
+/// A time within a step, with the reduced state of the polynomial and its derivative there.
 pub(super) struct Point<S, X> {
     pub(super) t: S,
     pub(super) state: X,
     pub(super) slope: X,
 }
 
-/// What a residual may be in a step.
+/// The limits of the residual in a step.
 pub(super) struct Allowance<S> {
     /// The length of the step.
     pub(super) h: S,
     /// The order of the polynomial.
     pub(super) order: f64,
     pub(super) tolerance: ErrorTolerance<S>,
-    /// The rounding errors of the state and of its change that are allowed.
+    /// The number of rounding errors of the state and of its change that are allowed.
     pub(super) roundings: f64,
 }
 
 impl<S: Scalar> Allowance<S> {
-    /// What is allowed behind a change of sign of a switching function: less, since a step that ends there for nothing costs
-    /// little, and a jump that is passed over counts once for each crossing.
+    /// Returns the limits after a sign change of a switching function. They are tighter: an unnecessary end of a step
+    /// costs little there, but a jump that is missed adds an error at each crossing.
     pub(super) fn behind_crossings(self) -> Self {
         Self {
             roundings: CROSSING_ROUNDING,
@@ -33,8 +33,8 @@ impl<S: Scalar> Allowance<S> {
         }
     }
 
-    /// An error with the component at which the derivative of the motion is not that of the polynomial: the motion is
-    /// then not the one that the series at its beginning says.
+    /// Returns as error a component in which the derivative of the motion differs from the derivative of the
+    /// polynomial. The motion is then not the one that the series at the beginning of the step describes.
     #[inline]
     pub(super) fn check<D: Dynamics<S> + ?Sized>(
         &self,
@@ -50,8 +50,8 @@ impl<S: Scalar> Allowance<S> {
         first_beyond(&residual, &allowed).map_or(Ok(()), Err)
     }
 
-    /// The differences of the derivatives of the polynomial and of the motion, over the step, and those that rounding and
-    /// the tolerance explain.
+    /// Returns the differences between the derivatives of the polynomial and of the motion, multiplied by the step, and
+    /// the differences that rounding and the tolerance explain.
     #[inline]
     pub(super) fn residual<D: Dynamics<S> + ?Sized>(
         &self,
@@ -76,8 +76,8 @@ impl<S: Scalar> Allowance<S> {
         [residual, allowed]
     }
 
-    /// Allows what the condition of the derivative explains: by how much it changes where time and state are moved by
-    /// some rounding errors.
+    /// Adds the differences explained by the condition of the derivative, which are its changes when the time and the
+    /// state are moved by some rounding errors.
     #[cold]
     pub(super) fn allow_condition<D: Dynamics<S> + ?Sized>(
         &self,
@@ -95,7 +95,8 @@ impl<S: Scalar> Allowance<S> {
     }
 }
 
-/// A time and a state, moved by some rounding errors; components in one direction and the other in turn, or always in the same.
+/// Moves a time and a state by some rounding errors; components alternately up and down, or always up, depending on
+/// `alternation`.
 pub(super) fn moved<S: Scalar, X: VectorSpace<S>>(t: S, state: &X, alternation: f64) -> (S, X) {
     let epsilon = MOVED_EPSILONS * S::machine_epsilon();
     let mut sign = 1.0;
@@ -106,11 +107,11 @@ pub(super) fn moved<S: Scalar, X: VectorSpace<S>>(t: S, state: &X, alternation: 
     (t + t * S::from_f64(epsilon), moved)
 }
 
-/// The first component that is not at most what is allowed; one that is not finite is not.
+/// Returns the first component that exceeds its allowed value or is not finite.
 fn first_beyond<S: Scalar, X: VectorSpace<S>>(residual: &X, allowed: &X) -> Option<usize> {
     let excess = residual.zip_map(allowed, |residual, allowed| {
         let over = residual - allowed;
-        // Twice the excess, or 0, or NaN, which sums keep.
+        // Twice the excess, or 0, or NaN, which the sum preserves.
         over + over.abs()
     });
     let is_beyond = |excess: S| excess.largest() > 0.0 || excess.largest().is_nan();

@@ -1,4 +1,4 @@
-//! Whether motions are, at the end of a step and within it, those that their series say.
+//! Checks that the motions agree with their series at the end of a step and within it.
 
 use super::{Reached, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::taylor::Series;
@@ -12,24 +12,24 @@ use crate::limits::taylor::{
 use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
 
-/// For each lane the component that is not what the series says, if there is one.
+/// For each lane the component that disagrees with the series, if there is one.
 type Beyond<const L: usize> = [Option<usize>; L];
 
-/// Whether the polynomial of a lane is the motion within a step.
+/// The result of the check that the polynomial of a lane is the motion within a step.
 #[derive(Clone, Copy)]
 pub(super) enum Verdict {
     Agrees,
-    /// It is not in a component.
+    /// The polynomial differs from the motion in this component.
     Differs(usize),
-    /// It is known in this part of the step alone, in which the series of all switching functions converge.
+    /// The polynomial is known only in this fraction of the step, in which the series of all switching functions
+    /// converge.
     Converges(f64),
-    /// It is not behind a change of sign of a switching function.
+    /// The polynomial differs from the motion after a sign change of a switching function.
     Crosses(Crossing),
 }
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// The checks of a step to `targets`, in the lanes that are `pending`, as those of
-    /// [`TaylorStepper`](crate::TaylorStepper).
+    /// Checks a step to `targets` in the lanes that are `pending`, as [`TaylorStepper`](crate::TaylorStepper) does.
     pub(super) fn check<D>(
         &mut self,
         dynamics: &D,
@@ -43,7 +43,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let time = self.time;
         let h = Lanes(*targets) - Lanes(time);
         let mut verdicts = [Verdict::Agrees; L];
-        // Lanes of which nothing is known yet.
+        // Lanes without a verdict.
         let mut open = *pending;
         for lane in lanes(pending) {
             if let Some((index, _)) = non_finite(reached.state.value(), lane) {
@@ -85,15 +85,15 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         verdicts
     }
 
-    /// The lanes, of those that are asked for, whose steps of lengths `h` are so long, or of so low a degree, that much may happen
-    /// within them that the series do not see.
+    /// Returns those of the `asked` lanes whose steps of lengths `h` are so long, or of such a low degree, that the
+    /// series may miss changes within them.
     pub(super) fn is_uncertain_within(
         &self,
         h: Lanes<L>,
         (tau, middle): (Lanes<L>, Lanes<L>),
         asked: &[bool; L],
     ) -> [bool; L] {
-        // The terms of half the order hardly count there.
+        // The terms of half the order are almost negligible there.
         let middle = middle * power(tau.abs(), HALF);
         core::array::from_fn(|lane| {
             let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
@@ -101,7 +101,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         })
     }
 
-    /// The check at times within steps of lengths `h`, in the lanes that are asked for.
+    /// Checks times within steps of lengths `h`, in the lanes that are asked for.
     pub(super) fn check_within<D>(
         &mut self,
         dynamics: &D,
@@ -128,7 +128,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         beyond
     }
 
-    /// The changes of sign of switching functions in the steps of the lanes that are asked for.
+    /// Returns the sign changes of switching functions in the steps of the lanes that are asked for.
     fn crossings<D>(
         &self,
         dynamics: &D,
@@ -170,8 +170,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         crossings
     }
 
-    /// The checks behind each change of sign of a switching function, in the lanes that are open. Those in which one fails are
-    /// not open any more.
+    /// Checks the times after each sign change of a switching function, in the lanes that are open. Lanes in which a
+    /// check fails are closed.
     fn check_crossings<D>(
         &mut self,
         dynamics: &D,
@@ -218,7 +218,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// What residuals may be in steps of lengths `h`.
+    /// Returns the allowed residuals in steps of lengths `h`.
     pub(super) fn allowance(&self, h: Lanes<L>) -> Allowance<Lanes<L>> {
         Allowance {
             h,
@@ -228,7 +228,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// The check at one time in each lane. Rounding explains a difference, and the tolerance does.
+    /// Checks one time in each lane. A difference is accepted if rounding or the tolerance explains it.
     pub(super) fn check_at<D>(
         &mut self,
         dynamics: &D,
@@ -267,8 +267,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 }
 
-/// The lanes, of those that are asked for, in which a component is not at most what is allowed; one that is not finite is
-/// not.
+/// Returns those of the `asked` lanes in which a component exceeds its allowed value or is not finite.
 fn exceeds<X: LaneStates<L>, const L: usize>(
     residual: &X,
     allowed: &X,
@@ -276,14 +275,14 @@ fn exceeds<X: LaneStates<L>, const L: usize>(
 ) -> [bool; L] {
     let mut excess = Lanes::from_f64(0.0);
     for (residual, allowed) in residual.components().zip(allowed.components()) {
-        // Twice the excess, or 0, or NaN.
+        // Adds twice the excess, or 0, or NaN.
         let over = residual - allowed;
         excess += over + over.abs();
     }
     core::array::from_fn(|lane| asked[lane] && (excess.0[lane].is_nan() || excess.0[lane] > 0.0))
 }
 
-/// The first component of a lane that is not at most what is allowed.
+/// Returns the first component of a lane that exceeds its allowed value or is NaN.
 #[cold]
 fn first_beyond<X: LaneStates<L>, const L: usize>(residual: &X, allowed: &X, lane: usize) -> usize {
     let mut pairs = residual.components().zip(allowed.components());

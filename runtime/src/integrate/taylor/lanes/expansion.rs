@@ -1,4 +1,4 @@
-//! The polynomials of motions in lanes, and the steps that they propose.
+//! The polynomials of motions in lanes, and the step sizes that they propose.
 
 use super::{Proposals, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::binary_logarithm::{exp2_of_each, log2_of_each};
@@ -11,8 +11,8 @@ use crate::linalg::{ErrorTolerance, LaneStates};
 use crate::scalar::{Lanes, Scalar};
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// Computes the polynomials about the present times, in units in which their coefficients are finite, and the steps
-    /// that they propose.
+    /// Computes the polynomials about the present times, in units in which their coefficients are finite, and the step
+    /// sizes that they propose.
     pub(super) fn expand<D>(&mut self, dynamics: &D, moving: &mut [bool; L]) -> Proposals<L>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
@@ -32,7 +32,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             proposals.middle = self.middle(&weights);
             for lane in lanes(&waiting) {
                 self.statistics[lane].evaluations += 1;
-                // It is 0 where a coefficient over its tolerance is not finite.
+                // The proposal is 0 if a coefficient over its tolerance is not finite.
                 if proposed[lane] > 0.0 {
                     proposals.step[lane] = proposed[lane] * self.unit[lane];
                     waiting[lane] = false;
@@ -52,7 +52,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         proposals
     }
 
-    /// The error of a lane whose series is not finite in any unit of time.
+    /// Records the error for a lane whose series is not finite in any unit of time.
     #[cold]
     fn no_series<D>(&mut self, dynamics: &D, lane: usize)
     where
@@ -72,8 +72,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.fail(lane, error);
     }
 
-    /// The steps at which the last two terms meet the tolerance, in units; 0 where they are not finite. Where they are
-    /// zero, the terms before count, as in [`TaylorStepper`](super::TaylorStepper).
+    /// Returns the steps at which the last two terms meet the tolerance, in units of time; 0 if the terms are not
+    /// finite. If they are zero, the terms before them are used, as in [`TaylorStepper`](super::TaylorStepper).
     fn proposed(&self, weights: &X) -> [f64; L] {
         let higher = self.coefficients.higher();
         let mut logarithm = [f64::INFINITY; L];
@@ -101,7 +101,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         exp2_of_each(logarithm)
     }
 
-    /// The larger of the two terms of about half the order, over their tolerances.
+    /// Returns the larger of the two terms of about half the order, over their tolerances.
     fn middle(&self, weights: &X) -> Lanes<L> {
         let middle = self.coefficients.higher().iter().take(HALF).rev().take(2);
         middle.fold(Lanes([0.0; L]), |most, term| {
@@ -109,7 +109,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         })
     }
 
-    /// The errors that are allowed, of the sizes that the components reach within a step like the last.
+    /// Returns the allowed errors for the sizes that the components reach within a step like the last one.
     pub(super) fn allowed<D>(&self, dynamics: &D) -> X
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
@@ -126,8 +126,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         dynamics.allowed_error(&reached, &self.tolerance(Lanes(self.length)))
     }
 
-    /// The tolerances of steps of these lengths, by which an error of a velocity counts by the displacement that it causes
-    /// in some time scales.
+    /// Returns the tolerances of steps of these lengths, for which an error of a velocity counts by the displacement
+    /// that it causes in several time scales.
     pub(super) fn tolerance(&self, length: Lanes<L>) -> ErrorTolerance<Lanes<L>> {
         let time_scale = Scalar::max(Lanes(self.time_scale), length);
         let tolerance = self.method.tolerance::<Lanes<L>>();
@@ -135,8 +135,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 }
 
-/// The largest component over its tolerance in each lane, given the reciprocals of the tolerances; NaN where one is not
-/// finite, and a component that has no tolerance does not count.
+/// Returns the largest ratio of a component to its tolerance in each lane, given the reciprocals of the tolerances. The
+/// result is NaN if a component is not finite; components without a tolerance do not count.
 #[inline]
 pub(super) fn largest_ratios<X: LaneStates<L>, const L: usize>(
     vector: &X,
@@ -146,7 +146,7 @@ pub(super) fn largest_ratios<X: LaneStates<L>, const L: usize>(
     let mut finite = Lanes::from_f64(0.0);
     for (component, weight) in vector.components().zip(weights.components()) {
         largest = Scalar::max(largest, component.abs() * weight);
-        // 0, or NaN where the component is not finite.
+        // Adds 0, or NaN if the component is not finite.
         finite += component * Lanes::from_f64(0.0);
     }
     largest + finite

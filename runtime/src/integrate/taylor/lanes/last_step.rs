@@ -6,12 +6,12 @@ use crate::integrate::taylor::interpolant::TaylorInterpolant;
 use crate::linalg::LaneStates;
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// The state in a lane, with its compensation.
+    /// Returns the state in a lane, with its compensation.
     pub(in crate::integrate::taylor) fn compensated(&self, lane: usize) -> Compensated<X::Lane> {
         self.state.lane(lane)
     }
 
-    /// Copies the last step of a lane: where it began, and its polynomial if that is asked for.
+    /// Copies the last step of a lane: its beginning, and its polynomial if that is requested.
     pub(in crate::integrate::taylor) fn copy_last_step(
         &self,
         lane: usize,

@@ -15,9 +15,9 @@ use crate::limits::taylor::{BEFORE, MAX_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAG
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
 
-/// Where the steps of some lanes end at discontinuity surfaces.
+/// The ends of the steps of some lanes at discontinuity surfaces.
 pub(super) struct Arrivals<X, const L: usize> {
-    /// The times; none where a step ends elsewhere.
+    /// The times; `None` for a step that ends elsewhere.
     time: [Option<f64>; L],
     state: Compensated<X>,
     /// The switching functions that are zero there.
@@ -26,12 +26,12 @@ pub(super) struct Arrivals<X, const L: usize> {
 }
 
 impl<X: LaneStates<L>, const L: usize> Arrivals<X, L> {
-    /// The time at which the step of a lane ends there.
+    /// Returns the time at which the step of a lane ends at a surface.
     pub(super) fn time(&self, lane: usize) -> Option<f64> {
         self.time.get(lane).copied().flatten()
     }
 
-    /// Sets the states of the lanes whose steps end there.
+    /// Copies the states of the lanes whose steps end at a surface.
     pub(super) fn copy_to(&self, state: &mut Compensated<X>) {
         for lane in (0..L).filter(|&lane| self.time[lane].is_some()) {
             state.copy_lane(lane, &self.state);
@@ -40,8 +40,8 @@ impl<X: LaneStates<L>, const L: usize> Arrivals<X, L> {
 }
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// The part of the step of a lane that is to be tried next, with the component in which the polynomial is not the motion, if
-    /// there is one; none if the step is taken.
+    /// Returns the fraction of the step of a lane that is to be tried next, with the component in which the polynomial
+    /// differs from the motion, if there is one. `None` if the step is accepted.
     pub(super) fn rejection<D>(
         &mut self,
         dynamics: &D,
@@ -63,8 +63,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         Some((1.0 / SHORTENING, Some(beyond)))
     }
 
-    /// Ends the step of a lane at a change of sign of a switching function, as
-    /// [`TaylorStepper`](crate::TaylorStepper) does; or a component in which the polynomial is not the motion before it.
+    /// Ends the step of a lane at a sign change of a switching function, as [`TaylorStepper`](crate::TaylorStepper)
+    /// does. Returns a component in which the polynomial differs from the motion before it, if there is one.
     fn pass<D>(
         &mut self,
         dynamics: &D,
@@ -88,7 +88,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             coefficients: &self.coefficients,
             unit,
             time: &|t| Lanes(at_lane(t)),
-            // The others stay where they are.
+            // The other lanes keep their times.
             argument: &|t| {
                 let [high, low] = difference(Lanes(at_lane(t)), Lanes(begin));
                 (high + low) / unit
@@ -118,7 +118,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         None
     }
 
-    /// Ends the step of a lane at a discontinuity surface, if it does end there.
+    /// Ends the step of a lane at a discontinuity surface, and returns whether it does end there.
     pub(super) fn arrive(&mut self, lane: usize, arrivals: &Arrivals<X, L>) -> bool {
         let Some(time) = arrivals.time[lane] else {
             return false;
@@ -138,7 +138,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         true
     }
 
-    /// Whether the polynomial of a lane is the motion until shortly before a change of sign of a switching function.
+    /// Checks that the polynomial of a lane is the motion until shortly before a sign change of a switching function.
+    /// Returns a component in which it is not.
     fn check_before<D>(
         &mut self,
         dynamics: &D,
@@ -170,7 +171,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.check_within(dynamics, (cut, &allowance), inner)[lane]
     }
 
-    /// Ends the motion in a lane that cannot leave a discontinuity surface.
+    /// Stops the motion in a lane that cannot leave a discontinuity surface.
     pub(super) fn stop_sliding<D>(&mut self, dynamics: &D, lane: usize)
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
@@ -192,7 +193,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.fail(lane, error);
     }
 
-    /// The error of a step that is too small.
+    /// Records the error for a step that is too small.
     #[cold]
     pub(super) fn too_small<D>(
         &mut self,

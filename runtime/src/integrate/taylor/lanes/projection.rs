@@ -1,4 +1,4 @@
-//! Ends of steps of motions in lanes on the manifold of the dynamics.
+//! Projection of the ends of steps of motions in lanes onto the manifold of the dynamics.
 
 use super::TaylorLanes;
 use super::passage::Arrivals;
@@ -11,7 +11,8 @@ use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// The states at the ends of the steps of the lanes that move, on the manifold of the dynamics if they have one.
+    /// Returns the states at the ends of the steps of the moving lanes, projected onto the manifold of the dynamics if
+    /// they have one.
     pub(super) fn ends<D>(
         &mut self,
         dynamics: &D,
@@ -43,8 +44,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// Puts the ends of the steps of the lanes that move onto the manifold, and lets their polynomials end there. A lane in which the
-    /// projection fails does not move any more.
+    /// Projects the ends of the steps of the moving lanes onto the manifold, and changes their polynomials to end
+    /// there. A lane in which the projection fails stops moving.
     fn project<D>(
         &mut self,
         dynamics: &D,
@@ -92,7 +93,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         end
     }
 
-    /// Ends the motion in a lane that begins off the manifold.
+    /// Stops the motion in a lane that begins off the manifold.
     pub(super) fn check_start<D>(&mut self, dynamics: &D, lane: usize)
     where
         D: Series<Lanes<L>, State = X> + ?Sized,

@@ -12,14 +12,14 @@ pub struct Product<S, const HALF: usize> {
 }
 
 impl<S: Scalar, const HALF: usize> Product<S, HALF> {
-    /// A product of series of which nothing is known.
+    /// Creates the product of two series without any terms yet.
     #[must_use]
     pub fn new() -> Self {
         let [x, y] = [Terms::new(); 2];
         Self { x, y }
     }
 
-    /// The next coefficient, given those of the factors.
+    /// Returns the next coefficient, given the next coefficients of the factors.
     pub fn next(&mut self, x: S, y: S) -> S {
         self.x.push(x);
         self.y.push(y);
@@ -27,27 +27,27 @@ impl<S: Scalar, const HALF: usize> Product<S, HALF> {
     }
 }
 
-/// The square x², for half the price of the product x x.
+/// The square x², at half the cost of the product x x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Square<S, const HALF: usize> {
     x: Terms<S, HALF>,
 }
 
 impl<S: Scalar, const HALF: usize> Square<S, HALF> {
-    /// The square of a series of which nothing is known.
+    /// Creates the square of a series without any terms yet.
     #[must_use]
     pub fn new() -> Self {
         Self { x: Terms::new() }
     }
 
-    /// The next coefficient, given that of x.
+    /// Returns the next coefficient, given the next coefficient of x.
     pub fn next(&mut self, x: S) -> S {
         self.x.push(x);
         square(self.x.known())
     }
 }
 
-/// The last coefficient of x².
+/// Returns the last coefficient of x².
 fn square<S: Scalar>(x: &[S]) -> S {
     let half = x.len() / 2;
     let lower = convolution(&x[..half], x);
@@ -67,14 +67,14 @@ pub struct Quotient<S, const HALF: usize> {
 }
 
 impl<S: Scalar, const HALF: usize> Quotient<S, HALF> {
-    /// A quotient of series of which nothing is known.
+    /// Creates the quotient of two series without any terms yet.
     #[must_use]
     pub fn new() -> Self {
         let [y, z] = [Terms::new(); 2];
         Self { y, z }
     }
 
-    /// The next coefficient, given those of the dividend and the divisor.
+    /// Returns the next coefficient, given the next coefficients of the dividend and the divisor.
     pub fn next(&mut self, x: S, y: S) -> S {
         self.y.push(y);
         let higher = self.y.known().get(1..).unwrap_or_default();
@@ -91,13 +91,13 @@ pub struct SquareRoot<S, const HALF: usize> {
 }
 
 impl<S: Scalar, const HALF: usize> SquareRoot<S, HALF> {
-    /// The root of a series of which nothing is known.
+    /// Creates the square root of a series without any terms yet.
     #[must_use]
     pub fn new() -> Self {
         Self { z: Terms::new() }
     }
 
-    /// The next coefficient, given that of x.
+    /// Returns the next coefficient, given the next coefficient of x.
     pub fn next(&mut self, x: S) -> S {
         let z = if self.z.order() == 0 {
             x.sqrt()
@@ -111,9 +111,11 @@ impl<S: Scalar, const HALF: usize> SquareRoot<S, HALF> {
     }
 }
 
-/// The power z = xᵃ with a constant exponent, from x z′ = a z x′: Σₘ﹤ᵢ (a i − (k + m − i)) xᵢ zₖ₊ₘ₋ᵢ/((k − a m) xₘ), where xₘ is the
-/// first coefficient that is not 0, and zₖ is xₘᵃ for k = a m. Where x begins at 0 and z has no series, as with an exponent that is not
-/// whole, terms that do not exist count as 0.
+/// The power z = xᵃ with a constant exponent, from x z′ = a z x′.
+///
+/// zₖ is Σₘ﹤ᵢ (a i − (k + m − i)) xᵢ zₖ₊ₘ₋ᵢ/((k − a m) xₘ), where xₘ is the first coefficient that is not 0; for k = a
+/// m, zₖ is xₘᵃ. If x begins at 0 and z has no series, for example if the exponent is not an integer, terms that do not
+/// exist count as 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power<S, const HALF: usize> {
     exponent: S,
@@ -122,14 +124,14 @@ pub struct Power<S, const HALF: usize> {
 }
 
 impl<S: Scalar, const HALF: usize> Power<S, HALF> {
-    /// A power of a series of which nothing is known.
+    /// Creates the power of a series without any terms yet.
     #[must_use]
     pub fn new(exponent: S) -> Self {
         let [x, z] = [Terms::new(); 2];
         Self { exponent, x, z }
     }
 
-    /// The next coefficient, given that of x.
+    /// Returns the next coefficient, given the next coefficient of x.
     pub fn next(&mut self, x: S) -> S {
         self.x.push(x);
         let k = self.z.order();
@@ -142,7 +144,7 @@ impl<S: Scalar, const HALF: usize> Power<S, HALF> {
         z
     }
 
-    /// zₖ, where the first term of x that is not 0 may be another one in each lane.
+    /// Returns zₖ if the first term of x that is not 0 may differ between lanes.
     fn by_first_terms(&self, k: usize) -> S {
         let mut vanishing = S::one();
         let mut z = S::zero();
@@ -160,7 +162,7 @@ impl<S: Scalar, const HALF: usize> Power<S, HALF> {
         z
     }
 
-    /// zₖ, where xₘ is the first term that is not 0.
+    /// Returns zₖ if xₘ is the first term that is not 0.
     fn by_first_term(&self, k: usize, m: usize) -> S {
         let (x, z) = (self.x.known(), self.z.known());
         let order = number::<S>(k);

@@ -4,7 +4,7 @@ use super::algebraic::Square;
 use super::terms::{Terms, number, weighted_convolution};
 use crate::scalar::Scalar;
 
-/// ∫ y dx at order k: Σ i xᵢ yₖ₋ᵢ/k, given x up to order k and y up to order k − 1.
+/// Returns the coefficient of order k of ∫ y dx, Σ i xᵢ yₖ₋ᵢ/k, given x up to order k and y up to order k − 1.
 fn integral<S: Scalar, const HALF: usize>(x: &Terms<S, HALF>, y: &Terms<S, HALF>) -> S {
     let higher = x.known().get(1..).unwrap_or_default();
     weighted_convolution(higher, y.known()) / number(y.order())
@@ -18,14 +18,14 @@ pub struct Exponential<S, const HALF: usize> {
 }
 
 impl<S: Scalar, const HALF: usize> Exponential<S, HALF> {
-    /// The exponential of a series of which nothing is known.
+    /// Creates the exponential of a series without any terms yet.
     #[must_use]
     pub fn new() -> Self {
         let [x, z] = [Terms::new(); 2];
         Self { x, z }
     }
 
-    /// The next coefficient, given that of x.
+    /// Returns the next coefficient, given the next coefficient of x.
     pub fn next(&mut self, x: S) -> S {
         self.x.push(x);
         let z = if self.z.order() == 0 {
@@ -46,14 +46,14 @@ pub struct Logarithm<S, const HALF: usize> {
 }
 
 impl<S: Scalar, const HALF: usize> Logarithm<S, HALF> {
-    /// The logarithm of a series of which nothing is known.
+    /// Creates the logarithm of a series without any terms yet.
     #[must_use]
     pub fn new() -> Self {
         let [x, z] = [Terms::new(); 2];
         Self { x, z }
     }
 
-    /// The next coefficient, given that of x.
+    /// Returns the next coefficient, given the next coefficient of x.
     pub fn next(&mut self, x: S) -> S {
         let k = self.z.order();
         let z = if k == 0 {
@@ -81,7 +81,7 @@ macro_rules! pair_of_functions {
         }
 
         impl<S: Scalar, const HALF: usize> $name<S, HALF> {
-            /// Both functions of a series of which nothing is known.
+            /// Creates both functions of a series without any terms yet.
             #[must_use]
             pub fn new() -> Self {
                 let [x, s, c] = [Terms::new(); 3];
@@ -135,14 +135,14 @@ macro_rules! tangent {
         }
 
         impl<S: Scalar, const HALF: usize> $name<S, HALF> {
-            /// The tangent of a series of which nothing is known.
+            /// Creates the tangent of a series without any terms yet.
             #[must_use]
             pub fn new() -> Self {
                 let [x, slope] = [Terms::new(); 2];
                 Self { x, square: Square::new(), slope }
             }
 
-            /// The next coefficient, given that of x.
+            /// Returns the next coefficient, given the next coefficient of x.
             pub fn next(&mut self, x: S) -> S {
                 self.x.push(x);
                 let sign: S = $sign;

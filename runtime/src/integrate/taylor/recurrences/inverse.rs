@@ -4,7 +4,7 @@ use super::algebraic::{Square, SquareRoot};
 use super::terms::{Terms, number, weighted_convolution};
 use crate::scalar::Scalar;
 
-/// A function z with d z′ = x′, in which d is known at order k: (xₖ − Σ₀﹤ᵢ﹤ₖ i zᵢ dₖ₋ᵢ/k)/d₀.
+/// A function z with d z′ = x′, where d is known up to order k: (xₖ − Σ₀﹤ᵢ﹤ₖ i zᵢ dₖ₋ᵢ/k)/d₀.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Integral<S, const HALF: usize> {
     z: Terms<S, HALF>,
@@ -17,7 +17,7 @@ impl<S: Scalar, const HALF: usize> Integral<S, HALF> {
         Self { z, divisor }
     }
 
-    /// The next coefficient, given those of x and of the divisor, and the value at order 0.
+    /// Returns the next coefficient, given the next coefficients of x and of the divisor, and the value at order 0.
     fn next(&mut self, x: S, divisor: S, value: impl FnOnce() -> S) -> S {
         let k = self.z.order();
         let z = if k == 0 {
@@ -33,7 +33,7 @@ impl<S: Scalar, const HALF: usize> Integral<S, HALF> {
     }
 }
 
-/// A function z of which z′ = x′/(a + b x²).
+/// A function z with z′ = x′/(a + b x²).
 macro_rules! of_rational_derivative {
     ($(#[$documentation:meta])* $name:ident, $function:expr, $sign:expr) => {
         $(#[$documentation])*
@@ -44,13 +44,13 @@ macro_rules! of_rational_derivative {
         }
 
         impl<S: Scalar, const HALF: usize> $name<S, HALF> {
-            /// The function of a series of which nothing is known.
+            /// Creates the function of a series without any terms yet.
             #[must_use]
             pub fn new() -> Self {
                 Self { square: Square::new(), integral: Integral::new() }
             }
 
-            /// The next coefficient, given that of x.
+            /// Returns the next coefficient, given the next coefficient of x.
             pub fn next(&mut self, x: S) -> S {
                 let sign: S = $sign;
                 let constant = if self.integral.z.order() == 0 { S::one() } else { S::zero() };
@@ -78,7 +78,7 @@ of_rational_derivative! {
     InverseHyperbolicTangent, Scalar::atanh, -S::one()
 }
 
-/// A function z of which z′ = ± x′/√(a + b x²).
+/// A function z with z′ = ± x′/√(a + b x²).
 macro_rules! of_irrational_derivative {
     ($(#[$documentation:meta])* $name:ident, $function:expr, $constant:expr, $square:expr, $sign:expr) => {
         $(#[$documentation])*
@@ -90,13 +90,13 @@ macro_rules! of_irrational_derivative {
         }
 
         impl<S: Scalar, const HALF: usize> $name<S, HALF> {
-            /// The function of a series of which nothing is known.
+            /// Creates the function of a series without any terms yet.
             #[must_use]
             pub fn new() -> Self {
                 Self { square: Square::new(), root: SquareRoot::new(), integral: Integral::new() }
             }
 
-            /// The next coefficient, given that of x.
+            /// Returns the next coefficient, given the next coefficient of x.
             pub fn next(&mut self, x: S) -> S {
                 let (constant, of_square, sign): (S, S, S) = ($constant, $square, $sign);
                 let constant = if self.integral.z.order() == 0 { constant } else { S::zero() };
@@ -134,10 +134,10 @@ of_irrational_derivative! {
     InverseHyperbolicCosine, Scalar::acosh, -S::one(), S::one(), S::one()
 }
 
-/// The angle θ of the point (x, y), (x² + y²) θ′ = x y′ − y x′.
+/// The angle θ of the point (x, y), from (x² + y²) θ′ = x y′ − y x′.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArcTangent2<S, const HALF: usize> {
-    /// What x and y are multiplied by, so that their squares neither underflow nor overflow.
+    /// The factor by which x and y are multiplied, so that their squares neither underflow nor overflow.
     scale: S,
     x: Terms<S, HALF>,
     y: Terms<S, HALF>,
@@ -146,7 +146,7 @@ pub struct ArcTangent2<S, const HALF: usize> {
 }
 
 impl<S: Scalar, const HALF: usize> ArcTangent2<S, HALF> {
-    /// The angle of a point of which nothing is known.
+    /// Creates the angle of two series without any terms yet.
     #[must_use]
     pub fn new() -> Self {
         let [x, y] = [Terms::new(); 2];
@@ -159,7 +159,7 @@ impl<S: Scalar, const HALF: usize> ArcTangent2<S, HALF> {
         }
     }
 
-    /// The next coefficient, given those of y and x, in the order of the arguments of `atan2`.
+    /// Returns the next coefficient, given the next coefficients of y and x, in the order of the arguments of `atan2`.
     pub fn next(&mut self, y: S, x: S) -> S {
         let k = self.integral.z.order();
         if k == 0 {

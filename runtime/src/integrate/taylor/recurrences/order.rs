@@ -1,11 +1,11 @@
-//! Taylor polynomials of solutions from the coefficients of their derivatives.
+//! Taylor polynomials of solutions from the coefficients of the right-hand side.
 
 use super::terms::number;
 use crate::integrate::taylor::TaylorCoefficients;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// The order k of the coefficients that a recurrence computes, and what is known of it.
+/// The order k of the coefficients that a recurrence computes, with the coefficients of the time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Order<S> {
     order: usize,
@@ -13,19 +13,19 @@ pub struct Order<S> {
 }
 
 impl<S: Scalar> Order<S> {
-    /// k.
+    /// Returns k.
     #[must_use]
     pub fn get(&self) -> usize {
         self.order
     }
 
-    /// The coefficient k of the time: t, then the unit of time, then 0.
+    /// Returns the coefficient of order k of the time: t for k = 0, the unit of time for k = 1, otherwise 0.
     #[must_use]
     pub fn time(&self) -> S {
         self.time
     }
 
-    /// The coefficient k of a constant: its value, then 0.
+    /// Returns the coefficient of order k of a constant: its value for k = 0, otherwise 0.
     #[must_use]
     pub fn constant(&self, value: S) -> S {
         if self.order == 0 { value } else { S::zero() }
@@ -33,10 +33,11 @@ impl<S: Scalar> Order<S> {
 }
 
 impl<X, const HALF: usize> TaylorCoefficients<X, HALF> {
-    /// Sets the polynomial of the solution of ẋ = f(t, x) through (t, x), in this unit of time: xₖ₊₁ = fₖ·unit/(k + 1).
+    /// Sets the polynomial of the solution of ẋ = f(t, x) through (t, x), in this unit of time, by xₖ₊₁ = fₖ·unit/(k +
+    /// 1).
     ///
-    /// `derivative` is given the orders 0, 1, … in turn and the coefficient of the state of that order, and returns that of
-    /// f, for which [`recurrences`](crate::recurrences) has the building blocks.
+    /// `derivative` is called with the orders 0, 1, … in turn and the coefficient of the state of that order. It
+    /// returns the coefficient of f, for which [`recurrences`](crate::recurrences) has the building blocks.
     pub fn solve<S: Scalar>(
         &mut self,
         t: S,

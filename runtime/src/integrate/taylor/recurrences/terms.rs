@@ -1,8 +1,8 @@
-//! The coefficients of a series as far as they are known.
+//! The known coefficients of a series.
 
 use crate::scalar::Scalar;
 
-/// The coefficients of order 0, 1, …, at most 2·`HALF` of them.
+/// The coefficients of order 0, 1, …; at most 2·`HALF` of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Terms<S, const HALF: usize> {
     terms: [[S; 2]; HALF],
@@ -17,13 +17,13 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
         }
     }
 
-    /// Those that are known.
+    /// Returns the known coefficients.
     pub(super) fn known(&self) -> &[S] {
         let terms = self.terms.as_flattened();
         &terms[..self.count.min(terms.len())]
     }
 
-    /// The coefficient of order 0; NaN before it is known.
+    /// Returns the coefficient of order 0; NaN before it is known.
     pub(super) fn first(&self) -> S {
         let not_known = S::from_f64(f64::NAN);
         self.known().first().copied().unwrap_or(not_known)
@@ -36,19 +36,20 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
         self.count += 1;
     }
 
-    /// How many are known: the order of the next one.
+    /// Returns the number of known coefficients, which is the order of the next one.
     pub(super) fn order(&self) -> usize {
         self.count
     }
 }
 
-/// Σ xᵢ yₖ₋ᵢ over all i for which both are given, with the last of the ones paired with the first of the others.
+/// Returns Σ xᵢ yₖ₋ᵢ over all i for which both are given; the last term of one factor is paired with the first of the
+/// other.
 pub(in crate::integrate::taylor) fn convolution<S: Scalar>(x: &[S], y: &[S]) -> S {
     let pairs = x.iter().zip(y.iter().rev());
     pairs.fold(S::zero(), |sum, (x, y)| x.mul_add(*y, sum))
 }
 
-/// Σ i xᵢ yₖ₋ᵢ, where the first of `x` is that of order 1.
+/// Returns Σ i xᵢ yₖ₋ᵢ, where the first element of `x` is of order 1.
 pub(super) fn weighted_convolution<S: Scalar>(x: &[S], y: &[S]) -> S {
     let mut sum = S::zero();
     let mut weight = S::one();
@@ -59,7 +60,7 @@ pub(super) fn weighted_convolution<S: Scalar>(x: &[S], y: &[S]) -> S {
     sum
 }
 
-/// An order as a scalar.
+/// Converts an order to a scalar.
 pub(super) fn number<S: Scalar>(order: usize) -> S {
     S::from_f64(super::super::coefficients::number(order))
 }
