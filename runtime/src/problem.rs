@@ -1,7 +1,7 @@
-//! What a [`Problem`](crate::Problem) is made of, what it asks for, and what is kept of its solution.
+//! The parts of a [`Problem`](crate::Problem), the traits of its settings, and what is kept of its solution.
 //!
-//! Programs name few of these: [`Every`], [`StepEnds`] and [`Dense`] for what is saved. The traits are bounds of functions that
-//! are generic over problems.
+//! Programs name only a few of these: [`Every`], [`StepEnds`] and [`Dense`] to choose what is saved. The traits are
+//! bounds of functions that are generic over problems.
 
 pub use crate::integrate::{
     DeclaredBy, End, Ends, EnsembleIntegrator, Flow, Keep, Observer, Projection, Reactions, Run,

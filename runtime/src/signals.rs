@@ -1,3 +1,3 @@
-//! Inputs that are functions of time, with their Taylor series: what [`Problem::driven_by`](crate::Problem::driven_by) takes.
+//! Inputs that are functions of time, with their Taylor series, for [`Problem::driven_by`](crate::Problem::driven_by).
 
 pub use crate::model::{Constant, Polynomial, Signal, Signals, Sinusoid, Sum};

@@ -26,7 +26,7 @@ impl Tolerance {
         }
     }
 
-    /// The tolerances of a motion with this time scale, a positive number.
+    /// Returns the tolerances of a motion with this time scale, a positive number.
     #[inline]
     pub(crate) fn over<S: Scalar>(self, time_scale: S) -> ErrorTolerance<S> {
         ErrorTolerance {
@@ -36,8 +36,8 @@ impl Tolerance {
         }
     }
 
-    /// The time in which a motion goes on, from its state and its derivative: that in which its coordinates change by
-    /// their size. None for a state of which the unit of time counts as natural; infinite at rest.
+    /// Returns the time scale of a motion with this state and derivative: the time in which its coordinates change by
+    /// their size. `None` for a state whose unit of time counts as natural; infinite at rest.
     pub(crate) fn time_scale<S: Scalar, D: Dynamics<S> + ?Sized>(
         self,
         dynamics: &D,
@@ -48,8 +48,8 @@ impl Tolerance {
         Some(time_scale(rates.map(Scalar::largest)))
     }
 
-    /// Of a motion the rate at which its coordinates change by their size; first without ignorable ones that move, since
-    /// how fast those are does not matter, then with them.
+    /// Returns the rates at which the coordinates of a motion change by their size: first without moving ignorable
+    /// coordinates, whose speed does not matter, then with them.
     pub(crate) fn rates<S: Scalar, D: Dynamics<S> + ?Sized>(
         self,
         dynamics: &D,
@@ -57,7 +57,7 @@ impl Tolerance {
         derivative: &D::State,
     ) -> Option<[S; 2]> {
         let largest = S::from_f64(self.relative.max(self.absolute));
-        // The size of an ignorable coordinate that moves is what it does over this time.
+        // The size of a moving ignorable coordinate is its displacement over this time.
         let rate_over = |time_scale| {
             let allowed = dynamics.allowed_error(x, &self.over(S::from_f64(time_scale)));
             derivative.rate(&allowed.map(|allowed| allowed / largest))
@@ -65,7 +65,7 @@ impl Tolerance {
         Some([rate_over(MAX_TIME_SCALE)?, rate_over(1.0 / MAX_TIME_SCALE)?])
     }
 
-    /// The reciprocals of the errors that are allowed; 0 where none is.
+    /// Returns the reciprocals of the allowed errors; 0 where none is allowed.
     #[inline]
     pub(crate) fn weights<S: Scalar, X: VectorSpace<S>>(allowed: &X) -> X {
         let least = allowed.fold(S::from_f64(f64::MAX), Scalar::min);
@@ -76,7 +76,7 @@ impl Tolerance {
     }
 }
 
-/// The time scale that belongs to the rates of a motion; infinite at rest.
+/// Returns the time scale for the rates of a motion; infinite at rest.
 pub(crate) fn time_scale([rate, with_ignorable]: [f64; 2]) -> f64 {
     let is_rest = |rate: f64| rate * USABLE_TIME_SCALE < 1.0;
     let rate = if is_rest(rate) { with_ignorable } else { rate };
@@ -87,8 +87,8 @@ pub(crate) fn time_scale([rate, with_ignorable]: [f64; 2]) -> f64 {
     }
 }
 
-/// A component over the larger of two errors that are allowed, in the worst of its lanes.
-/// A component that is zero counts as 0; any other one of which no error is allowed as `unscaled`.
+/// Returns the ratio of a component to its allowed error, in the worst of its lanes. A component that is zero counts as
+/// 0, any other one without an allowed error as `unscaled`.
 #[inline]
 fn ratio<S: Scalar>(component: S, allowed: S, unscaled: f64) -> f64 {
     let size = component.abs();
@@ -104,7 +104,7 @@ fn ratio<S: Scalar>(component: S, allowed: S, unscaled: f64) -> f64 {
     }
 }
 
-/// The ratios of all components to the errors that are allowed.
+/// Returns the ratios of all components to their allowed errors.
 #[inline]
 pub(crate) fn ratios<S: Scalar, X: VectorSpace<S>>(
     vector: &X,
@@ -115,7 +115,7 @@ pub(crate) fn ratios<S: Scalar, X: VectorSpace<S>>(
     pairs.map(move |(component, allowed)| ratio(component, allowed, unscaled))
 }
 
-/// The sums of the squares of the ratios of two vectors to the larger of the errors that are allowed before and after a
+/// Returns the sums of the squares of the ratios of two vectors to the larger of the errors allowed before and after a
 /// step, and the number of components.
 #[inline]
 pub(crate) fn squares_over_step<S: Scalar, X: VectorSpace<S>>(
@@ -124,7 +124,7 @@ pub(crate) fn squares_over_step<S: Scalar, X: VectorSpace<S>>(
 ) -> ([f64; 2], f64) {
     let allowed = before.zip_map(after, Scalar::max);
     let count = allowed.fold(0.0, |count, _| count + 1.0);
-    // Infinite where no error is allowed, or nearly none, and then so are the sums.
+    // Weights are infinite if no error, or almost none, is allowed, and then so are the sums.
     let weights = allowed.map(|allowed| S::one() / allowed);
     let squares = |vector: &X| {
         let ratios = vector.zip_map(&weights, |component, weight| component * weight);
@@ -138,7 +138,7 @@ pub(crate) fn squares_over_step<S: Scalar, X: VectorSpace<S>>(
     ([squares(first), squares(second)], count)
 }
 
-/// The sum of the squares where some component has no error that is allowed.
+/// Returns the sum of the squares if some component has no allowed error.
 #[cold]
 fn squares_one_by_one<S: Scalar, X: VectorSpace<S>>(vector: &X, allowed: &X) -> f64 {
     let ratios = ratios(vector, allowed, f64::INFINITY);

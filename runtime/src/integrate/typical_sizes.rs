@@ -8,25 +8,26 @@ use super::taylor::{BranchVisitor, Series, SwitchingFunction, TaylorCoefficients
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
-/// A system with a typical size of each component, made by [`with_sizes`](SetTypicalSizes::with_sizes).
+/// A system with a typical size of each component, created by [`with_sizes`](SetTypicalSizes::with_sizes).
 #[derive(Clone, Copy, Debug)]
 pub struct WithSizes<D, X> {
     pub(super) dynamics: D,
     pub(super) sizes: X,
 }
 
-/// Typical sizes of the coordinates of any system.
+/// An extension of all systems by typical sizes of their coordinates.
 pub trait SetTypicalSizes<S: Scalar = f64>: Dynamics<S> {
-    /// The same system with a typical size of each coordinate: the absolute tolerance of a coordinate is that of the
-    /// method times its size, 1 unless it is set, and so is that of its velocity.
+    /// Sets a typical size of each coordinate. The absolute tolerances of a coordinate and of its velocity are
+    /// multiplied by this size, which is 1 by default.
     ///
-    /// Tolerances are numbers then, and sizes have the units of the coordinates. An infinite size leaves a coordinate
-    /// and its velocity out. A size that is negative or not a number is an error where the integration begins.
+    /// The tolerances are then pure numbers, and the sizes have the units of the coordinates. An infinite size excludes
+    /// a coordinate and its velocity from the error control. A size that is negative or not a number is an error when
+    /// the integration begins.
     ///
     /// ```
     /// use lagrangian::prelude::*;
     ///
-    /// /// A cart of kilometres on which a pendulum swings.
+    /// A cart that travels kilometres with a swinging pendulum.
     /// #[derive(Lagrangian)]
     /// #[lagrangian(
     ///     coordinates(x, theta),
@@ -58,7 +59,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> SetTypicalSizes<S> for D {}
 
 /// Typical sizes: of all components of a state, or of the coordinates of a mechanical system, as an array.
 pub trait TypicalSizes<X> {
-    /// The size of each component.
+    /// Returns the size of each component.
     fn into_state(self) -> X;
 }
 

@@ -1,6 +1,7 @@
 //! Limits of the analysis of models.
 
-/// Newton steps after which a search for an equilibrium gives up by default. Where it converges it takes some ten.
+/// The number of Newton steps after which a search for an equilibrium gives up by default. If it converges, it takes
+/// about ten.
 pub(crate) const NEWTON_STEPS: usize = 100;
 
 /// The default tolerance of an equilibrium, in machine epsilons of the size of each variable.
@@ -9,54 +10,58 @@ pub(crate) const EQUILIBRIUM_TOLERANCE: f64 = 64.0;
 /// The longest Newton step, in sizes of the variables: a radian for an angle at zero.
 pub(crate) const MAX_NEWTON_STEP: f64 = 1.0;
 
-/// The smallest damping factor of a Newton step, in relation to the longest one that is allowed: Deuflhard's value.
+/// The smallest damping factor of a Newton step, relative to the longest one that is allowed: Deuflhard's value.
 pub(crate) const MIN_DAMPING: f64 = 1e-8;
 
-/// The first damping of a descent, in squares of the largest singular value: the middle of the values that Nielsen proposes.
+/// The first damping of a descent, in squares of the largest singular value: the middle of the values that Nielsen
+/// proposes.
 pub(crate) const DESCENT_DAMPING: f64 = 1e-3;
 
-/// A descent ends where its steps are this short, in sizes of the variables: Newton's method goes on.
+/// A descent ends when its steps are this short, in sizes of the variables; Newton's method takes over.
 pub(crate) const DESCENT_END: f64 = 1e-6;
 
 /// Singular values of a Jacobian below this many machine epsilons of the largest one are zero.
 pub(crate) const SINGULAR: f64 = 4096.0;
 
-/// Accelerations that a search leaves count as zero up to this power of the machine epsilon, in relation to what the
-/// variables change by their own sizes.
+/// The power of the machine epsilon below which accelerations that remain after a search count as zero, relative to
+/// their changes when the variables change by their own sizes.
 pub(crate) const UNBALANCED: f64 = 0.5;
 
-/// The part of their sizes by which variables are moved to see how forces change: a power of two, with which a third of the
-/// digits is right.
+/// The fraction of their sizes by which variables are moved to find how forces change: a power of two, with which a
+/// third of the digits is correct.
 pub(crate) const FORCE_DIFFERENCE: f64 = 1.0 / 1024.0;
 
-/// Relative pivots below this are said to be those of a singular mass matrix where forces are not balanced: by judgement, with
-/// room for the places where a search ends beside the singularity.
+/// If forces are not balanced, relative pivots below this are reported as a singular mass matrix. By judgement, with
+/// room for searches that end beside the singularity.
 pub(crate) const NEARLY_SINGULAR: f64 = 1e-3;
 
-/// Sweeps of Jacobi's methods: they converge quadratically after a few, some ten even for large matrices.
+/// The limit of sweeps of Jacobi's methods: they converge quadratically after a few, and take about ten even for large
+/// matrices.
 pub(crate) const JACOBI_SWEEPS: usize = 40;
 
-/// Double steps of the QR algorithm for one eigenvalue, and after how many of them shifts are exceptional: values of EISPACK,
-/// more steps for safety.
+/// The limit of double steps of the QR algorithm for one eigenvalue, and the number of steps between exceptional
+/// shifts: values of EISPACK, with more steps for safety.
 pub(crate) const QR_STEPS: usize = 60;
 /// See [`QR_STEPS`].
 pub(crate) const EXCEPTIONAL_SHIFT: usize = 10;
 
-/// Steps of inverse iteration: with an eigenvalue to rounding two are enough, unless the start is unlucky.
+/// The number of steps of inverse iteration: with an eigenvalue to rounding two are enough, unless the start is
+/// unlucky.
 pub(crate) const INVERSE_ITERATIONS: usize = 4;
 
-/// How much worse an eigenvector of a multiple eigenvalue may be than the best, to be one.
+/// The factor by which an eigenvector of a multiple eigenvalue may be worse than the best one and still count as one.
 pub(crate) const ROOM_FOR_SHAPES: f64 = 100.0;
 
-/// Rows and columns are scaled where their sum becomes less by this factor: the value of Parlett and Reinsch.
+/// Rows and columns are scaled if their sum is reduced by this factor: the value of Parlett and Reinsch.
 pub(crate) const BALANCED: f64 = 0.95;
 
-/// How far an equilibrium may be from where it was found, in the distances from which on forces are those of the stiffness: they
-/// are a power of eight apart.
+/// The possible error of the position of an equilibrium, in units of the distance from which on the forces agree with
+/// the stiffness: the tested distances are a factor of eight apart.
 pub(crate) const POSITION_ERRORS: f64 = 4.0;
 
-/// The first distance at which forces are looked at, a power of two in sizes of the coordinates, and one at which none are: between
-/// them are those of rounding, of coordinates that are small, and of coordinates that should be zero.
+/// The first distance at which forces are evaluated, as a power of two in sizes of the coordinates; [`FARTHEST`] is the
+/// end of the range. The range includes the distances of rounding, of coordinates that are small, and of coordinates
+/// that should be zero.
 pub(crate) const FIRST_DISTANCE: i32 = -100;
 /// See [`FIRST_DISTANCE`].
 pub(crate) const FARTHEST: f64 = 16.0;

@@ -15,7 +15,7 @@ use crate::scalar::Scalar;
             others"
 )]
 pub trait Series<S: Scalar = f64>: Dynamics<S> {
-    /// The Taylor polynomial of the solution through (t, x), in this unit of time.
+    /// Sets `coefficients` to the Taylor polynomial of the solution through (t, x), in this unit of time.
     fn series<const HALF: usize>(
         &self,
         t: S,
@@ -24,15 +24,17 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     );
 
-    /// The Taylor coefficients, along the motion through (t, x) with these coefficients, of each switching function: an argument
-    /// whose sign distinguishes branches of the equations, such as u for |u| and u − v for max(u, v). Where one changes its sign
-    /// within a step, the series is compared with the equations behind it; where they differ, the step ends there, and the next
-    /// one begins on the branch behind.
+    /// Visits the Taylor coefficients of each switching function along the motion through (t, x) with the coefficients
+    /// `motion`.
     ///
-    /// Only the coefficient of order 0 is asked for where `motion` is the series about another state.
+    /// A switching function is an argument whose sign distinguishes branches of the equations, such as u for |u| and u
+    /// − v for max(u, v). If one changes its sign within a step, the series is compared with the equations after the
+    /// change; if they differ, the step ends there, and the next one begins on the new branch.
     ///
-    /// Without this method the equations are taken for smooth: a contact within a step may then be passed over, and a jump is
-    /// not passed.
+    /// Only the coefficient of order 0 is read if `motion` is the series about another state.
+    ///
+    /// Without this method the equations are assumed to be smooth: a contact within a step may then be missed, and the
+    /// motion cannot get past a jump.
     fn branches<const HALF: usize>(
         &self,
         t: S,
@@ -44,7 +46,7 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         let _ = (t, x, unit, motion, visit);
     }
 
-    /// What is known of the switching function of an index, for which [`branches`](Self::branches) visits the coefficients.
+    /// Returns the properties of the switching function with this index in the order of [`branches`](Self::branches).
     fn switching_function(&self, index: usize) -> SwitchingFunction {
         let _ = index;
         SwitchingFunction::default()
@@ -79,13 +81,13 @@ impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for &D {
     }
 }
 
-/// What is known of a switching function.
+/// The properties of a switching function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SwitchingFunction {
-    /// What it is called in error messages: its formula, such as `ẋ` for `signum(dot(x))`.
+    /// The name in error messages: the formula, such as `ẋ` for `signum(dot(x))`.
     pub name: &'static str,
-    /// Whether other switching functions have other branches where it changes its sign, as max(|x| − 1, 0) has for x. A step
-    /// then ends there, so that their series are those of their branches.
+    /// Whether other switching functions change branch where this one changes its sign, like x, which selects the
+    /// branch of |x| − 1 in max(|x| − 1, 0). A step then ends there, so that each series belongs to one branch.
     pub is_inner: bool,
 }
 

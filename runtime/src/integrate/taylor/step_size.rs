@@ -12,7 +12,7 @@ use crate::limits::taylor::NEGLIGIBLE_TERM;
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
-/// The reciprocal tolerances of the components, of the sizes that they reach within a step of this length.
+/// Returns the reciprocal tolerances of the components, for the sizes that they reach within a step of this length.
 #[inline]
 pub(super) fn weights<S, D, const HALF: usize>(
     polynomial: &TaylorInterpolant<D::State, HALF>,
@@ -29,7 +29,7 @@ where
     Tolerance::weights(&dynamics.allowed_error(&reached, tolerance))
 }
 
-/// The sizes that the components reach until τ.
+/// Returns the sizes that the components reach up to τ.
 #[inline]
 pub(super) fn reached<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
     from: &X,
@@ -51,13 +51,15 @@ const MIN_UNIT: f64 = f64::from_bits((1023 - 500) << 52);
 /// 3² · 5 · 7 · 11 · 13 over a power of two.
 const DIVISIBLE: f64 = 45_045.0 / 32_768.0;
 
-/// A unit of time near a positive number, within a factor of 1.5 and the range of exponents that leaves room for squares.
+/// Returns a unit of time near a positive number, within a factor of 1.5 and a range of exponents that leaves room for
+/// squares.
 ///
-/// The coefficients of order k are those of order k − 1 of the rates times unit/k. That is a number for k up to 16, since the
-/// unit is a power of two times the least common multiple of those k. Of a unit that is a power of two, unit/k would be
-/// rounded in the same way in every step, and the energy grow in proportion to the time, not like its root (E. Hairer et
-/// al., *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT **48** (2008) 231–243, on the rounding of the
-/// coefficients of a method). Terms of higher orders are too small for it.
+/// The coefficients of order k are the coefficients of order k − 1 of the rates times unit/k. This factor is exact for
+/// k up to 16, since the unit is a power of two times the least common multiple of these k. If the unit were a power of
+/// two, unit/k would be rounded in the same way in every step, and the energy would drift in proportion to the time
+/// instead of its square root (E. Hairer et al., *Achieving Brouwer's law with implicit Runge–Kutta methods*, BIT
+/// **48** (2008) 231–243, on the rounding of the coefficients of a method). Terms of higher orders are too small to
+/// matter.
 pub(super) fn unit_near(x: f64) -> f64 {
     let power = if x.is_normal() {
         f64::from_bits(x.to_bits() & EXPONENT).clamp(MIN_UNIT, 1.0 / MIN_UNIT)
@@ -67,15 +69,16 @@ pub(super) fn unit_near(x: f64) -> f64 {
     DIVISIBLE * power
 }
 
-/// The largest component over its tolerance.
+/// Returns the largest ratio of a component to its tolerance.
 #[inline]
 pub(super) fn weighted_norm<S: Scalar, X: VectorSpace<S>>(vector: &X, weights: &X) -> f64 {
     let ratios = vector.zip_map(weights, |component, weight| component.abs() * weight);
-    // Lane by lane first: across lanes once.
+    // Reduces lane by lane first, and across lanes only once.
     ratios.fold(S::zero(), Scalar::max).largest()
 }
 
-/// The component with the largest last term over its tolerance, which limits the step; `value` is what counts of a scalar.
+/// Returns the component with the largest last term over its tolerance, which limits the step; `value` reads a number
+/// from a scalar.
 #[cold]
 pub(super) fn limiting_component<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
     coefficients: &TaylorCoefficients<X, HALF>,
@@ -95,7 +98,7 @@ pub(super) fn limiting_component<S: Scalar, X: VectorSpace<S>, const HALF: usize
     largest.map_or(0, |(component, _)| component)
 }
 
-/// The norm of a term, in which derivative parts count by their size relative to those of the motion.
+/// The norm of a term, in which derivative parts are measured relative to the derivative parts of the motion.
 struct Norm<'a, S, X, const HALF: usize> {
     coefficients: &'a TaylorCoefficients<X, HALF>,
     weights: &'a X,
@@ -112,8 +115,8 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Norm<'_, S, X, HALF> {
         (0..S::DERIVATIVES).fold(norm, |norm, part| norm.max(self.of_derivative(term, part)))
     }
 
-    /// The derivative parts of one index, which are a vector that moves with the linearized motion: over the tolerance
-    /// and the size of that vector, both in the units of the weights.
+    /// Returns the norm of the derivative parts with one index. They form a vector that moves with the linearized
+    /// motion, and are divided by the tolerance and the size of this vector, both in the units of the weights.
     fn of_derivative(&self, term: &X, part: usize) -> f64 {
         let change = self.size(term, part);
         let coefficients = self.coefficients;
@@ -134,7 +137,7 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Norm<'_, S, X, HALF> {
         if ratio.is_nan() { f64::INFINITY } else { ratio }
     }
 
-    /// The largest derivative part of an index, in units of the sizes of the components.
+    /// Returns the largest derivative part with an index, in units of the sizes of the components.
     fn size(&self, vector: &X, part: usize) -> f64 {
         let pairs = vector.components().zip(self.weights.components());
         pairs.fold(0.0, |size: f64, (component, weight)| {
@@ -153,14 +156,14 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Norm<'_, S, X, HALF> {
     }
 }
 
-/// What the coefficients of a polynomial say about the length of a step.
+/// The information that the coefficients of a polynomial give about the length of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Proposal {
-    /// The step at which the last two terms meet the tolerance, in units (Jorba & Zou 2005, section 3.2). Where they are
-    /// zero, as in every other term of an even motion, the terms before count, down to half the order. If those are
-    /// zero, too, the motion is a polynomial, as that of a stone, and the step infinite: whether it is one, shows at its
-    /// end.
+    /// The step at which the last two terms meet the tolerance, in units (Jorba & Zou 2005, section 3.2). If they are
+    /// zero, like every other term of an even motion, the terms before them are used, down to half the order. If these
+    /// are zero, too, the motion may be a polynomial, like the motion of a stone, and the step is infinite; whether it
+    /// is one is checked at the end of the step.
     pub(super) step: f64,
     /// The larger norm of the two terms of about half the order.
     middle: f64,
@@ -196,15 +199,15 @@ impl Proposal {
         }
     }
 
-    /// Whether the terms of half the order hardly count at τ: then the tolerance says little about the length of the
-    /// step, and much may happen within it that the series does not see, such as a pulse.
+    /// Whether the terms of half the order are almost negligible at τ. The tolerance then says little about the length
+    /// of the step, and the series may miss changes within it, such as a pulse.
     #[inline]
     pub(super) fn is_of_low_degree(self, tau: f64, half_order: usize) -> bool {
         self.middle * power(tau, half_order) < NEGLIGIBLE_TERM
     }
 }
 
-/// A power by repeated squaring.
+/// Returns a power by repeated squaring.
 #[inline]
 pub(super) fn power<S: Scalar>(x: S, exponent: usize) -> S {
     let (mut product, mut square, mut exponent) = (S::one(), x, exponent);
@@ -218,7 +221,7 @@ pub(super) fn power<S: Scalar>(x: S, exponent: usize) -> S {
     product
 }
 
-/// The error of a step that is too small.
+/// Returns the error for a step that is too small.
 #[cold]
 pub(super) fn too_small(
     vanishing_inertia: Option<Singularity>,
@@ -263,7 +266,7 @@ mod tests {
     fn the_unit_over_an_order_is_a_number() {
         for order in 1..=16 {
             let part = unit_near(0.3) / f64::from(order);
-            // Its last 33 bits are zero, so that the product is exact, too.
+            // The last 33 bits are zero, so that the product is exact, too.
             assert_eq!(part.to_bits() << 31, 0, "{order}");
             assert!(
                 (part * f64::from(order) - unit_near(0.3)).abs() <= 0.0,

@@ -22,10 +22,10 @@ use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 use checks::Verdict;
 
-/// Takes the steps of a [`Taylor`] method.
+/// The stepper of a [`Taylor`] method.
 ///
 /// The state is a compensated sum, so that its rounding errors do not grow over a long integration. Steps end at times
-/// that are numbers, so that the time has none.
+/// that are floating-point numbers, so that the time has no rounding error.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -37,30 +37,31 @@ use checks::Verdict;
 )]
 pub struct TaylorStepper<X, const HALF: usize> {
     method: Taylor<HALF>,
-    /// Two polynomials: about the present time and state, and of the last step.
+    /// Two polynomials: the one about the present time and state, and the one of the last step.
     polynomials: [TaylorInterpolant<X, HALF>; 2],
     /// Whether the second one is about the present time.
     exchanged: bool,
-    /// The unit of time of the next series, near the size of the step: the coefficients of a series
-    /// then neither overflow nor underflow.
+    /// The unit of time of the next series, near the size of the step, so that the coefficients neither overflow nor
+    /// underflow.
     unit: f64,
-    /// What that polynomial says about the next step, once its coefficients are computed.
+    /// The step proposed by the polynomial about the present time, once its coefficients are computed.
     proposal: Option<Proposal>,
-    /// The length of the last step, 0 before the first.
+    /// The length of the last step; 0 before the first.
     length: f64,
-    /// The time in which the motion goes on: that at its start, or the longest step so far.
+    /// The time scale of the motion: the one at its start, or the longest step so far.
     time_scale: f64,
-    /// Whether the other polynomial is that of the last step.
+    /// Whether the other polynomial belongs to the last step.
     has_last: bool,
     /// The switching function whose discontinuity surface the motion cannot leave, if there is one.
     sliding: Option<usize>,
-    /// How many of the last steps ended at discontinuity surfaces after nothing but rounding errors of the time.
+    /// The number of consecutive last steps that ended at discontinuity surfaces after no more than rounding errors of
+    /// the time.
     short_passages: u32,
     statistics: Statistics,
 }
 
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
-    /// The same stepper under other settings.
+    /// Returns this stepper with other settings.
     pub(super) fn under(self, method: Taylor<HALF>) -> Self {
         Self { method, ..self }
     }
@@ -108,19 +109,19 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         })
     }
 
-    /// The polynomial about the present time.
+    /// Returns the polynomial about the present time.
     fn polynomial(&self) -> &TaylorInterpolant<X, HALF> {
         &self.polynomials[usize::from(self.exchanged)]
     }
 
-    /// The polynomial of the last step.
+    /// Returns the polynomial of the last step.
     pub(super) fn last(&self) -> Option<&TaylorInterpolant<X, HALF>> {
         self.has_last
             .then(|| &self.polynomials[usize::from(!self.exchanged)])
     }
 
-    /// Computes the coefficients of one of the polynomials, about a reduced state, in a unit in which they are finite, for a
-    /// step of about this length; or a component that is not finite.
+    /// Computes the coefficients of one of the polynomials, about a reduced state, for a step of about this length. The
+    /// unit of time is changed until they are finite; the error is a component that is not finite.
     fn expand<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -145,7 +146,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             if non_finite.is_none() {
                 let weights = weights(polynomial, dynamics, &tolerance, length.min(2.0 * unit));
                 let proposal = Proposal::of(&polynomial.coefficients, &weights, &tolerance);
-                // It is 0 where a coefficient over its tolerance is not finite.
+                // The step is 0 if a coefficient over its tolerance is not finite.
                 if proposal.step > 0.0 {
                     return Ok(proposal);
                 }
@@ -156,7 +157,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         Err(non_finite.map_or(0, |(index, _)| index))
     }
 
-    /// What the polynomial about the present time says about the next step.
+    /// Returns the step proposed by the polynomial about the present time.
     fn proposal<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -189,7 +190,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         })
     }
 
-    /// Ends a step of this length, with the other polynomial, whose coefficients need not be known.
+    /// Completes a step of this length. The other polynomial, whose coefficients need not be known, becomes the present
+    /// one.
     fn accept(&mut self, length: f64) {
         self.exchanged = !self.exchanged;
         self.time_scale = self.time_scale.max(length);
@@ -197,7 +199,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         self.statistics.steps += 1;
     }
 
-    /// The component that limits the step from the present time.
+    /// Returns the component that limits the step from the present time.
     fn limiting_component<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &self,
         dynamics: &D,
@@ -211,7 +213,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         limiting_component(&polynomial.coefficients, &weights, Scalar::largest)
     }
 
-    /// The tolerances, by which an error of a velocity counts by the displacement that it causes in some time scales.
+    /// Returns the tolerances, for which an error of a velocity counts by the displacement that it causes in several
+    /// time scales.
     fn tolerance<S: Scalar>(&self, length: f64) -> ErrorTolerance<S> {
         let time_scale = VELOCITY_TIMES * self.time_scale.max(length);
         self.method.tolerance::<S>().over(S::from_f64(time_scale))

@@ -1,33 +1,34 @@
-//! The changes of sign of a polynomial in the unit interval.
+//! The sign changes of a polynomial in the unit interval.
 //!
-//! J. M. Lane & R. F. Riesenfeld, *Bounds on a Polynomial*, BIT **21** (1981) 112–117: a polynomial changes its sign at most as
-//! often as its Bernstein coefficients do, and those of a part of the interval follow by subdivision (de Casteljau). Parts are
-//! halved until each has one change or none. The arithmetic is that of `f64`: values below its errors have no sign.
+//! J. M. Lane & R. F. Riesenfeld, *Bounds on a Polynomial*, BIT **21** (1981) 112–117: a polynomial changes its sign at
+//! most as often as its Bernstein coefficients do, and the coefficients on a part of the interval follow by subdivision
+//! (de Casteljau). Parts are halved until each has at most one change. The arithmetic is plain `f64`: values below its
+//! errors have no sign.
 
 use crate::integrate::bernstein::{self, Variations, as_number};
 use crate::integrate::event::Bracket;
 use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{ISOLATION_STEPS, MIN_PART, SIGN_UNCERTAINTY};
 
-/// A polynomial of an argument from 0 to 1.
+/// A polynomial with an argument from 0 to 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct UnitPolynomial {
     /// The coefficients of powers.
     powers: Coefficients,
-    /// The errors of the terms.
+    /// The relative errors of the terms.
     epsilon: f64,
 }
 
-/// A change of sign.
+/// A sign change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SignChange {
-    /// The first number behind it.
+    /// The first number after the change.
     pub(super) at: f64,
-    /// The sign behind it.
+    /// The sign after the change.
     pub(super) behind: f64,
 }
 
-/// As many numbers as a polynomial has coefficients.
+/// The coefficients of a polynomial, in powers or in the Bernstein form.
 #[derive(Clone, Copy, Debug)]
 struct Coefficients {
     values: [f64; MAX_COEFFICIENTS],
@@ -43,13 +44,13 @@ impl Coefficients {
         self.values.get_mut(..self.count).unwrap_or_default()
     }
 
-    /// The Bernstein coefficients on the unit interval, from the coefficients of powers.
+    /// Converts the coefficients of powers to Bernstein coefficients on the unit interval.
     fn to_bernstein(mut self) -> Self {
         bernstein::between(self.get_mut(), 0.0, 1.0);
         self
     }
 
-    /// Those on the part of the interval behind `u`.
+    /// Returns the Bernstein coefficients on the part of the interval after `u`.
     fn behind(mut self, u: f64) -> Self {
         let count = self.count;
         let all = self.get_mut();
@@ -61,7 +62,7 @@ impl Coefficients {
         self
     }
 
-    /// Those on the part of the interval before `u`.
+    /// Returns the Bernstein coefficients on the part of the interval before `u`.
     fn before(mut self, u: f64) -> Self {
         let count = self.count;
         let all = self.get_mut();
@@ -73,15 +74,15 @@ impl Coefficients {
         self
     }
 
-    /// The first and the last sign that is certain, and how often the sign changes.
+    /// Returns the first and the last certain sign, and the number of sign changes.
     fn signs(&self, uncertainty: f64) -> Variations {
         Variations::of(self.get().iter().copied(), uncertainty)
     }
 }
 
 impl UnitPolynomial {
-    /// The polynomial with these coefficients, which have relative errors of this machine epsilon; those that are more than any
-    /// method has are left out.
+    /// Creates the polynomial with these coefficients, whose relative errors are of the order of this machine epsilon.
+    /// Coefficients beyond the highest order of any method are ignored.
     pub(super) fn new(coefficients: impl Iterator<Item = f64>, epsilon: f64) -> Self {
         let mut powers = Coefficients {
             values: [0.0; MAX_COEFFICIENTS],
@@ -101,26 +102,26 @@ impl UnitPolynomial {
         self.powers.get()
     }
 
-    /// What errors of the terms make of a value up to `u`.
+    /// Returns the effect of errors of the terms on a value up to `u`.
     pub(super) fn uncertainty(&self, u: f64) -> f64 {
         let coefficients = self.coefficients().iter().rev();
         let sum = coefficients.fold(0.0, |sum, a| sum * u + a.abs());
         SIGN_UNCERTAINTY * self.epsilon * sum
     }
 
-    /// The value at `u`.
+    /// Returns the value at `u`.
     pub(super) fn value(&self, u: f64) -> f64 {
         let coefficients = self.coefficients().iter().rev();
         coefficients.fold(0.0, |sum, a| sum * u + a)
     }
 
-    /// The derivative at `u`.
+    /// Returns the derivative at `u`.
     pub(super) fn slope(&self, u: f64) -> f64 {
         let coefficients = self.coefficients().iter().enumerate().skip(1).rev();
         coefficients.fold(0.0, |sum, (k, a)| sum * u + a * as_number(k))
     }
 
-    /// The changes of sign, in order. Arguments that differ by `resolution` are not distinguished.
+    /// Returns the sign changes, in order. Arguments that differ by `resolution` are not distinguished.
     pub(super) fn sign_changes(&self, resolution: f64) -> SignChanges<'_> {
         SignChanges {
             polynomial: self,
@@ -134,7 +135,7 @@ impl UnitPolynomial {
         }
     }
 
-    /// The first number behind the change of a sign between two arguments.
+    /// Returns the first number after a change of `sign` between two arguments.
     fn change_between(&self, a: f64, b: f64, sign: f64) -> f64 {
         let value = |u| sign * self.value(u);
         let mut ends = [a, b].map(|u| (u, value(u)));
@@ -147,29 +148,29 @@ impl UnitPolynomial {
     }
 }
 
-/// The changes of sign of a polynomial.
+/// An iterator over the sign changes of a polynomial.
 pub(super) struct SignChanges<'a> {
     polynomial: &'a UnitPolynomial,
     resolution: f64,
     bernstein: Coefficients,
-    /// Where the next part begins.
+    /// The beginning of the next part.
     left: f64,
     width: f64,
-    /// The last sign that was certain, 0 before there is one.
+    /// The last certain sign; 0 before there is one.
     sign: f64,
-    /// Up to where it was certain.
+    /// The argument up to which it was certain.
     certain: f64,
     steps: u32,
 }
 
 impl SignChanges<'_> {
-    /// Goes on to the next part, which is twice as long.
+    /// Proceeds to the next part, and doubles the width.
     fn advance(&mut self, right: f64) {
         self.left = right;
         self.width *= 2.0;
     }
 
-    /// A change to the sign `behind`, up to `right`.
+    /// Returns a change to the sign `behind`, up to `right`.
     fn change(&mut self, behind: f64, right: f64) -> SignChange {
         let before = if self.sign == 0.0 { -behind } else { self.sign };
         let at = self.polynomial.change_between(self.certain, right, before);
@@ -217,7 +218,7 @@ impl Iterator for SignChanges<'_> {
 mod tests {
     use super::UnitPolynomial;
 
-    /// The coefficients of Π (u − rᵢ).
+    /// Returns the coefficients of Π (u − rᵢ).
     fn with_roots(roots: &[f64]) -> Vec<f64> {
         let mut coefficients = vec![1.0];
         for root in roots {

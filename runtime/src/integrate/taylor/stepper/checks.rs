@@ -1,4 +1,5 @@
-//! Whether a polynomial is the motion: at the end of a step, within it, and behind passages to other branches of the equations.
+//! Checks that a polynomial is the motion: at the end of a step, within it, and after passages to other branches of the
+//! equations.
 
 use super::TaylorStepper;
 use crate::integrate::error::IntegrationError;
@@ -11,23 +12,26 @@ use crate::limits::taylor::{INNER_CHECKS, LONG_STEP, RESIDUAL_ROUNDING, RESOLUTI
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
-/// Whether the polynomial is the motion within a step.
+/// The result of the check that the polynomial is the motion within a step.
 pub(super) enum Verdict {
-    /// It is, with what the polynomial about the end says about the next step, if that is known.
+    /// The polynomial agrees, with the next step proposed by the polynomial about the end, if that is known.
     Agrees(Option<Proposal>),
-    /// It is not in a component.
+    /// The polynomial differs from the motion in this component.
     Differs(usize),
-    /// It is known in this part of the step alone, in which the series of all switching functions converge.
+    /// The polynomial is known only in this fraction of the step, in which the series of all switching functions
+    /// converge.
     Converges(f64),
-    /// It is not behind a change of sign of a switching function.
+    /// The polynomial differs from the motion after a sign change of a switching function.
     Crosses(Crossing),
 }
 
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
-    /// Whether the polynomial is the motion until the time `end`: whether its derivative is that of the motion there, behind each
-    /// change of sign of a switching function, and at times within a step that is long or for which a polynomial of low degree
-    /// is enough. The polynomial about `end`, whose first coefficient is the derivative there, becomes the other one; unless it
-    /// is `needed`, its coefficients are left for later, and so they are where the end is projected.
+    /// Checks that the polynomial is the motion until the time `end`.
+    ///
+    /// Its derivative is compared with the derivative of the motion at `end`, after each sign change of a switching
+    /// function, and, if the step is long or a polynomial of low degree is enough for it, at times within the step. The
+    /// polynomial about `end`, whose first coefficient is the derivative there, becomes the other one. Its coefficients
+    /// are not computed yet if they are not `needed` or the end is projected.
     ///
     /// # Errors
     ///
@@ -93,7 +97,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         Ok(Verdict::Agrees(next_proposal))
     }
 
-    /// The first change of sign of a switching function behind which the polynomial is not the motion.
+    /// Returns the first sign change of a switching function after which the polynomial differs from the motion.
     fn first_crossing<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -118,8 +122,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         None
     }
 
-    /// Whether a step of a length is so long, or a polynomial of so low a degree is enough for it, that much may happen within it
-    /// that the series does not see.
+    /// Whether a step is so long, or a polynomial of such a low degree is enough for it, that the series may miss
+    /// changes within it.
     pub(super) fn is_uncertain_within<S: Scalar>(
         &self,
         proposal: Proposal,
@@ -129,7 +133,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         h > LONG_STEP * self.length || proposal.is_of_low_degree(tau.abs().largest(), HALF)
     }
 
-    /// Whether the polynomial about the present time, if its coefficients are known, has the derivative of these dynamics there.
+    /// Whether the polynomial about the present time has the derivative of these dynamics there, or its coefficients
+    /// are not known.
     pub(in crate::integrate::taylor) fn is_of<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &self,
         dynamics: &D,
@@ -157,7 +162,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         }
     }
 
-    /// The check at times within a step.
+    /// Checks times within a step.
     pub(super) fn check_within<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -174,7 +179,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         Ok(())
     }
 
-    /// The check at a part of a step.
+    /// Checks one time, at a fraction of a step.
     pub(super) fn check_at<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -197,7 +202,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         allowance.check(dynamics, &point, &derivative)
     }
 
-    /// The changes of sign of switching functions in a step.
+    /// Returns the sign changes of switching functions in a step.
     fn crossings<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &self,
         dynamics: &D,

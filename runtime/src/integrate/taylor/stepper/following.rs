@@ -11,8 +11,8 @@ impl<X: VectorSpace<f64>, const HALF: usize> TaylorStepper<X, HALF> {
         !self.has_last
     }
 
-    /// Takes over the last step of a lane, and adds its cost to what the motion has cost before the lane was set. The polynomial is
-    /// copied only on request; without it no state within the step is known.
+    /// Copies the last step of a lane, and adds its statistics to those of the motion before the lane was set. The
+    /// polynomial is copied only on request; without it no state within the step is known.
     pub(crate) fn follow<Y, const L: usize>(
         &mut self,
         (lanes, lane): (&TaylorLanes<Y, L, HALF>, usize),
@@ -33,7 +33,7 @@ impl<X: VectorSpace<f64>, const HALF: usize> TaylorStepper<X, HALF> {
         self.statistics = before.plus(lanes.statistics(lane));
     }
 
-    /// No step could be taken from here.
+    /// Discards the last step, because none could be taken from here.
     pub(crate) fn forget_last_step(&mut self) {
         self.has_last = false;
     }

@@ -11,12 +11,12 @@ use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
-    /// Ends a step at a change of sign of a switching function, with the state behind it; or a component in which the
-    /// polynomial is not the motion before it.
+    /// Ends a step at a sign change of a switching function, with the state after it. Returns a component in which the
+    /// polynomial differs from the motion before it, if there is one.
     ///
     /// # Errors
     ///
-    /// If the state behind it cannot be projected onto the manifold of the dynamics.
+    /// If the state after it cannot be projected onto the manifold of the dynamics.
     pub(super) fn pass<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -76,7 +76,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         Ok(None)
     }
 
-    /// Whether the polynomial is the motion until shortly before a change of sign of a switching function.
+    /// Checks that the polynomial is the motion until shortly before a sign change of a switching function.
     fn check_before<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
@@ -103,7 +103,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         Ok(())
     }
 
-    /// The error of a motion that cannot leave a discontinuity surface.
+    /// Returns the error for a motion that cannot leave a discontinuity surface.
     #[cold]
     pub(super) fn sliding_error<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &self,
@@ -119,7 +119,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         }
     }
 
-    /// The error of a step that is too small, `rejected` in a component if there was time for that.
+    /// Returns the error for a step that is too small; `rejected` is the component for which a longer one was rejected,
+    /// if there is one.
     #[cold]
     pub(super) fn too_small<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &self,

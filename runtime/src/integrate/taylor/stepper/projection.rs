@@ -1,4 +1,4 @@
-//! Ends of steps on the manifold of the dynamics.
+//! Projection of the ends of steps onto the manifold of the dynamics.
 
 use super::TaylorStepper;
 use crate::integrate::dynamics::Dynamics;
@@ -9,8 +9,8 @@ use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
-    /// Puts the end of a step that is accepted, where the other polynomial begins, onto the manifold, and lets the polynomial of the step
-    /// end there.
+    /// Projects the end of an accepted step, where the other polynomial begins, onto the manifold, and changes the
+    /// polynomial of the step to end there.
     pub(super) fn project_end<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
