@@ -31,7 +31,7 @@ use crate::scalar::Scalar;
 /// let pendulum = Pendulum { m: 1.0, g: 9.81, l: 1.0 };
 /// let problem = Problem::new(&pendulum, State::new(0.0, [0.5], [0.0]));
 /// let whole = problem.clone().solve(10.0, Dop853::new())?;
-/// A step limit or a cancellation ends an integration without losing anything.
+/// // A step limit or a cancellation ends an integration without losing anything.
 /// let mut part = problem.clone().max_steps(7).start(Dop853::new())?;
 /// assert_eq!(part.advance(10.0)?.reason, StopReason::StepLimit);
 /// let checkpoint = part.checkpoint();

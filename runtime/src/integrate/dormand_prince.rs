@@ -34,8 +34,8 @@ const ALL_STAGES: usize = 16;
 ///
 /// # Tolerances
 ///
-/// A step is accepted when the root mean square over the components of errorᵢ / (absoluteᵢ + relative · sizeᵢ) is at most
-/// 1 (Hairer, Nørsett & Wanner, II.4). It depends neither on the unit of time nor on how far an angle has turned:
+/// A step is accepted when the root mean square over the components of errorᵢ / (absoluteᵢ + relative · sizeᵢ) is at
+/// most 1 (Hairer, Nørsett & Wanner, II.4). It depends neither on the unit of time nor on how far an angle has turned:
 ///
 /// - The size of a component is the larger of |xᵢ| before and after the step. The size of a coordinate that is an angle
 ///   is 1, and the size of any other ignorable coordinate is |q̇ᵢ| T.

@@ -39,7 +39,7 @@ pub enum IntegrationError {
     },
     /// An initial, final or sample time is not finite, or differs between lanes.
     NonFiniteTime {
-        /// That time.
+        /// The time.
         time: f64,
     },
     /// The mass matrix is singular, or so ill-conditioned that the error of the accelerations exceeds the singularity
@@ -135,7 +135,7 @@ pub enum IntegrationError {
     },
     /// The time at which a solution is evaluated is not between its ends.
     OutsideSolution {
-        /// That time.
+        /// The time.
         time: f64,
         /// The start of the solution, or of the last step.
         start: f64,
@@ -153,19 +153,19 @@ pub enum IntegrationError {
     },
     /// An interval between samples is not a positive finite number.
     InvalidSampleInterval {
-        /// That interval.
+        /// The interval.
         interval: f64,
     },
     /// The period of a sampled controller is not a positive finite number.
     InvalidPeriod {
-        /// That period.
+        /// The period.
         period: f64,
     },
     /// The time constant of an actuator's lag is not a positive finite number.
     InvalidTimeConstant {
         /// The index of the input.
         input: usize,
-        /// That time constant.
+        /// The time constant.
         time_constant: f64,
     },
     /// The next update of a state is not later than the present one, for example because a period is shorter than the
@@ -178,7 +178,7 @@ pub enum IntegrationError {
     },
     /// A step size is not a positive finite number.
     InvalidStep {
-        /// That step size.
+        /// The step size.
         step: f64,
     },
     /// The smallest step size is larger than the largest.
@@ -205,7 +205,7 @@ pub enum IntegrationError {
     },
     /// The singularity tolerance is not a positive number.
     InvalidSingularityTolerance {
-        /// That tolerance.
+        /// The tolerance.
         tolerance: f64,
     },
     /// An event is watched that the model does not declare.
@@ -219,7 +219,7 @@ pub enum IntegrationError {
     UnorderedTimes {
         /// The index of the first time that is out of order.
         index: usize,
-        /// That time.
+        /// The time.
         time: f64,
         /// The time before it.
         previous: f64,

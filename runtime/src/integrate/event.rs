@@ -3,8 +3,8 @@
 //! The input is the last step of any method; the output is the events that occur in it, in the order of time. Their
 //! consequences are decided elsewhere. Nothing here allocates.
 //!
-//! L. F. Shampine & S. Thompson, *Event Location for Ordinary Differential Equations*, Comput. Math. Appl. **39** (2000)
-//! 43–54, show that the error of an integration which restarts at an event is of the order of the method.
+//! L. F. Shampine & S. Thompson, *Event Location for Ordinary Differential Equations*, Comput. Math. Appl. **39**
+//! (2000) 43–54, show that the error of an integration that restarts at events is of the order of the method.
 
 mod detection;
 mod both;

@@ -236,8 +236,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         self
     }
 
-    /// Sets the relative error of the accelerations at which the integration ends near a singularity of the mass matrix: the
-    /// machine epsilon over the smallest relative pivot. Infinity turns the check off.
+    /// Sets the relative error of the accelerations at which the integration ends near a singularity of the mass
+    /// matrix: the machine epsilon over the smallest relative pivot. Infinity turns the check off.
     ///
     /// The default is the relative tolerance of an adaptive method, or 10⁻⁶ for fixed steps, but at least 4096 machine
     /// epsilons, since the pivots of regular models are small, too.

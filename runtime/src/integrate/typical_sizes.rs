@@ -27,7 +27,7 @@ pub trait SetTypicalSizes<S: Scalar = f64>: Dynamics<S> {
     /// ```
     /// use lagrangian::prelude::*;
     ///
-    /// A cart that travels kilometres with a swinging pendulum.
+    /// /// A cart that travels kilometres with a swinging pendulum.
     /// #[derive(Lagrangian)]
     /// #[lagrangian(
     ///     coordinates(x, theta),

@@ -66,27 +66,29 @@ pub(crate) const FIRST_DISTANCE: i32 = -100;
 /// See [`FIRST_DISTANCE`].
 pub(crate) const FARTHEST: f64 = 16.0;
 
-/// An eigenvalue of the second variation counts as zero if it changes by half of itself within the error of the equilibrium, and so do
-/// those of the linearized motion.
+/// An eigenvalue of the second variation, or of the linearized motion, counts as zero if it changes by half of itself
+/// within the error of the equilibrium.
 pub(crate) const VARIATION_ERRORS: f64 = 2.0;
 
-/// The perturbations for which the power of forces is looked at, in sizes of the coordinates: small, of two orders.
+/// The perturbations for which the power of forces is evaluated, in sizes of the coordinates: small, and of two orders
+/// of magnitude.
 pub(crate) const ENERGY_SAMPLES: [f64; 2] = [1.0 / 1024.0, 1.0 / 1_048_576.0];
 
-/// Real parts of eigenvalues, in relation to the largest eigenvalue, are zero up to this power of the machine epsilon: that
-/// of the perturbation of a double eigenvalue. So are squares of frequencies, and what is not symmetric in a Hessian.
+/// The power of the machine epsilon up to which real parts of eigenvalues are zero, relative to the largest eigenvalue:
+/// the perturbation of a double eigenvalue has this size. It also applies to squares of frequencies, and to the
+/// asymmetry of a Hessian.
 pub(crate) const NEGLIGIBLE: f64 = 0.5;
 
-/// The errors of the entries of a linearized motion, in machine epsilons: by judgement, so that those of its derivation and of the
-/// QR algorithm are covered.
+/// The errors of the entries of a linearized motion, in machine epsilons. By judgement, so that the errors of its
+/// derivation and of the QR algorithm are covered.
 pub(crate) const EIGENVALUE_ERRORS: f64 = 1024.0;
 
-/// An eigenvalue that is defective is found up to this power of the machine epsilon, in relation to the largest one to which it is
-/// coupled: that of a triple one.
+/// The power of the machine epsilon up to which a defective eigenvalue is found, relative to the largest one to which
+/// it is coupled: the power for a triple eigenvalue.
 pub(crate) const DEFECTIVE: f64 = 1.0 / 3.0;
 
-/// Times after that of a state at which its equations are looked at, to see whether they contain the time: irrational ratios, so
-/// that no period has all of them, and several sizes.
+/// The delays after the time of a state at which its equations are evaluated, to find whether they contain the time.
+/// Their ratios are irrational, so that no period contains all of them, and they have several orders of magnitude.
 pub(crate) const OTHER_TIMES: [f64; 4] = [
     core::f64::consts::FRAC_1_SQRT_2 * 1e-3,
     0.618_033_988_749_894_8,
@@ -94,42 +96,44 @@ pub(crate) const OTHER_TIMES: [f64; 4] = [
     1e6 * core::f64::consts::PI,
 ];
 
-/// The coefficient of the leading term of the relative error of the Padé approximant of degree 13, of the power 26 of the norm:
-/// (13!)²/(26! 27!).
+/// The coefficient of the leading term in the relative error of the Padé approximant of degree 13, which has the power
+/// 26 of the norm: (13!)²/(26! 27!).
 pub(crate) const PADE_ERROR: f64 = 8.83e-36;
 
-/// Halvings of the argument of the exponential: beyond, it overflows or underflows in any case.
+/// The limit of halvings of the argument of the exponential: beyond it, the exponential overflows or underflows in any
+/// case.
 pub(crate) const PADE_SQUARINGS: i32 = 60;
 
 /// In the staircase form, entries below this many machine epsilons of the largest one, for each dimension, are zero.
 pub(crate) const UNREACHED: f64 = 64.0;
 
-/// The distance of eigenvalues from the border of stability, in relation to the largest one, below which they may be on it.
+/// The distance of eigenvalues from the border of stability, relative to the largest one, below which they may be on
+/// it.
 pub(crate) const BORDER: f64 = 1e-9;
 
-/// Steps towards the sign of a matrix: scaled, they take some ten, and one more for each halving of the angle between an eigenvalue and the
-/// imaginary axis.
+/// The limit of steps towards the sign of a matrix. With scaling they take about ten, and one more for each halving of
+/// the angle between an eigenvalue and the imaginary axis.
 pub(crate) const SIGN_ITERATIONS: usize = 200;
 
-/// Steps of Newton's method for a Riccati equation. From a cost that is far too large each halves it; near the solution a few
-/// are enough.
+/// The limit of Newton steps for a Riccati equation. From a cost that is far too large, each step halves it; near the
+/// solution a few are enough.
 pub(crate) const RICCATI_NEWTON_STEPS: usize = 100;
 
-/// A step of Newton's method for a Riccati equation, in relation to the cost, that leaves only rounding errors: the next one is less by
-/// as much, unless the equation is badly conditioned.
+/// A Newton step for a Riccati equation, relative to the cost, after which only rounding errors remain: the next step
+/// would be shorter by this factor again, unless the equation is ill-conditioned.
 pub(crate) const RICCATI_ROUNDING: f64 = 1e-20;
 
-/// The last step of Newton's method may be this long, in relation to the cost, where rounding errors make it no shorter.
+/// The largest last Newton step, relative to the cost, if rounding errors prevent shorter ones.
 pub(crate) const RICCATI_CHANGE: f64 = 1e-10;
 
-/// Powers of a stable matrix count as zero from here on, in units in which it is balanced: their squares are below the rounding
-/// errors of a double-double.
+/// Powers of a stable matrix count as zero below this, in units in which it is balanced: their squares are below the
+/// rounding errors of a double-double.
 pub(crate) const VANISHED_POWER: f64 = 1e-18;
 
-/// The parameters of the Cayley transform that are compared, in units of the geometric mean of the least and the largest
-/// eigenvalue: several, so that one is far from all eigenvalues.
+/// The parameters of the Cayley transform that are compared, in units of the geometric mean of the smallest and the
+/// largest eigenvalue. There are several, so that one is far from all eigenvalues.
 pub(crate) const CAYLEY_SHIFTS: [f64; 6] = [1.0, 1.3, 0.8, 1.7, 0.6, 2.2];
 
-/// Doublings after which a Riccati equation has no solution: they converge quadratically, unless eigenvalues of the closed
-/// loop are at the border of stability.
+/// The number of doublings after which a Riccati equation has no solution: they converge quadratically, unless
+/// eigenvalues of the closed loop are on the border of stability.
 pub(crate) const DOUBLINGS: usize = 60;

@@ -1,7 +1,7 @@
 //! The location of a zero between two times.
 //!
-//! I. F. D. Oliveira & R. H. C. Takahashi, *An Enhancement of the Bisection Method Average Performance Preserving Minmax
-//! Optimality*, ACM Trans. Math. Softw. **47** (2021) 5: interpolate, truncate, project. It takes at most one
+//! I. F. D. Oliveira & R. H. C. Takahashi, *An Enhancement of the Bisection Method Average Performance Preserving
+//! Minmax Optimality*, ACM Trans. Math. Softw. **47** (2021) 5: interpolate, truncate, project. It takes at most one
 //! evaluation more than bisection, and only a few for a smooth function.
 
 use crate::limits::events::DIVISIONS;
