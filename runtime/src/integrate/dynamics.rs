@@ -147,13 +147,12 @@ pub trait Dynamics<S: Scalar = f64> {
     /// component.
     ///
     /// The projection must depend on `t` and `x` alone and always take the same number of iterations, so that a motion
-    /// has the same bits alone, in lanes and resumed. It must leave a state on the manifold in place except for
-    /// rounding. After n iterations of Newton's method with the gradients of the first iteration, a relative error e
-    /// becomes eⁿ⁺¹: two iterations are enough for tolerances of 10⁻⁶, three for any tolerance, and
-    /// [`Dual`](crate::Dual) numbers need one more. Project positions before velocities, whose constraints are
-    /// evaluated at the projected positions. For a mechanical system the nearest state is meant in the metric of the
-    /// mass matrix, so that the correction acts like constraint forces.
-    ///
+    /// is identical to the last bit when it is integrated alone, in lanes, or resumed from a checkpoint. It must leave
+    /// a state on the manifold in place except for rounding. After n iterations of Newton's method with the gradients
+    /// of the first iteration, a relative error e becomes eⁿ⁺¹: two iterations are enough for tolerances of 10⁻⁶, three
+    /// for any tolerance, and [`Dual`](crate::Dual) numbers need one more. Project positions before velocities, whose
+    /// constraints are evaluated at the projected positions. For a mechanical system the nearest state is meant in the
+    /// metric of the mass matrix, so that the correction acts like constraint forces.
     /// ```
     /// use lagrangian::prelude::*;
     /// use lagrangian::problem::Projection;

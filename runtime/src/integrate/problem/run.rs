@@ -222,7 +222,8 @@ where
     ///
     /// # Errors
     ///
-    /// [`OutsideSolution`](IntegrationError::OutsideSolution), or [`ProjectionFailed`](IntegrationError::ProjectionFailed).
+    /// [`OutsideSolution`](IntegrationError::OutsideSolution), or
+    /// [`ProjectionFailed`](IntegrationError::ProjectionFailed).
     pub fn at(&mut self, t: f64) -> Result<At<S, D::State>, IntegrationError> {
         let (start, end) = (self.previous_time(), self.stepper.time());
         if !(start.min(end)..=start.max(end)).contains(&t) {
