@@ -153,6 +153,7 @@ pub trait Dynamics<S: Scalar = f64> {
     /// for any tolerance, and [`Dual`](crate::Dual) numbers need one more. Project positions before velocities, whose
     /// constraints are evaluated at the projected positions. For a mechanical system the nearest state is meant in the
     /// metric of the mass matrix, so that the correction acts like constraint forces.
+    ///
     /// ```
     /// use lagrangian::prelude::*;
     /// use lagrangian::problem::Projection;

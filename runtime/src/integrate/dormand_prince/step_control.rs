@@ -27,8 +27,8 @@ const GUESS: u64 = ONE + ONE / 8 - 247_697_979_505_377;
 ///
 /// The next step waits for it: three square roots and a division took 3 % of the time of a step of the symmetric top.
 /// The bits of a number, read as an integer, are approximately its logarithm (J. F. Blinn, *Floating-point tricks*,
-/// IEEE Computer Graphics and Applications **17** (1997) 80–84), which gives a guess y. The binomial series of (1 −
-/// r)^(−1/8) in r = 1 − x y⁸ corrects it.
+/// IEEE Computer Graphics and Applications **17** (1997) 80–84), which gives a guess y. The binomial series of
+/// (1 − r)^(−1/8) in r = 1 − x y⁸ corrects it.
 #[inline]
 fn reciprocal_root(x: f64) -> f64 {
     let y = f64::from_bits(GUESS.wrapping_sub(x.to_bits() >> 3));

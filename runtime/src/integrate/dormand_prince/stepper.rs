@@ -229,7 +229,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
         self.last = None;
         loop {
             let proposed = self.limited(control.step());
-            // A step after which the time rounds to the target has not necessarily arrived there.
+            // A step after which the time rounds to the target has not quite arrived: it is made to land on the target.
             #[allow(clippy::float_cmp)] // Exact equality is intended.
             let is_near = self.clock.after(proposed.copysign(remaining)) == target;
             let lands = is_near || limits::LANDING * proposed >= remaining.abs();

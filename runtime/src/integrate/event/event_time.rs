@@ -1,11 +1,11 @@
 //! The time of an event in the arithmetic of the scalar, and the state at that time.
 //!
 //! A stepper measures time in `f64`, and finds an event at such a time t*. The exact time is t* + δ, with the delay δ
-//! for which g(t* + δ, x(t* + δ)) = 0. With dual numbers δ consists of derivative parts, so that dt*/dx₀ = −(∂g/∂x
-//! ∂x/∂x₀)/ġ; with double-doubles it consists of the digits beyond `f64`. A reaction sees the state at t* + δ. The
-//! state that it leaves is moved back by δ along the motion that follows, so that the stepper continues at t*. In this
-//! way the derivatives of a motion jump at an impact or a switch (R. I. Leine & H. Nijmeijer, *Dynamics and
-//! Bifurcations of Non-Smooth Mechanical Systems*, 2004, ch. 7, the saltation matrix; I. A. Hiskens & M. A. Pai,
+//! for which g(t* + δ, x(t* + δ)) = 0. With dual numbers δ consists of derivative parts, so that
+//! dt*/dx₀ = −(∂g/∂x ∂x/∂x₀)/ġ; with double-doubles it consists of the digits beyond `f64`. A reaction sees the state
+//! at t* + δ. The state that it leaves is moved back by δ along the motion that follows, so that the stepper continues
+//! at t*. In this way the derivatives of a motion jump at an impact or a switch (R. I. Leine & H. Nijmeijer, *Dynamics
+//! and Bifurcations of Non-Smooth Mechanical Systems*, 2004, ch. 7, the saltation matrix; I. A. Hiskens & M. A. Pai,
 //! *Trajectory Sensitivity Analysis of Hybrid Systems*, IEEE Trans. Circuits Syst. I **47** (2000) 204–220).
 //!
 //! If an event function touches zero without a change of sign, the time has no derivative: its derivative parts are

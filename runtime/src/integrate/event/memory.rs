@@ -179,9 +179,9 @@ impl<V: Values> Memory<V> {
         }
     }
 
-    /// Records a reaction to an event, in steps of about this length. Returns whether there were too many in a row, each
-    /// within a short time, or two if the function does not leave zero (`is_left` is false). The time is longer if the
-    /// function has not left its rounding errors in between.
+    /// Records a reaction to an event, in steps of about this length. Returns whether there were too many in a row,
+    /// each within a short time, or two if the function does not leave zero (`is_left` is false). The time is longer if
+    /// the function has not left its rounding errors in between.
     pub(super) fn is_accumulating(
         &mut self,
         event: usize,

@@ -205,9 +205,9 @@ where
 }
 
 /// Moves a state and the motion from it up and down by some rounding errors. The resulting change of a function's
-/// series is the effect of rounding on it, and may be as large as the series itself if terms cancel, as in √(x² + y²) −
-/// 1 on a circle. The signs are taken from a linear congruential sequence (W. H. Press et al., *Numerical Recipes*, 2nd
-/// edition 1992, section 7.1), so that no symmetry of a function cancels them.
+/// series is the effect of rounding on it, and may be as large as the series itself if terms cancel, as in
+/// √(x² + y²) − 1 on a circle. The signs are taken from a linear congruential sequence (W. H. Press et al., *Numerical
+/// Recipes*, 2nd edition 1992, section 7.1), so that no symmetry of a function cancels them.
 fn moved_by_rounding<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
     x: &X,
     motion: &TaylorCoefficients<X, HALF>,

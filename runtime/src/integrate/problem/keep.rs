@@ -123,7 +123,7 @@ pub struct StepEnds;
 /// The whole motion, which can be evaluated at any time: `solution.at(t)`.
 ///
 /// Between the ends of steps a state is on the manifold of the [dynamics](crate::Dynamics::project) within the
-/// tolerance; samples are on it exactly.
+/// tolerance; samples are projected onto it.
 #[cfg(feature = "alloc")]
 #[derive(Clone, Copy, Debug)]
 pub struct Dense;

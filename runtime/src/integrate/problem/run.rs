@@ -75,7 +75,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     ///
     /// # Errors
     ///
-    /// If a setting is invalid, the state is not finite or singular, or does not satisfy the
+    /// If a setting is invalid, or if the state is not finite, is singular, or violates the
     /// [constraints](Dynamics::project) of the dynamics.
     pub fn start<I>(self, method: I) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
     where
@@ -245,7 +245,7 @@ where
     ///
     /// # Errors
     ///
-    /// If the changed state is not finite or singular, or does not satisfy the [constraints](Dynamics::project) of the
+    /// If the changed state is not finite, is singular, or violates the [constraints](Dynamics::project) of the
     /// dynamics. The state is then as before, but the dynamics stay changed.
     pub fn change(
         &mut self,

@@ -123,8 +123,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
 
     /// Stops at the first **end of a step** at which the condition holds, or at the start if it holds there; a
     /// [`Run`](super::Run) does not continue while it holds. Steps may be long, and a condition that holds only within
-    /// a step is not noticed. To find the place at which x > 10 begins to hold, use an event: `when(|x| x.q[0] -
-    /// 10.0).rising().stop()`.
+    /// a step is not noticed. To find the place at which x > 10 begins to hold, use an event:
+    /// `when(|x| x.q[0] - 10.0).rising().stop()`.
     pub fn stop_when<F>(self, condition: F) -> Problem<S, D, K, (C, PredicateOfState<F>), R, O>
     where
         F: FnMut(&At<S, D::State>) -> bool,

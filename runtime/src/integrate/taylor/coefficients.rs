@@ -215,8 +215,8 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         self.change_and_derivative(tau).1
     }
 
-    /// Returns x(τ) − x(0) and dx/dτ, by Horner's rule for a polynomial and its derivative: with x(τ) − x(0) = τ A(τ²)
-    /// + τ² B(τ²), dx/dτ = A + 2 τ B + 2 τ² (A′ + τ B′).
+    /// Returns x(τ) − x(0) and dx/dτ, by Horner's rule for a polynomial and its derivative: with
+    /// x(τ) − x(0) = τ A(τ²) + τ² B(τ²), dx/dτ = A + 2 τ B + 2 τ² (A′ + τ B′).
     #[inline]
     #[must_use]
     pub fn change_and_derivative<S: Scalar>(&self, tau: S) -> (X, X)

@@ -27,8 +27,8 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
     /// Visits the Taylor coefficients of each switching function along the motion through (t, x) with the coefficients
     /// `motion`.
     ///
-    /// A switching function is an argument whose sign distinguishes branches of the equations, such as u for |u| and u
-    /// − v for max(u, v). If one changes its sign within a step, the series is compared with the equations after the
+    /// A switching function is an argument whose sign distinguishes branches of the equations, such as u for |u| and
+    /// u − v for max(u, v). If one changes its sign within a step, the series is compared with the equations after the
     /// change; if they differ, the step ends there, and the next one begins on the new branch.
     ///
     /// Only the coefficient of order 0 is read if `motion` is the series about another state.

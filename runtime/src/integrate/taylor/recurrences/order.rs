@@ -33,8 +33,8 @@ impl<S: Scalar> Order<S> {
 }
 
 impl<X, const HALF: usize> TaylorCoefficients<X, HALF> {
-    /// Sets the polynomial of the solution of ẋ = f(t, x) through (t, x), in this unit of time, by xₖ₊₁ = fₖ·unit/(k +
-    /// 1).
+    /// Sets the polynomial of the solution of ẋ = f(t, x) through (t, x), in this unit of time, by
+    /// xₖ₊₁ = fₖ·unit/(k + 1).
     ///
     /// `derivative` is called with the orders 0, 1, … in turn and the coefficient of the state of that order. It
     /// returns the coefficient of f, for which [`recurrences`](crate::recurrences) has the building blocks.
