@@ -4,9 +4,11 @@
 //! A method ([`Integrator`]) starts a [`Stepper`]; a [`Problem`] says what is integrated, watched and kept.
 
 mod dynamics;
+mod component_name;
 mod singularity;
 mod singularity_check;
 mod projection;
+mod projected;
 mod error;
 mod at;
 mod bernstein;
@@ -30,6 +32,9 @@ mod collector;
 mod loop_state;
 mod integration;
 mod checkpoint;
+mod part;
+mod sample_times;
+mod reactions;
 mod driver;
 mod integrator;
 mod problem;
@@ -40,11 +45,12 @@ mod order_conditions;
 
 pub use at::At;
 pub use checkpoint::{Checkpoint, Resume};
+pub use component_name::ComponentName;
 pub use dense_output::{DenseOutput, Interpolant};
 #[cfg(feature = "alloc")]
 pub use dense_solution::DenseSolution;
 pub use dormand_prince::{Dop853, Dop853Interpolant, Dop853Stepper};
-pub use dynamics::{ComponentName, Dynamics};
+pub use dynamics::Dynamics;
 pub use ensemble::{Ends, Ensemble, EnsembleIntegrator};
 pub use error::IntegrationError;
 pub use event::{
@@ -56,10 +62,11 @@ pub use observer::{Flow, ObservationKind, Observer, Progress};
 pub use outcome::StopReason;
 pub use partial::Partial;
 pub(crate) use problem::NothingWatched;
-pub use problem::{DeclaredBy, End, Keep, Problem, Reactions, Run, Solution, System, When};
+pub use problem::{DeclaredBy, End, Keep, Problem, Run, Solution, System, When};
 #[cfg(feature = "alloc")]
 pub use problem::{Dense, Every, StepEnds};
 pub use projection::Projection;
+pub use reactions::Reactions;
 pub use runge_kutta::{
     ButcherTableau, CLASSICAL_FOURTH_ORDER, RungeKutta, RungeKuttaMemory, RungeKuttaStepper,
 };

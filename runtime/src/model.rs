@@ -19,12 +19,14 @@ mod legendre;
 mod constants_of_motion;
 mod motion_series;
 mod events;
+mod event_dynamics;
 mod in_lanes;
 mod whole_periods;
 mod singular_configuration;
 mod equations_of_motion;
 mod members_in_lanes;
 mod inputs;
+mod with_inputs;
 mod outputs;
 mod regressor;
 mod sensitivities;
@@ -52,7 +54,7 @@ pub use events::Events;
 pub use external_functions::{ExternalFunctions, FunctionSignature};
 pub use generalized_coordinates::GeneralizedCoordinates;
 pub use hamiltonian::{Hamiltonian, NoVelocities};
-pub use inputs::{Inputs, WithInputs};
+pub use inputs::Inputs;
 pub use lagrangian::Lagrangian;
 pub use law::{
     Driven, DynamicFeedback, Feedback, Held, Lagged, Law, LawSeries, LawStates, LawsInLanes,
@@ -72,3 +74,4 @@ pub use sensitivities::Sensitivities;
 pub use signals::{Constant, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use state::State;
 pub use state_transition::{ByParameters, StateTransition};
+pub use with_inputs::WithInputs;

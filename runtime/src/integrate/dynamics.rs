@@ -1,7 +1,6 @@
 //! Systems of ordinary differential equations, as an integrator sees them.
 
-use core::fmt;
-
+use super::component_name::ComponentName;
 use super::error::IntegrationError;
 use super::projection::Projection;
 use super::singularity::Singularity;
@@ -274,29 +273,5 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for &D {
 
     fn component_name(&self, index: usize) -> ComponentName {
         (**self).component_name(index)
-    }
-}
-
-/// The name of a component of a state in error messages.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ComponentName {
-    /// The coordinate with this name.
-    Coordinate(&'static str),
-    /// The velocity of the coordinate with this name.
-    Velocity(&'static str),
-    /// The state of a controller with this index.
-    Controller(usize),
-    /// A component without a name.
-    Index(usize),
-}
-
-impl fmt::Display for ComponentName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Coordinate(name) => write!(f, "the coordinate {name}"),
-            Self::Velocity(name) => write!(f, "the velocity of {name}"),
-            Self::Controller(index) => write!(f, "state {index} of the controller"),
-            Self::Index(index) => write!(f, "component {index} of the state"),
-        }
     }
 }

@@ -10,7 +10,8 @@ use super::dynamics::Dynamics;
 use super::event::Watched;
 use super::integrator::Integrator;
 use super::observer::Observer;
-use super::problem::{Found, Keep, Problem, Reactions};
+use super::problem::{Found, Keep, Problem};
+use super::reactions::Reactions;
 use super::runge_kutta::RungeKutta;
 use crate::scalar::Scalar;
 

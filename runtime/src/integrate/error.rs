@@ -4,7 +4,7 @@ mod messages;
 
 use core::fmt;
 
-use super::dynamics::ComponentName;
+use super::component_name::ComponentName;
 use super::singularity::Singularity;
 use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;

@@ -8,7 +8,7 @@ use super::event::{Detection, LastStep, Located, MetConditions, Occurring, moved
 use super::loop_state::{Beginning, Interruption, LoopState, Steps, Taken};
 use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
-use super::problem::SampleTimes;
+use super::sample_times::SampleTimes;
 use super::singularity::Singularity;
 use super::singularity_check::{check_singularity_in_motion, singular};
 use super::stepper::Advance;

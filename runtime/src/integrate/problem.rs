@@ -7,10 +7,7 @@
 
 mod keep;
 mod member;
-mod part;
-mod reaction;
 mod run;
-mod sample_times;
 mod solution;
 mod system;
 mod watch;
@@ -20,7 +17,6 @@ pub use keep::{Dense, Every, StepEnds};
 pub use keep::{End, Keep};
 pub(crate) use member::Member;
 pub use run::Run;
-pub(crate) use sample_times::SampleTimes;
 use solution::Events;
 pub(crate) use solution::Found;
 pub use solution::Solution;
@@ -39,10 +35,10 @@ use super::loop_state::Steps;
 use super::observer::{EachStep, Flow, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::partial::Partial;
+use super::reactions::Reactions;
 use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
 use keep::Saved;
-pub use reaction::Reactions;
 
 /// An initial value problem: dynamics with an initial state, and the settings of their integration.
 ///

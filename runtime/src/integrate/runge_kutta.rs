@@ -9,7 +9,7 @@ use super::compensated::{Clock, Compensated};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::integrator::Integrator;
-use super::projection::{Projected, check_start, corrected};
+use super::projected::{Projected, check_start, corrected};
 use super::stepper::{Advance, Statistics, Stepper};
 use super::stepper::{checked_derivative, checked_state, remaining};
 use crate::limits::projection::FIXED_STEP_START;

@@ -1,6 +1,7 @@
 //! Systems with typical sizes of their coordinates, for the absolute tolerance.
 
-use super::dynamics::{ComponentName, Dynamics};
+use super::component_name::ComponentName;
+use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::projection::Projection;
 use super::singularity::Singularity;

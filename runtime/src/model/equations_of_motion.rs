@@ -152,7 +152,10 @@ where
     /// Changes the model, and prepares it again. [`then_with`](crate::problem::When::then_with) and
     /// [`Run::change`](crate::problem::Run::change) restart the method afterwards; whoever drives a [`Stepper`](crate::Stepper)
     /// restarts it.
-    pub fn change<R>(&mut self, change: impl FnOnce(&mut M) -> R) -> R {
+    pub fn change<R>(&mut self, change: impl FnOnce(&mut M) -> R) -> R
+    where
+        M: Quantities<N, S>,
+    {
         let result = change(&mut self.model);
         self.inputs = Lagrangian::inputs(&self.model);
         self.prepared = self.model.model().prepare();

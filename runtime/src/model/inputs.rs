@@ -2,8 +2,6 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::generalized_coordinates::GeneralizedCoordinates;
-use super::lagrangian::Lagrangian;
 use super::quantities::Quantities;
 use super::state::State;
 use crate::scalar::Scalar;
@@ -22,48 +20,4 @@ pub trait Inputs<const N: usize, const U: usize, S: Scalar = f64>:
 
     /// [`Lagrangian::input_jacobian`](crate::Lagrangian::input_jacobian) at these inputs.
     fn input_jacobian(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SMatrix<S, N, U>;
-}
-
-/// A model under other, constant inputs; made by [`Lagrangian::with_inputs`](crate::Lagrangian::with_inputs).
-#[derive(Debug)]
-pub struct WithInputs<'a, M: ?Sized, S: Scalar, const U: usize> {
-    model: &'a M,
-    inputs: SVector<S, U>,
-}
-
-impl<'a, M: ?Sized, S: Scalar, const U: usize> WithInputs<'a, M, S, U> {
-    pub(super) const fn new(model: &'a M, inputs: SVector<S, U>) -> Self {
-        Self { model, inputs }
-    }
-}
-
-impl<M, S, const N: usize, const U: usize> GeneralizedCoordinates<N> for WithInputs<'_, M, S, U>
-where
-    M: Inputs<N, U, S> + ?Sized,
-    S: Scalar,
-{
-    const COORDINATES: [&'static str; N] = M::COORDINATES;
-    const ANGLES: [bool; N] = M::ANGLES;
-    const PERIODS: [u32; N] = M::PERIODS;
-    const IGNORABLE: [bool; N] = M::IGNORABLE;
-    const SINGULARITIES: [&'static [usize]; N] = M::SINGULARITIES;
-    const STAYS_REGULAR: bool = M::STAYS_REGULAR;
-    const POLES: &'static [usize] = M::POLES;
-}
-
-impl<M, S, const N: usize, const U: usize> Lagrangian<N, S> for WithInputs<'_, M, S, U>
-where
-    M: Inputs<N, U, S>,
-    S: Scalar,
-{
-    type Model = M;
-
-    fn model(&self) -> &M {
-        self.model
-    }
-
-    #[inline]
-    fn inputs(&self) -> SVector<S, U> {
-        self.inputs
-    }
 }

@@ -9,7 +9,7 @@ use super::equations_of_motion::EquationsOfMotion;
 use super::events::Events;
 use super::generalized_coordinates::GeneralizedCoordinates;
 use super::hamiltonian::{Hamiltonian, NoVelocities};
-use super::inputs::{Inputs, WithInputs};
+use super::inputs::Inputs;
 use super::legendre;
 use super::linearization::Linearization;
 use super::outputs::Outputs;
@@ -17,6 +17,7 @@ use super::quantities::{Energies, Quantities};
 use super::regressor::Regressor;
 use super::sensitivities::Sensitivities;
 use super::state::State;
+use super::with_inputs::WithInputs;
 use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
@@ -337,5 +338,22 @@ where
     #[inline]
     fn inputs(&self) -> <M::Model as Quantities<N, S>>::Inputs {
         Lagrangian::inputs(*self)
+    }
+}
+
+impl<M, S, const N: usize, const U: usize> Lagrangian<N, S> for WithInputs<'_, M, S, U>
+where
+    M: Inputs<N, U, S>,
+    S: Scalar,
+{
+    type Model = M;
+
+    fn model(&self) -> &M {
+        self.model
+    }
+
+    #[inline]
+    fn inputs(&self) -> SVector<S, U> {
+        self.inputs
     }
 }

@@ -13,6 +13,11 @@ use crate::scalar::Scalar;
 ///
 /// `#[derive(Lagrangian)]` implements it; a model can also be written by hand against it. The methods of
 /// [`Lagrangian`](crate::Lagrangian), which programs call, evaluate them at the inputs of the model.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a model that is owned",
+    note = "a model that changes belongs to the problem: write `Problem::new(model, start)` in place of \
+            `Problem::new(&model, start)`, with a clone of the model if it is needed elsewhere"
+)]
 pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N> {
     /// The values of the inputs: an `SVector<S, U>`, which has no components for a model without inputs.
     type Inputs: Clone + core::fmt::Debug;

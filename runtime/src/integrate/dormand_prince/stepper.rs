@@ -10,7 +10,7 @@ use crate::integrate::compensated::{Clock, Compensated};
 use crate::integrate::dense_output::DenseOutput;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::projection::{Projected, check_start, corrected};
+use crate::integrate::projected::{Projected, check_start, corrected};
 use crate::integrate::runge_kutta::combination;
 use crate::integrate::stepper::{
     Advance, Statistics, Stepper, checked_derivative, checked_state, derivative_apart, remaining,

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::IntegrationError;
-use crate::integrate::dynamics::ComponentName;
+use crate::integrate::component_name::ComponentName;
 use crate::integrate::singularity::Singularity;
 use crate::number_format::Readable;
 

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::projection::nearest;
+use crate::integrate::projected::nearest;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::TIME_RESOLUTION;

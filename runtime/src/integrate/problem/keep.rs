@@ -3,10 +3,6 @@
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 
-use super::part::{KeptSoFar, Part};
-use super::sample_times::SampleTimes;
-#[cfg(feature = "alloc")]
-use super::sample_times::{ListedTimes, TimeGrid};
 use super::solution::Events;
 use crate::integrate::at::At;
 use crate::integrate::collector::{Collector, Uncollected};
@@ -19,6 +15,10 @@ use crate::integrate::error::IntegrationError;
 #[cfg(feature = "alloc")]
 use crate::integrate::event::Occurrence;
 use crate::integrate::outcome::Outcome;
+use crate::integrate::part::{KeptSoFar, Part};
+use crate::integrate::sample_times::SampleTimes;
+#[cfg(feature = "alloc")]
+use crate::integrate::sample_times::{ListedTimes, TimeGrid};
 #[cfg(feature = "alloc")]
 use crate::integrate::stepper::Advance;
 use crate::scalar::Scalar;

@@ -3,9 +3,6 @@
 #![allow(clippy::type_complexity)] // The type of a problem contains its settings.
 
 use super::keep::{Begun, Collecting, Keep};
-use super::part::{KeptSoFar, Part};
-use super::reaction::Reactions;
-use super::sample_times::SampleTimes as _;
 use super::solution::{Events, Found};
 use super::{Limits, Problem};
 use crate::integrate::at::At;
@@ -17,6 +14,9 @@ use crate::integrate::integrator::Integrator;
 use crate::integrate::loop_state::{Beginning, LoopState, Steps, Taken};
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::Outcome;
+use crate::integrate::part::{KeptSoFar, Part};
+use crate::integrate::reactions::Reactions;
+use crate::integrate::sample_times::SampleTimes as _;
 use crate::integrate::stepper::Stepper as _;
 use crate::scalar::Scalar;
 

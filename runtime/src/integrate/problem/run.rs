@@ -3,9 +3,6 @@
 use core::marker::PhantomData;
 
 use super::keep::{Begun, Collecting, Keep};
-use super::part::{KeptSoFar, Part};
-use super::reaction::Reactions;
-use super::sample_times::SampleTimes;
 use super::solution::{Events, Found, Solution};
 use super::{End, Limits, Problem, Watch};
 use crate::integrate::at::At;
@@ -18,7 +15,10 @@ use crate::integrate::event::{LastStep, Remembers as _, Watched};
 use crate::integrate::integrator::Integrator;
 use crate::integrate::observer::Observer;
 use crate::integrate::outcome::Outcome;
+use crate::integrate::part::{KeptSoFar, Part};
 use crate::integrate::partial::Partial;
+use crate::integrate::reactions::Reactions;
+use crate::integrate::sample_times::SampleTimes;
 use crate::integrate::stepper::{Advance as _, Statistics, Stepper as _};
 use crate::scalar::Scalar;
 

@@ -228,13 +228,15 @@ impl<S, X, K> Partial<Solution<S, X, K>> {
     }
 }
 
+/// The error, and how far the solution goes if there was a step.
 impl<S: Scalar, X, K> fmt::Display for Partial<Solution<S, X, K>> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let reached = Readable(self.solution().last.t.smallest());
-        write!(
-            f,
-            "{} (the solution is known until t = {reached})",
-            self.error()
-        )
+        self.error().fmt(f)?;
+        let solution = self.solution();
+        if solution.statistics.attempts() == 0 {
+            return Ok(());
+        }
+        let reached = Readable(solution.last.t.smallest());
+        write!(f, " (the solution is known until t = {reached})")
     }
 }

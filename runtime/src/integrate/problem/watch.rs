@@ -1,7 +1,6 @@
 //! The settings of events: their functions, directions and actions.
 
 use super::Problem;
-use super::reaction::{OfDynamics, OfState, Then};
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
@@ -10,6 +9,7 @@ use crate::integrate::event::{
     PredicateOfState, SingleNumber, Watched,
 };
 use crate::integrate::observer::Flow;
+use crate::integrate::reactions::{OfDynamics, OfState, Then};
 use crate::scalar::Scalar;
 
 /// An event that still needs an action: [`record`](Self::record), [`stop`](Self::stop), [`then`](Self::then) or

@@ -11,7 +11,7 @@ use super::{Series, Taylor};
 use crate::integrate::dense_output::Interpolant;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::projection::check_start;
+use crate::integrate::projected::check_start;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative};
 use crate::integrate::tolerance::Tolerance;

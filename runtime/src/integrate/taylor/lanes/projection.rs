@@ -3,7 +3,8 @@
 use super::TaylorLanes;
 use super::passage::Arrivals;
 use crate::integrate::compensated::Compensated;
-use crate::integrate::projection::{Projected, Projection, corrected};
+use crate::integrate::projected::{Projected, corrected};
+use crate::integrate::projection::Projection;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::interpolant::difference;
 use crate::integrate::taylor::step_size::reached;

@@ -3,7 +3,8 @@
 use super::TaylorStepper;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::projection::{Projected, Projection, corrected};
+use crate::integrate::projected::{Projected, corrected};
+use crate::integrate::projection::Projection;
 use crate::integrate::taylor::step_size::reached;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;

@@ -4,9 +4,9 @@
 use alloc::vec::Vec;
 
 #[cfg(feature = "alloc")]
-use super::part::Part;
+use super::error::IntegrationError;
 #[cfg(feature = "alloc")]
-use crate::integrate::error::IntegrationError;
+use super::part::Part;
 
 /// A sequence of sample times.
 pub trait SampleTimes {
@@ -56,7 +56,7 @@ impl ListedTimes {
     /// # Errors
     ///
     /// If a time is outside of the integration, not finite, or before its predecessor.
-    pub(super) fn of(
+    pub(crate) fn of(
         mut times: Vec<f64>,
         start: f64,
         part: Part,
@@ -132,7 +132,7 @@ pub struct TimeGrid {
 #[cfg(feature = "alloc")]
 impl TimeGrid {
     /// Returns the times in a part that begins at `start`; there are none if the interval or the end is invalid.
-    pub(super) fn of(interval: f64, start: f64, part: Part) -> Self {
+    pub(crate) fn of(interval: f64, start: f64, part: Part) -> Self {
         let Part { origin, end, .. } = part;
         let interval = interval.copysign(end - start);
         let multiples = [start, end].map(|t| (t - origin) / interval);

@@ -1,9 +1,9 @@
 //! Reactions to events.
 
-use crate::integrate::at::At;
-use crate::integrate::dynamics::Dynamics;
-use crate::integrate::event::Reaction;
-use crate::integrate::observer::Flow;
+use super::at::At;
+use super::dynamics::Dynamics;
+use super::event::Reaction;
+use super::observer::Flow;
 use crate::scalar::Scalar;
 
 /// The reactions to the events of a problem.
@@ -26,10 +26,10 @@ impl<S: Scalar, D: Dynamics<S>> Reactions<S, D> for () {
 /// Reactions, and one more for `count` events from the index `first` on.
 #[derive(Clone, Copy, Debug)]
 pub struct Then<R, F> {
-    pub(super) others: R,
-    pub(super) first: usize,
-    pub(super) count: usize,
-    pub(super) reaction: F,
+    pub(crate) others: R,
+    pub(crate) first: usize,
+    pub(crate) count: usize,
+    pub(crate) reaction: F,
 }
 
 impl<S, D, R, F> Reactions<S, D> for Then<R, F>
@@ -60,7 +60,7 @@ pub trait React<S: Scalar, D: Dynamics<S>> {
 
 /// A reaction that is a function of the state.
 #[derive(Clone, Copy, Debug)]
-pub struct OfState<F>(pub(super) F);
+pub struct OfState<F>(pub(crate) F);
 
 impl<S, D, F, A> React<S, D> for OfState<F>
 where
@@ -79,7 +79,7 @@ where
 
 /// A reaction that is a function of the state and of the dynamics.
 #[derive(Clone, Copy, Debug)]
-pub struct OfDynamics<F>(pub(super) F);
+pub struct OfDynamics<F>(pub(crate) F);
 
 impl<S, D, F, A> React<S, D> for OfDynamics<F>
 where

@@ -1,0 +1,206 @@
+//! The ends of steps, projected onto the manifold on which the equations hold.
+//!
+//! E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), IV.4 (the standard
+//! projection method): a step is taken and accepted without regard to the manifold, and its end is then projected. The
+//! method keeps its order, since the projection moves the end by no more than the error of the step.
+
+use super::compensated::Compensated;
+use super::dynamics::Dynamics;
+use super::error::IntegrationError;
+use super::projection::Projection;
+use super::stepper::checked_state;
+use super::tolerance::ratios;
+use crate::limits::projection::{CHANGES, MAX_CORRECTION, MOVED_EPSILONS};
+use crate::linalg::{ErrorTolerance, VectorSpace};
+use crate::scalar::Scalar;
+
+/// The end of a step that is projected, or the initial state of a motion.
+pub(crate) struct Projected<'a, S: Scalar, D: Dynamics<S> + ?Sized> {
+    pub(crate) dynamics: &'a D,
+    /// The time in each lane.
+    pub(crate) t: S,
+    /// The state from which the step was taken.
+    pub(crate) before: &'a D::State,
+    /// The lane of a motion with its own steps; `None` for all lanes together.
+    pub(crate) lane: Option<usize>,
+}
+
+/// Returns the end of a step on the manifold, and the correction. The correction is added to the compensated sum, so
+/// that its rounding errors do not accumulate.
+pub(crate) fn corrected<S: Scalar, X: VectorSpace<S>>(
+    state: &Compensated<X>,
+    projection: &Projection<S, X>,
+) -> (Compensated<X>, X) {
+    let mut correction = projection.state.clone();
+    correction.add_scaled(-S::one(), state.value());
+    (state.plus(correction.clone()), correction)
+}
+
+impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
+    /// Returns the largest component of the correction over its allowed error. Components without an allowed error do
+    /// not count.
+    ///
+    /// # Errors
+    ///
+    /// If the projection has failed, is not finite, or has moved the state by more than the tolerance and rounding
+    /// explain; fixed steps have no tolerance.
+    pub(crate) fn check(
+        &self,
+        (projection, end): (&Projection<S, D::State>, &D::State),
+        correction: &D::State,
+        allowed: &D::State,
+        is_limited: bool,
+    ) -> Result<f64, IntegrationError> {
+        if self.largest(projection.failed) > 0.0 {
+            return Err(self.failure(projection));
+        }
+        self.check_finite(end)?;
+        let ratio = match self.lane {
+            None => ratios(correction, allowed, 0.0).fold(0.0, f64::max),
+            Some(lane) => {
+                let pairs = correction.components().zip(allowed.components());
+                let pairs = pairs.map(|(x, allowed)| (x.in_lane(lane), allowed.in_lane(lane)));
+                let counting = pairs.filter(|(_, allowed)| *allowed > 0.0);
+                counting.fold(0.0, |most: f64, (x, allowed)| most.max(x.abs() / allowed))
+            }
+        };
+        if is_limited && ratio > MAX_CORRECTION {
+            self.check_distance(end, correction, allowed)?;
+        }
+        Ok(ratio)
+    }
+
+    fn check_finite(&self, end: &D::State) -> Result<(), IntegrationError> {
+        let Some(lane) = self.lane else {
+            return checked_state(self.dynamics, self.time(), end);
+        };
+        let components = end.components().map(|component| component.in_lane(lane));
+        let mut components = components.enumerate();
+        match components.find(|(_, component)| !component.is_finite()) {
+            None => Ok(()),
+            Some((index, value)) => Err(IntegrationError::NonFiniteState {
+                time: self.time(),
+                component: self.dynamics.component_name(index),
+                value,
+            }),
+        }
+    }
+
+    #[cold]
+    fn failure(&self, projection: &Projection<S, D::State>) -> IntegrationError {
+        let (mut constraint, index) = (0, self.largest(projection.constraint));
+        while f64::from(constraint) < index {
+            constraint += 1;
+        }
+        let constraint = usize::try_from(constraint).unwrap_or(usize::MAX);
+        IntegrationError::ProjectionFailed {
+            time: self.time(),
+            constraint: self.dynamics.constraint_name(constraint),
+            residual: self.largest(projection.residual),
+        }
+    }
+
+    /// Returns an error unless the tolerance and rounding explain the correction. The effect of rounding is found by
+    /// moving the components of a state on the manifold by some rounding errors, of themselves and of their change in
+    /// the step, and projecting it again.
+    #[cold]
+    fn check_distance(
+        &self,
+        end: &D::State,
+        correction: &D::State,
+        allowed: &D::State,
+    ) -> Result<(), IntegrationError> {
+        let mut limit = allowed.map(|allowed| allowed * S::from_f64(MAX_CORRECTION));
+        for alternation in [1.0, -1.0] {
+            let part = MOVED_EPSILONS * S::machine_epsilon();
+            let mut sign = 1.0;
+            let moved = end.zip_map(self.before, |x, before| {
+                sign *= alternation;
+                x + (x.abs() + (x - before).abs()) * S::from_f64(sign * part)
+            });
+            if let Some(projection) = self.dynamics.project(self.t, &moved) {
+                let mut change = projection.state;
+                change.add_scaled(-S::one(), &moved);
+                limit.add_scaled(S::from_f64(CHANGES), &change.map(Scalar::abs));
+            }
+        }
+        let pairs = correction.components().zip(limit.components());
+        let mut pairs = pairs.zip(allowed.components()).enumerate();
+        let found = pairs.find(|(_, ((correction, limit), allowed))| {
+            let excess = self.largest(correction.abs() - *limit);
+            self.largest(*allowed) > 0.0 && (excess > 0.0 || excess.is_nan())
+        });
+        let Some((index, ((correction, limit), _))) = found else {
+            return Ok(());
+        };
+        Err(IntegrationError::OffManifold {
+            time: self.time(),
+            component: self.dynamics.component_name(index),
+            correction: self.largest(correction.abs()),
+            limit: self.largest(limit),
+        })
+    }
+
+    /// Returns the relevant number in a scalar: the value in the lane, or the largest in all lanes.
+    fn largest(&self, x: S) -> f64 {
+        self.lane
+            .map_or_else(|| x.largest(), |lane| x.in_lane(lane))
+    }
+
+    fn time(&self) -> f64 {
+        self.largest(self.t)
+    }
+}
+
+/// Returns an error unless an initial state is on the manifold, within the tolerance and rounding. The state is not
+/// changed.
+#[inline]
+pub(crate) fn check_start<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    t: f64,
+    x: &D::State,
+    tolerance: &ErrorTolerance<S>,
+) -> Result<(), IntegrationError> {
+    let t = S::from_f64(t);
+    let Some(projection) = dynamics.project(t, x) else {
+        return Ok(());
+    };
+    let start = Projected {
+        dynamics,
+        t,
+        before: x,
+        lane: None,
+    };
+    let (end, correction) = corrected(&Compensated::new(x.clone()), &projection);
+    let allowed = dynamics.allowed_error(x, tolerance);
+    let found = (&projection, end.value());
+    start.check(found, &correction, &allowed, true).map(|_| ())
+}
+
+/// Returns the state on the manifold nearest to a state within a step; `None` if there is no manifold.
+///
+/// # Errors
+///
+/// If the projection fails.
+#[inline]
+pub(crate) fn nearest<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    time: f64,
+    x: &D::State,
+) -> Result<Option<D::State>, IntegrationError> {
+    let t = S::from_f64(time);
+    let Some(projection) = dynamics.project(t, x) else {
+        return Ok(None);
+    };
+    let here = Projected {
+        dynamics,
+        t,
+        before: x,
+        lane: None,
+    };
+    if projection.has_failed() {
+        return Err(here.failure(&projection));
+    }
+    here.check_finite(projection.state())?;
+    Ok(Some(projection.into_state()))
+}
