@@ -7,6 +7,7 @@
 //! (2000) 43–54, show that the error of an integration that restarts at events is of the order of the method.
 
 mod detection;
+mod event_functions;
 mod both;
 mod junction;
 mod closing;
@@ -26,11 +27,12 @@ mod declared_event;
 mod event_time;
 mod met_conditions;
 
-pub(crate) use declared::DeclaredEvents;
 pub use declared_event::DeclaredEvent;
+pub(crate) use declared_event::DeclaredEvents;
 pub use detection::Watched;
-pub(crate) use detection::{Detection, EventFunctions, Occurring};
+pub(crate) use detection::{Detection, Occurring};
 pub use event_dynamics::{EventDynamics, SingleNumber};
+pub(crate) use event_functions::EventFunctions;
 pub(crate) use event_time::{Located, differs, moved};
 pub use functions::EventValues;
 pub(crate) use functions::{FunctionOfState, PredicateOfState};

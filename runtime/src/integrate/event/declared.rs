@@ -6,31 +6,17 @@
 mod first_root;
 mod next_roots;
 
-use super::detection::{Detection, EventFunctions, detection_by_functions};
+use super::declared_event::DeclaredEvents;
+use super::event_functions::{EventFunctions, detection_by_functions};
 use super::exclusion::Exclusion;
 use super::junction::rounding;
 use super::memory::Memory;
 use super::polynomial::Polynomial;
 use super::window::{Search, Window};
-use super::{Event, EventDynamics, LastStep, Occurring, SingleNumber, sampling};
+use super::{Detection, Event, EventDynamics, LastStep, Occurring, SingleNumber, sampling};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::MIN_WINDOW;
-
-/// Some of the events that the dynamics declare, by their indices, and the crossings that are watched.
-#[derive(Clone, Copy, Debug)]
-pub struct DeclaredEvents<const K: usize> {
-    pub(crate) events: [(usize, Event); K],
-    /// The number of parts of a step at whose ends the functions are evaluated, if it is set.
-    pub(crate) parts: Option<u32>,
-}
-
-impl<const K: usize> DeclaredEvents<K> {
-    fn event(&self, index: usize) -> Event {
-        let event = self.events.get(index);
-        event.map_or(Event::either(), |(_, event)| *event)
-    }
-}
 
 impl<S, D, const K: usize> EventFunctions<S, D> for DeclaredEvents<K>
 where

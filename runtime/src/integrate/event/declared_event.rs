@@ -1,7 +1,9 @@
-//! Names of declared events.
+//! Declared events, by name and by index.
 
 use core::fmt;
 use core::marker::PhantomData;
+
+use super::Event;
 
 /// An event declared in the clause `event` of `M`: the constants of the model have this type, and
 /// [`Problem::on`](crate::Problem::on) takes them.
@@ -63,5 +65,20 @@ impl<M> Eq for DeclaredEvent<M> {}
 impl<M> fmt::Debug for DeclaredEvent<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_tuple("DeclaredEvent").field(&self.index).finish()
+    }
+}
+
+/// Some of the events that the dynamics declare, by their indices, and the crossings that are watched.
+#[derive(Clone, Copy, Debug)]
+pub struct DeclaredEvents<const K: usize> {
+    pub(crate) events: [(usize, Event); K],
+    /// The number of parts of a step at whose ends the functions are evaluated, if it is set.
+    pub(crate) parts: Option<u32>,
+}
+
+impl<const K: usize> DeclaredEvents<K> {
+    pub(super) fn event(&self, index: usize) -> Event {
+        let event = self.events.get(index);
+        event.map_or(Event::either(), |(_, event)| *event)
     }
 }

@@ -5,7 +5,8 @@
 //! **70B** (1966) 79–81). Most steps are far from any zero, and a few terms of the event functions and a sum are enough
 //! for them. Terms of high order, which are sums of many products, are only computed if the low orders do not decide.
 
-use super::{DeclaredEvents, EventDynamics, SingleNumber};
+use super::declared_event::DeclaredEvents;
+use super::event_dynamics::{EventDynamics, SingleNumber};
 use crate::integrate::bernstein::{self, ROUNDINGS, as_number};
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;

@@ -1,11 +1,13 @@
 //! Event functions and conditions given by closures.
 
-use super::detection::detection_by_functions;
 use super::event_dynamics::SingleNumber;
+use super::event_functions::{EventFunctions, detection_by_functions};
+use super::memory::Memory;
 use super::values::Values;
-use super::{Crossing, Detection, Event, EventFunctions, MetConditions};
+use super::{Crossing, Detection, Event, LastStep, MetConditions, Occurring, sampling};
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
+use crate::integrate::stepper::Advance;
 use crate::scalar::{Lanes, Scalar};
 
 /// The return type of an event function: a number of the scalar of the integration, or an array of them.
@@ -123,6 +125,14 @@ where
 
     fn parts(&self) -> Option<u32> {
         self.parts
+    }
+
+    fn next<T: Advance<S, D>>(
+        &mut self,
+        memory: &mut Memory<R::Numbers>,
+        step: &mut LastStep<'_, S, D, T>,
+    ) -> Option<Occurring> {
+        sampling::next(self, memory, step)
     }
 }
 

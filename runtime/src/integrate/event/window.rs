@@ -1,7 +1,8 @@
 //! A part of a step in which event functions are polynomials.
 
+use super::declared_event::DeclaredEvents;
+use super::event_dynamics::{EventDynamics, SingleNumber};
 use super::polynomial::{Polynomial, Root};
-use super::{DeclaredEvents, EventDynamics, SingleNumber};
 use crate::integrate::at::At;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;

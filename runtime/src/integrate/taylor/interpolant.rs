@@ -1,8 +1,8 @@
 //! The Taylor polynomial of a motion about a time.
 
-use super::{Series, TaylorCoefficients, TaylorStepper};
+use super::TaylorCoefficients;
 use crate::integrate::compensated::Compensated;
-use crate::integrate::dense_output::{DenseOutput, Interpolant};
+use crate::integrate::dense_output::Interpolant;
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
@@ -83,19 +83,6 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Interpolant<S, X>
 
     fn derivative(&self, t: f64) -> X {
         self.state_and_derivative(self.argument::<S>(t)).1
-    }
-}
-
-impl<S, X, D, const HALF: usize> DenseOutput<S, D> for TaylorStepper<X, HALF>
-where
-    S: Scalar,
-    X: VectorSpace<S>,
-    D: Series<S, State = X> + ?Sized,
-{
-    type Interpolant = TaylorInterpolant<X, HALF>;
-
-    fn interpolant(&mut self, _: &D) -> Option<Self::Interpolant> {
-        self.last().cloned()
     }
 }
 

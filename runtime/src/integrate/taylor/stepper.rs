@@ -8,7 +8,7 @@ mod projection;
 use super::interpolant::TaylorInterpolant;
 use super::step_size::{Proposal, limiting_component, unit_near, weighted_norm, weights};
 use super::{Series, Taylor};
-use crate::integrate::dense_output::Interpolant;
+use crate::integrate::dense_output::{DenseOutput, Interpolant};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::projected::check_start;
@@ -333,5 +333,18 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
         *self = Self::new(self.method, dynamics, t, &x)?;
         self.statistics = self.statistics.plus(statistics);
         Ok(())
+    }
+}
+
+impl<S, X, D, const HALF: usize> DenseOutput<S, D> for TaylorStepper<X, HALF>
+where
+    S: Scalar,
+    X: VectorSpace<S>,
+    D: Series<S, State = X> + ?Sized,
+{
+    type Interpolant = TaylorInterpolant<X, HALF>;
+
+    fn interpolant(&mut self, _: &D) -> Option<Self::Interpolant> {
+        self.last().cloned()
     }
 }

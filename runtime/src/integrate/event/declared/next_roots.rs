@@ -1,7 +1,7 @@
 //! The next events of a window, from the roots of the polynomials in it.
 
 use super::DeclaredEvents;
-use crate::integrate::event::detection::EventFunctions;
+use crate::integrate::event::EventFunctions;
 use crate::integrate::event::memory::Memory;
 use crate::integrate::event::polynomial::{Polynomial, Root};
 use crate::integrate::event::window::Window;
