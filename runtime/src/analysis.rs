@@ -1,5 +1,5 @@
-//! The analysis of models: equilibria and steady motions, small oscillations and stability, linear state-space models and
-//! their control.
+//! The analysis of models: equilibria and steady motions, small oscillations and stability, linear state-space models
+//! and their control.
 //!
 //! - [`EquilibriumSearch`] finds equilibria, steady motions and the inputs that hold a configuration.
 //! - [`EquilibriumSearch`] finds equilibria, steady motions and the inputs that hold a configuration.

@@ -1,5 +1,6 @@
-//! A null vector of a singular complex matrix, by inverse iteration: J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965,
-//! chapter 9.
+//! A null vector of a singular complex matrix, by inverse iteration.
+//!
+//! J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965, chapter 9.
 
 use nalgebra::{Complex, SMatrix, SVector};
 
