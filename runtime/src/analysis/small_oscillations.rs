@@ -249,8 +249,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         Ok(Spectrum::new(found, count))
     }
 
-    /// Computes the eigenvalues of each group of coupled coordinates separately, and returns all of them with their
-    /// number. Calls `visit` for each group with its label and its eigenvalues.
+    /// Calls `visit` with the label and the eigenvalues of each group of coupled coordinates; returns all and their number.
     pub(super) fn eigenvalues_by_components(
         &self,
         visit: &mut dyn FnMut(usize, &[Complex<f64>]),
