@@ -1,7 +1,7 @@
 //! Bounds for the difference between the linearized equations at a computed state and at the exact equilibrium nearby.
 //!
-//! A search ends at a finite distance from the equilibrium. Where the second variation vanishes, as for V = x³, its
-//! sign at the computed state differs from its sign at the equilibrium. The distance along each principal direction of
+//! A search ends at a finite distance from the equilibrium. Where the second variation vanishes, as for V = x³, it has
+//! a sign at the computed state that it lacks at the equilibrium. The distance along each principal direction of
 //! K is estimated by Newton's correction and by the rounding error of the force, in units of the stiffness along this
 //! direction. K is then evaluated at this distance on both sides. The rounding errors of forces are seen in their
 //! fourth differences: R. W. Hamming, *Introduction to Applied Numerical Analysis*, 1971, chapter 6; J. J. Moré and S.

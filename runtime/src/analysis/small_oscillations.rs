@@ -1,9 +1,9 @@
 //! Small oscillations about equilibria and steady motions.
 //!
 //! Ignorable coordinates with constant momenta are eliminated (E. J. Routh, *A Treatise on the Stability of a Given
-//! State of Motion*, 1877): δpᵢ = 0 determines their velocities. The remaining coordinates satisfy M δq̈ + (G + C) δq̇
-//! + K δq = 0 with the Hessian K of the effective potential, gyroscopic forces G and damping C; D. R. Merkin,
-//! *Introduction to the Theory of Stability*, 1997, chapters 3 and 6.
+//! State of Motion*, 1877): δpᵢ = 0 determines their velocities. The remaining coordinates satisfy
+//! M δq̈ + (G + C) δq̇ + K δq = 0 with the Hessian K of the effective potential, gyroscopic forces G and damping C;
+//! D. R. Merkin, *Introduction to the Theory of Stability*, 1997, chapters 3 and 6.
 
 use nalgebra::{Complex, SMatrix, SVector};
 
@@ -236,10 +236,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         -(self.mass * self.velocity)
     }
 
-    /// Computes the eigenvalues of the first-order system.
-    ///
-    /// Its variables are the oscillating coordinates, their velocities, and the velocities of ignorable coordinates
-    /// without constant momenta.
+    /// Computes the eigenvalues of the first-order system in the oscillating coordinates, their velocities, and the
+    /// velocities of ignorable coordinates without constant momenta.
     ///
     /// # Errors
     ///
@@ -249,7 +247,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         Ok(Spectrum::new(found, count))
     }
 
-    /// Calls `visit` with the label and the eigenvalues of each group of coupled coordinates; returns all and their number.
+    /// Calls `visit` with the label and the eigenvalues of each group of coupled coordinates; returns all and their
+    /// count.
     pub(super) fn eigenvalues_by_components(
         &self,
         visit: &mut dyn FnMut(usize, &[Complex<f64>]),

@@ -14,8 +14,8 @@ use crate::integrate::SingleNumber;
 use crate::limits::elliptic::{DUPLICATIONS, LARGE_LAST};
 use crate::scalar::Scalar;
 
-/// Returns how many times closer than its own size the arguments must be to their mean, for a Taylor polynomial of this
-/// degree to have a relative error of the square of the machine epsilon.
+/// Returns the ratio of the mean to the largest deviation of an argument from it at which a Taylor polynomial of this
+/// degree has a relative error of the square of the machine epsilon.
 fn nearness<S: Scalar>(constant: f64, degree: f64) -> f64 {
     let epsilon = S::machine_epsilon();
     libm::pow(constant * epsilon * epsilon, -1.0 / (degree + 1.0))

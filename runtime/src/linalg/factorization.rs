@@ -1,10 +1,10 @@
 //! Factorization of the mass matrix, to solve M q̈ = f for the accelerations.
 //!
-//! The input is the symmetric mass matrix; the output are solutions for any number of right-hand sides, and an estimate
-//! of their accuracy. A positive definite M is factored as L D Lᵀ without pivoting, which is stable (N. J. Higham,
-//! *Accuracy and Stability of Numerical Algorithms*, 2nd edition (2002), chapter 10). An indefinite regular M, for
-//! example of L = ẋ ẏ, takes a cold path with pivoting (`pivoting.rs`). A singular M gives values that are not finite,
-//! but does not panic. SIMD lanes do not depend on each other.
+//! The input is the symmetric mass matrix; the output consists of solutions for any number of right-hand sides, and an
+//! estimate of their accuracy. A positive definite M is factored as L D Lᵀ without pivoting, which is stable (N. J.
+//! Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition (2002), chapter 10). An indefinite regular M,
+//! for example of L = ẋ ẏ, takes a cold path with pivoting (`pivoting.rs`). A singular M gives values that are not
+//! finite, but does not panic. SIMD lanes do not depend on each other.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -226,7 +226,7 @@ where
     S: Scalar,
     L: Law<N, InputsOf<M, S, N>, S>,
 {
-    /// Lets actuators follow the law with first-order lags u̇ = (u_law − u)/τ.
+    /// Lets actuators follow the law with first-order lags u̇ = (a − u)/τ, where a is the output of the law.
     ///
     /// The time constants τ must be positive; the inputs start at the values of the model. The lagged inputs are
     /// states, `z.1`, after the states of the law.

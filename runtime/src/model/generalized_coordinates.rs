@@ -10,8 +10,8 @@ pub trait GeneralizedCoordinates<const N: usize> {
     /// does not matter to an error estimate.
     const ANGLES: [bool; N] = [false; N];
 
-    /// The periods of the accelerations in each coordinate, in full turns: with 2, the accelerations agree at qᵢ and qᵢ
-    /// + 4π.
+    /// The periods of the accelerations in each coordinate, in full turns: with 2, the accelerations agree at qᵢ and
+    /// qᵢ + 4π.
     ///
     /// The period is 1 for an angle that is multiplied by integers where it occurs, 2 where it is halved, and 1 for an
     /// ignorable coordinate, on which nothing depends. It is 0 if there is no period, or if none is known.

@@ -11,9 +11,9 @@ use crate::scalar::{Lanes, Scalar};
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and additional states z: the state that an
 /// integrator advances. Together with a time it is a [`State`].
 ///
-/// A model by itself has no additional states; `z` is `()`. Under a controller with `K` states `z` is an `SVector<S,
-/// K>`, under a sampled controller it is [`Sampled`](crate::laws::Sampled), and it also holds the [ignorable
-/// coordinates](crate::Reconstruction) of a reduced model.
+/// A model by itself has no additional states; `z` is `()`. Under a controller with `K` states `z` is an
+/// `SVector<S, K>`, under a sampled controller it is [`Sampled`](crate::laws::Sampled), and it also holds the
+/// [ignorable coordinates](crate::Reconstruction) of a reduced model.
 ///
 /// In the derivative of a phase, `q` holds the velocities and `v` the accelerations. The components are the
 /// coordinates, the velocities, then the components of `z`.

@@ -121,8 +121,8 @@ impl<S: Scalar> RigidBody<S> {
         resultant_force.map(|component| component / self.mass())
     }
 
-    /// Returns the resultant moment about the centre of gravity for a given rotation, (3.3) with (3.4): \[`I_C`\] **α**
-    /// + **ω** × \[`I_C`\] **ω**. In principal axes these are Euler's equations (3.5)–(3.7).
+    /// Returns the resultant moment about the centre of gravity for a given rotation, (3.3) with (3.4): \[`I_C`\]
+    /// **α** + **ω** × \[`I_C`\] **ω**. In principal axes these are Euler's equations (3.5)–(3.7).
     #[must_use]
     pub fn moment_about_center(
         &self,

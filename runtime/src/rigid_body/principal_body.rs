@@ -40,8 +40,8 @@ impl<S: SingleNumber> PrincipalBody<S> {
     /// Creates a body with a mass and principal moments I₁, I₂, I₃ about the centre of gravity, in any order.
     ///
     /// # Errors
-    /// [`BodyError`] unless the mass is positive, all numbers are finite, no moment is negative, and none exceeds the sum
-    /// of the others, up to rounding.
+    /// [`BodyError`] unless the mass is positive, all numbers are finite, no moment is negative, and none exceeds the
+    /// sum of the others, up to rounding.
     pub fn new(mass: S, moments: [S; 3]) -> Result<Self, BodyError> {
         let inertia = InertiaTensor::principal(moments);
         RigidBody::new(mass, Vector3::zeros(), inertia)?;

@@ -55,7 +55,7 @@ pub struct Term<S: Scalar, const N: usize, const W: usize, const PAIRS: usize> {
 /// Computes the Taylor polynomial of a motion.
 ///
 /// `term` computes the accelerations of order k and the factors of the convolutions; the accelerations of order 0 are
-/// given. `arrange` arranges the factors of each pair, as `pairs` states them.
+/// given. `arrange` returns the factors of each pair, whose positions are in `pairs`.
 #[inline]
 pub fn taylor_series<
     S: Scalar,

@@ -8,10 +8,10 @@ use crate::linalg::VectorSpace;
 use crate::model::phase::Phase;
 use crate::scalar::Scalar;
 
-/// A law whose `U` inputs follow another law with first-order lags, u̇ = (u_law − u)/τ; constructed by
+/// A law whose `U` inputs follow another law with first-order lags; constructed by
 /// [`Problem::lagged`](crate::Problem::lagged).
 ///
-/// The inputs are states, after the states of the other law.
+/// u̇ = (a − u)/τ, where a is the output of the other law. The inputs u are states, after the states of the other law.
 #[derive(Clone, Copy, Debug)]
 pub struct Lagged<L, S: Scalar, const U: usize> {
     pub(crate) law: L,

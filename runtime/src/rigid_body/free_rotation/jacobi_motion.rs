@@ -1,7 +1,7 @@
 //! Free rotations by Jacobi's elliptic functions, in principal axes.
 //!
-//! Axes are numbered so that I₂ is the middle moment and the angular velocity circles around axis 3: I₁ < I₂ < I₃ if L²
-//! > 2 E I₂, and I₁ > I₂ > I₃ otherwise. Then ω₁ = A₁ cn τ, ω₂ = A₂ sn τ, ω₃ = A₃ dn τ with τ = τ₀ + σ t.
+//! Axes are numbered so that I₂ is the middle moment and the angular velocity circles around axis 3: I₁ < I₂ < I₃ if
+//! L² > 2 E I₂, and I₁ > I₂ > I₃ otherwise. Then ω₁ = A₁ cn τ, ω₂ = A₂ sn τ, ω₃ = A₃ dn τ with τ = τ₀ + σ t.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 

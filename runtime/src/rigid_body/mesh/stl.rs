@@ -3,7 +3,7 @@
 //! Format: M. Burns, *Automated Fabrication*, 1993, section 6.5. Files in use differ from it: keywords may be in any
 //! case, several solids may follow one another, names may contain blanks or be missing, the last `endsolid` may be
 //! missing, and the header of a binary file may begin with `solid`. A file is binary if its length matches its number
-//! of facets; a text does not contain matching bytes.
+//! of facets; in a text, the bytes in place of this number do not match its length.
 
 use std::format;
 use std::io::{Error, ErrorKind};

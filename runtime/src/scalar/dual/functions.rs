@@ -69,8 +69,8 @@ fn above_zero<S: Scalar>(divisor: S) -> S {
 
 /// Returns the slopes of the angle of a point (x, y): x/(x² + y²) by y and −y/(x² + y²) by x.
 ///
-/// Both coordinates are scaled by a power of two, so that their squares neither underflow nor overflow (R. L. Smith, *Algorithm
-/// 116: complex division*, Comm. ACM **5** (1962) 435).
+/// Both coordinates are scaled by a power of two, so that their squares neither underflow nor overflow (R. L. Smith,
+/// *Algorithm 116: complex division*, Comm. ACM **5** (1962) 435).
 #[inline]
 fn angle_slopes<S: Scalar>(y: S, x: S) -> [S; 2] {
     let scale = y.common_scale(x);
@@ -312,7 +312,7 @@ impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
     }
 
     // xʸ has the slopes y xʸ⁻¹ and xʸ ln x. x⁰ has the slope 0 even at x = 0, where xʸ ln x counts as 0. Where the
-    // first slope is infinite, it is replaced by the largest numbers.
+    // first slope is infinite, it is about as large as numbers can be.
     #[inline]
     fn powf(self, exponent: Self) -> Self {
         let (x, y) = (self.value, exponent.value);
