@@ -1,14 +1,15 @@
-//! The analysis of models: equilibria and steady motions, small oscillations and stability, linear state-space models and
-//! their control.
+//! The analysis of models: equilibria and steady motions, small oscillations and stability, linear state-space models
+//! and their control.
 //!
 //! - [`EquilibriumSearch`] finds equilibria, steady motions and the inputs that hold a configuration.
-//! - [`SmallOscillations`] are the linear equations about these: [`NormalModes`], [`DampedModes`], the [`Spectrum`] and the
-//!   [`Stability`].
+//! - [`EquilibriumSearch`] finds equilibria, steady motions and the inputs that hold a configuration.
+//! - [`SmallOscillations`] holds the linearized equations about an equilibrium or a steady motion: [`NormalModes`],
+//!   [`DampedModes`], the [`Spectrum`] and the [`Stability`].
 //! - [`StateSpace`] is a linear model with inputs and outputs, about any state: its poles, its [`Controllability`], its
 //!   discretization and its linear-quadratic [`Regulator`].
 //!
-//! Nothing allocates. Eigenvalues of matrices that are not symmetric are `f64`; all else is generic over scalars that are one
-//! number.
+//! Nothing allocates. Eigenvalues of nonsymmetric matrices are computed in `f64`; everything else is generic over
+//! scalars that are a single number.
 
 mod jacobian_rows;
 mod balance;
@@ -58,7 +59,7 @@ pub use spectrum::Spectrum;
 pub use stability::{LinearStability, SecondVariation, Stability, Verdict};
 pub use state_space::{DiscreteStateSpace, StateSpace};
 
-/// Whether a number exceeds a limit; NaN does.
+/// Returns whether a number exceeds a limit; NaN counts as exceeding it.
 fn exceeds(value: f64, limit: f64) -> bool {
     value.is_nan() || value > limit
 }

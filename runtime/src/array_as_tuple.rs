@@ -1,4 +1,4 @@
-//! Arrays of any length for serde, which by itself knows those up to 32.
+//! Serialization of arrays of any length; serde itself supports lengths up to 32.
 
 use core::{fmt, marker::PhantomData};
 
@@ -29,7 +29,7 @@ where
     deserializer.deserialize_tuple(N, Elements(PhantomData))
 }
 
-/// The elements of an array, one after the other.
+/// A visitor for the elements of an array, one after the other.
 struct Elements<T, const N: usize>(PhantomData<T>);
 
 impl<'de, T, const N: usize> Visitor<'de> for Elements<T, N>

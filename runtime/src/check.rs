@@ -1,4 +1,4 @@
-//! Checks of derivatives that were written by hand, for tests. Needs the feature `derivative-checks`.
+//! Checks of handwritten derivatives, for tests. Requires the feature `derivative-checks`.
 
 mod derivative_check;
 mod derivative_error;

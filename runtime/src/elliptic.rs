@@ -1,7 +1,8 @@
 //! Jacobi's elliptic functions, and elliptic integrals of the first and the third kind.
 //!
-//! In them the free rotation of a rigid body is solved ([`FreeRotation`](crate::rigid_body::FreeRotation)), as are
-//! pendulums and tops. They work on `f64`, `f32`, double-doubles and dual numbers, to the digits of the scalar.
+//! The free rotation of a rigid body ([`FreeRotation`](crate::rigid_body::FreeRotation)), pendulums and tops have
+//! closed solutions in these functions. They work on `f64`, `f32`, double-doubles and dual numbers, with the full
+//! accuracy of the scalar.
 //!
 //! ```
 //! use lagrangian::elliptic::Modulus;

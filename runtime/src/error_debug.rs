@@ -1,9 +1,9 @@
-//! `Debug` of errors: the message, since that is what `main`, `unwrap` and `expect` print of an error.
+//! `Debug` for errors by their messages, which `main`, `unwrap` and `expect` print.
 
 use core::error::Error;
 use core::fmt;
 
-/// Writes the message of an error and, behind colons, those of its sources.
+/// Writes the message of an error and, after colons, the messages of its sources.
 pub(crate) fn write_message(error: &dyn Error, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     write!(f, "{error}")?;
     let mut source = error.source();
@@ -52,7 +52,7 @@ mod tests {
         assert_eq!(format!("{error:?}"), format!("{error}"));
     }
 
-    /// An error because of another one.
+    /// An error caused by another error.
     struct Unread(fmt::Error);
 
     impl fmt::Display for Unread {

@@ -1,5 +1,7 @@
-//! Write the energies of a mechanical system on a struct of its parameters; get its equations of
-//! motion as specialized Rust, derived at compile time, and integrate them.
+//! Derives the equations of motion of a mechanical system from its energies, and integrates them.
+//!
+//! You write the energies on a struct of the system's parameters; the equations of motion are derived at compile time
+//! as specialized Rust code.
 //!
 //! ```
 //! use lagrangian::prelude::*;
@@ -21,17 +23,17 @@
 //! ```
 //!
 //! - [`Lagrangian`](derive@Lagrangian) describes the declaration.
-//! - [`trait@Lagrangian`] has the methods of a model: mass matrix, forcing, accelerations, momenta, energy,
-//!   inverse dynamics, derivatives, outputs. Functions that are generic over
-//!   models name the traits of [`quantities`] in their bounds.
-//! - [`Problem`] integrates a model from a state: first the law of its inputs, then what is watched and kept, in any order, the
-//!   method last. [`Taylor`]
-//!   takes what has a [`Series`]: models with the clause `taylor` do; [`Dop853`] and [`RungeKutta`] take any
-//!   [`Dynamics`] ẋ = f(t, x).
-//! - [`Scalar`] is the trait of the numbers on which models and integrators are generic: `f64`, `f32`, [`Lanes`],
-//!   [`DoubleDouble`], and [`Dual`] numbers, which have derivatives.
-//! - [`rigid_body`] has bodies, their momenta and Euler's equations, [`rotation`] Euler angles and quaternions, [`elliptic`]
-//!   the functions of free rotation. Triangle meshes are read from files with the feature `mesh-files`.
+//! - [`trait@Lagrangian`] has the methods of a model: mass matrix, forcing, accelerations, momenta, energy, inverse
+//!   dynamics, derivatives, outputs. Functions that are generic over models name the traits of [`quantities`] in their
+//!   bounds.
+//! - [`Problem`] integrates a model from a state: the law of its inputs comes first, then what is watched and recorded,
+//!   in any order, and the method last. [`Taylor`] integrates systems that have a [`Series`], such as models with the
+//!   clause `taylor`; [`Dop853`] and [`RungeKutta`] integrate any [`Dynamics`] ẋ = f(t, x).
+//! - [`Scalar`] is the trait of the numbers over which models and integrators are generic: `f64`, `f32`, [`Lanes`],
+//!   [`DoubleDouble`], and [`Dual`] numbers, which carry derivatives.
+//! - [`rigid_body`] contains bodies, their momenta and Euler's equations, [`rotation`] Euler angles and quaternions,
+//!   [`elliptic`] the elliptic functions of free rotation. Triangle meshes are read from files with the feature
+//!   `mesh-files`.
 //!
 //! Without the default feature `std` the crate is `no_std`, and without `alloc` it does not allocate.
 #![cfg_attr(not(feature = "std"), no_std)]

@@ -1,4 +1,4 @@
-//! Vectors and matrices of scalars: solving M q̈ = f, also lane by lane.
+//! Vectors and matrices of scalars: the solution of M q̈ = f, also lane by lane.
 
 mod factorization;
 mod into_vector;

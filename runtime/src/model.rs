@@ -1,5 +1,5 @@
-//! Mechanical systems: what the derive macro implements, and what a model offers to an integrator and to a
-//! controller.
+//! Mechanical systems: the traits that the derive macro implements, and what a model offers to integrators and
+//! controllers.
 
 mod generalized_coordinates;
 mod state;

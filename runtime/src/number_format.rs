@@ -1,10 +1,10 @@
-//! Numbers in messages.
+//! The format of numbers in messages.
 
 use core::fmt;
 
 use crate::limits::PRINTED_WITHOUT_EXPONENT;
 
-/// A number in a message: without an exponent where that is easily read.
+/// A number in a message, without an exponent if it is easy to read.
 pub(crate) struct Readable(pub(crate) f64);
 
 impl fmt::Display for Readable {

@@ -1,6 +1,7 @@
 //! The names that most programs use: `use lagrangian::prelude::*;`.
 //!
-//! The derive macro, the traits of models, the integrators, and the vectors and matrices of their signatures.
+//! It contains the derive macro, the traits of models, the integrators, and the vectors and matrices of their
+//! signatures.
 
 pub use crate::rigid_body::{PrincipalBody, RigidBody, SymmetricBody};
 pub use crate::{
@@ -9,7 +10,7 @@ pub use crate::{
     Occurrence, Phase, Progress, RouthReduction, Routhian, RungeKutta, Scalar, SetTypicalSizes,
     State, Statistics, Stepper, StopReason, Taylor, VectorSpace, WithInputs,
 };
-// Without names: through them the compiler says which clause is missing.
+// Imported without names: through these traits, the compiler says which clause is missing.
 #[doc(hidden)]
 pub use crate::model::undeclared::{
     OfConstantsOfMotion as _, OfEvents as _, OfInputs as _, OfReducedModels as _, OfRegressor as _,

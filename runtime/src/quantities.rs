@@ -1,8 +1,9 @@
-//! The traits that the derive implements, one for each clause: bounds of functions that are generic over models.
+//! The traits that the derive macro implements, one for each clause, for the bounds of functions that are generic over
+//! models.
 //!
-//! Programs call the methods of [`Lagrangian`](trait@crate::Lagrangian), which evaluate these traits at the inputs of the model, and
-//! have the same names: import these traits where bounds need them, and not where a model is used. A function that takes any
-//! model with outputs has the bound
+//! Programs call the methods of [`Lagrangian`](trait@crate::Lagrangian), which evaluate these traits at the inputs of
+//! the model and have the same names. Import these traits where bounds need them, but not where a model is used. A
+//! function that accepts any model with outputs has the bound
 //!
 //! ```
 //! use lagrangian::prelude::*;

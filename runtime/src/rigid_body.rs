@@ -1,8 +1,8 @@
 //! Rigid bodies: mass, centre of gravity and inertia, from solids, particles, meshes and reports.
 //!
-//! Equation numbers are those of a short text on rigid bodies, as everywhere in this crate. Units are the user's, one
-//! system throughout: in SI a mass is in kg, a length in m, a moment of inertia in kg m², a density in kg/m³, kg/m² or
-//! kg/m. Where a body is compared with what is physical, and where its principal axes are looked for, the scalar is a
+//! As everywhere in this crate, equation numbers refer to a short text on rigid bodies. Any consistent system of units
+//! may be used: in SI a mass is in kg, a length in m, a moment of inertia in kg m², a density in kg/m³, kg/m² or kg/m.
+//! Checks for physical validity and the search for principal axes need a scalar that is a
 //! [`SingleNumber`](crate::SingleNumber): `f64`, `f32`, a double-double or a dual number.
 //!
 //! ```
@@ -15,7 +15,7 @@
 //! let body = plate.minus(&hole.moved(Vector3::new(0.15, 0.05, 0.0)))?;
 //!
 //! assert!((body.mass() - 7850.0 * (0.4 * 0.2 - core::f64::consts::PI * 0.0009) * 0.01).abs() < 1e-12);
-//! // What is missing at x > 0, y > 0 makes ∫ xy dm negative: the entry of the tensor is its opposite, (2.1).
+//! // The missing mass at x > 0, y > 0 makes ∫ xy dm negative; the entry of the tensor has the opposite sign (2.1).
 //! assert!(body.inertia().products().xy < 0.0 && body.inertia().matrix()[(0, 1)] > 0.0);
 //! let principal = body.principal_axes();
 //! assert!(principal.moments[0] < principal.moments[1] && principal.moments[1] < principal.moments[2]);

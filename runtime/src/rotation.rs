@@ -1,13 +1,14 @@
-//! Rotations between their descriptions: Euler angles of all twelve sequences, matrices and unit quaternions; rates of
-//! angles and angular velocity (4.4); generalized forces of angles and moments.
+//! Conversions between descriptions of rotations: Euler angles of all twelve sequences, matrices and unit quaternions;
+//! rates of angles and angular velocity (4.4); generalized forces of angles and moments.
 //!
 //! An orientation R takes components in axes of the body to components in axes of space. Matrices and quaternions are
-//! those of nalgebra; angles are in radians. Conversions between descriptions look for the largest of several numbers,
-//! and so need a [`SingleNumber`](crate::SingleNumber); what follows from angles alone works on every scalar.
+//! types of nalgebra; angles are in radians. Conversions between descriptions search for the largest of several
+//! numbers, and therefore need a [`SingleNumber`](crate::SingleNumber); everything that depends on angles alone works
+//! on every scalar.
 //!
-//! Angles have poles, where two of their axes are parallel: sin θ = 0 for Euler's sequences, such as z-x-z, and cos θ = 0
-//! for those of Tait and Bryan, such as x-y-z. The rates of angles are infinite there. A motion that comes near a
-//! pole goes on in another sequence ([`EulerAngles::continued`]), or as a quaternion.
+//! Angles have poles, where two of their axes are parallel: sin θ = 0 for Euler's sequences, such as z-x-z, and cos θ =
+//! 0 for the sequences of Tait and Bryan, such as x-y-z. The rates of the angles are infinite at a pole. A motion that
+//! comes near a pole can be continued in another sequence ([`EulerAngles::continued`]), or as a quaternion.
 //!
 //! ```
 //! use lagrangian::rotation::{EulerAngles, EulerSequence};
@@ -19,7 +20,7 @@
 //! let omega = angles.angular_velocity(&rates);
 //! assert!((angles.rates(&omega)? - rates).norm() < 1e-12);
 //!
-//! // The same state, far from the poles of another sequence.
+//! // This state in another sequence, far from its poles.
 //! let (cardan, cardan_rates) = angles.continued(EulerSequence::Xyz, &rates)?;
 //! assert!(angles.regularity() < 2e-3 && cardan.regularity() > 0.99);
 //! assert!((cardan.angular_velocity(&cardan_rates) - omega).norm() < 1e-12);

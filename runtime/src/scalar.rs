@@ -1,8 +1,8 @@
 //! Scalars: the numbers on which a model can be evaluated.
 //!
-//! Emitted code is generic over [`Scalar`] and straight-line. Control flow (a pivot that
-//! vanishes, a step that is too long) is in this crate, and reads a scalar only by
-//! [`Scalar::smallest`], [`Scalar::largest`] and [`Scalar::in_lane`], so that SIMD lanes and dual numbers are possible.
+//! Emitted code is generic over [`Scalar`] and has no branches. Control flow, such as the treatment of a vanishing
+//! pivot or of a step that is too long, is in this crate, and reads a scalar only by [`Scalar::smallest`],
+//! [`Scalar::largest`] and [`Scalar::in_lane`], so that SIMD lanes and dual numbers are possible.
 
 mod arithmetic;
 mod double_double;
@@ -20,13 +20,12 @@ pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use lanes::Lanes;
 
-/// A real number, or several at once: `f64`, `f32`, a dual number, a double-double, SIMD lanes. The
-/// implementations are listed [below](#scalars).
+/// A real number, or several at once: `f64`, `f32`, a dual number, a double-double, SIMD lanes. The implementations are
+/// listed [below](#scalars).
 ///
-/// Implement it for a type of your own to evaluate every derived model on it. The elementary
-/// functions are those of the declaration language; angles are in radians. Lanes do not depend on each
-/// other: a lane has the result that it has alone. Only rounding errors differ, where M is factored numerically
-/// and that of another lane is not positive definite.
+/// Implement it for your own type to evaluate every derived model on it. The elementary functions match the declaration
+/// language; angles are in radians. Lanes do not depend on each other: each has the result that it would have alone.
+/// Only rounding errors differ, if M is factored numerically and is not positive definite in another lane.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -45,11 +44,11 @@ pub use lanes::Lanes;
 /// assert_eq!(acceleration(0.5_f32), -0.75);
 /// ```
 ///
-/// A type of your own is `Copy`, `Debug` and `PartialEq`, from which `nalgebra::Scalar` follows; it has the
-/// operators `+ - * /`, `+= -= *= /=` and the minus sign, and
-/// [`Zero`](crate::num_traits::Zero) and [`One`](crate::num_traits::One), which this crate re-exports.
+/// Your own type must be `Copy`, `Debug` and `PartialEq`, from which `nalgebra::Scalar` follows. It needs the operators
+/// `+ - * /`, `+= -= *= /=` and unary minus, and [`Zero`](crate::num_traits::Zero) and [`One`](crate::num_traits::One),
+/// which this crate re-exports.
 ///
-/// Parameters are of the scalar type, too, in a `struct Oscillator<T: Scalar> { m: T, k: T }`.
+/// Parameters may have the scalar type, too, as in `struct Oscillator<T: Scalar> { m: T, k: T }`.
 ///
 /// # Scalars
 ///
@@ -61,9 +60,9 @@ pub use lanes::Lanes;
 /// | [`Dual<S, N>`](Dual) | the derivatives by `N` quantities, on any scalar `S` | |
 /// | `Dual<Dual<S, N>, M>` | second derivatives | |
 ///
-/// Dual numbers differentiate with respect to whatever has a derivative part: a parameter, an initial
-/// value, the time, an input. An integration on dual numbers differentiates its steps; adaptive methods choose their
-/// sizes by the derivative parts, too. The derivatives by all initial values at once are a
+/// Dual numbers differentiate with respect to every quantity that has a derivative part: a parameter, an initial value,
+/// the time, an input. An integration on dual numbers differentiates its steps; adaptive methods choose their step
+/// sizes by the derivative parts, too. For the derivatives by all initial values at once, see
 /// [`StateTransition`](crate::StateTransition). The sensitivity of a motion to a mass and a stiffness:
 ///
 /// ```
@@ -105,59 +104,59 @@ pub trait Scalar:
     + MulAssign
     + DivAssign
 {
-    /// The scalar nearest to `value`, in every lane, with no derivative part.
+    /// Returns the scalar nearest to `value`, in every lane, without derivative parts.
     fn from_f64(value: f64) -> Self;
 
-    /// The quotient of two numbers, in every lane: how a constant that `f64` cannot represent, such as the
-    /// 0.1 of a declaration, is converted. A scalar of more digits than `f64` divides in its own arithmetic.
+    /// Returns the quotient of two numbers, in every lane. It represents constants that `f64` cannot, such as the 0.1
+    /// of a declaration: a scalar with more digits than `f64` divides in its own arithmetic.
     #[inline]
     #[must_use]
     fn ratio(numerator: f64, denominator: f64) -> Self {
         Self::from_f64(numerator / denominator)
     }
 
-    /// π, with all digits of the scalar.
+    /// Returns π, with all digits of the scalar.
     #[inline]
     #[must_use]
     fn pi() -> Self {
         Self::from_f64(core::f64::consts::PI)
     }
 
-    /// The smallest positive normal number: added to a root, it changes nothing but 0.
+    /// Returns the smallest positive normal number: added to a root, it changes only 0.
     ///
-    /// Emitted code adds it where it divides by a root and the quotient has a limit. The default, that of `f32`,
-    /// serves every format of at least that range, unless digits are needed below 10⁻³⁰ or so.
+    /// Emitted code adds it where it divides by a root and the quotient has a limit. The default is the value for
+    /// `f32`. It suits every format with at least this range, unless digits are needed below about 10⁻³⁰.
     #[inline]
     #[must_use]
     fn min_positive() -> Self {
         Self::from_f64(f32::MIN_POSITIVE.into())
     }
 
-    /// The value of a plain number; the smallest over the lanes of several, NaN if one of them is.
+    /// Returns the value of a plain number, or the smallest over all lanes; NaN if one of them is NaN.
     fn smallest(self) -> f64;
 
-    /// The value of a plain number; the largest over the lanes of several, NaN if one of them is.
+    /// Returns the value of a plain number, or the largest over all lanes; NaN if one of them is NaN.
     fn largest(self) -> f64;
 
-    /// The value in a lane; that of a plain number whatever the lane.
+    /// Returns the value in a lane; for a plain number, its value whatever the lane.
     #[inline]
     fn in_lane(self, lane: usize) -> f64 {
         let _ = lane;
         self.largest()
     }
 
-    /// How many derivative parts the number has.
+    /// The number of derivative parts.
     const DERIVATIVES: usize = 0;
 
-    /// A derivative part; 0 for a number that does not have as many. With it, adaptive steps see derivatives where the
-    /// values rest.
+    /// Returns a derivative part, or 0 beyond their number. With it, adaptive steps see derivatives even where the
+    /// values are constant.
     #[inline]
     fn derivative_part(self, index: usize) -> f64 {
         let _ = index;
         0.0
     }
 
-    /// The distance from 1 to the next larger number, by which rounding errors are estimated.
+    /// Returns the distance from 1 to the next larger number, by which rounding errors are estimated.
     #[must_use]
     fn machine_epsilon() -> f64 {
         // The machine epsilon of a double-double is about 2⁻¹⁰⁴; the bound ends the loop for exact arithmetic.
@@ -168,16 +167,17 @@ pub trait Scalar:
         halvings.fold(1.0, |epsilon, _| epsilon / 2.0)
     }
 
-    /// Whether the value is finite in every lane.
+    /// Returns whether the value is finite in every lane.
     #[inline]
     fn is_finite(self) -> bool {
         self.smallest().is_finite() && self.largest().is_finite()
     }
 
-    /// The number in lanes where `mask` is 1, and 0 in those where it is 0, also if the number is not finite there.
+    /// Returns the number in lanes where `mask` is 1, and 0 in lanes where it is 0, even if the number is not finite
+    /// there.
     ///
-    /// By the default, `min` and `max` ignore a NaN: they bound the number by 0/0 where the mask is 1, and by 0 where it is 0. Dual
-    /// numbers of lanes mask their derivative parts, too.
+    /// The default relies on `min` and `max` ignoring a NaN: they bound the number by 0/0 where the mask is 1, and by 0
+    /// where it is 0. Dual numbers of lanes mask their derivative parts, too.
     #[inline]
     #[must_use]
     fn masked(self, mask: Self) -> Self {
@@ -185,24 +185,24 @@ pub trait Scalar:
         self.max(bound).min(bound)
     }
 
-    /// `self · factor + summand`, fused only where the target has the instruction.
+    /// Returns `self · factor + summand`, fused only if the target has the instruction.
     #[inline]
     #[must_use]
     fn mul_add(self, factor: Self, summand: Self) -> Self {
         self * factor + summand
     }
 
-    /// Sine and cosine of the same angle.
+    /// Returns the sine and the cosine of an angle.
     #[inline]
     #[must_use]
     fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
     }
 
-    /// Sines and cosines of several angles, each as [`sin_cos`](Self::sin_cos) gives them.
+    /// Returns the sines and cosines of several angles, with the results of [`sin_cos`](Self::sin_cos).
     ///
     /// Emitted code calls it for the angles of all coordinates at once; override it for a type that computes several
-    /// angles faster together than one by one.
+    /// angles together faster than one by one.
     #[inline]
     #[must_use]
     fn sines_and_cosines<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
@@ -255,23 +255,24 @@ pub trait Scalar:
     /// The natural logarithm.
     #[must_use]
     fn ln(self) -> Self;
-    /// 1/cosh, the hyperbolic secant, with all digits where it is small.
+    /// 1/cosh, the hyperbolic secant, accurate where it is small.
     #[inline]
     #[must_use]
     fn sech(self) -> Self {
         Self::one() / self.cosh()
     }
-    /// The logistic function 1/(1 + e⁻ˣ), with all digits where it is small.
+    /// The logistic function 1/(1 + e⁻ˣ), accurate where it is small.
     ///
-    /// Quotients and logarithms of sums of exponentials are evaluated by it, by [`softplus`](Self::softplus),
-    /// [`log_cosh`](Self::log_cosh) and [`sech`](Self::sech), which do not overflow. All have a default; dual numbers of your own implement them for derivative
-    /// parts where e⁻ˣ overflows, and for those of `softplus` at 0.
+    /// It is used for quotients and logarithms of sums of exponentials, like [`softplus`](Self::softplus),
+    /// [`log_cosh`](Self::log_cosh) and [`sech`](Self::sech); none of these overflow. All have defaults; your own dual
+    /// numbers implement them for derivative parts where e⁻ˣ overflows, and for the derivative parts of `softplus` at
+    /// 0.
     #[inline]
     #[must_use]
     fn logistic(self) -> Self {
         Self::one() / (Self::one() + (-self).exp())
     }
-    /// ln(1 + eˣ), with all digits where it is small.
+    /// ln(1 + eˣ), accurate where it is small.
     #[inline]
     #[must_use]
     fn softplus(self) -> Self {
@@ -280,7 +281,7 @@ pub trait Scalar:
         let half = (small / (Self::one() + Self::one() + small)).atanh();
         self.max(Self::zero()) + half + half
     }
-    /// ln cosh x, with all digits where it is small.
+    /// ln cosh x, accurate where it is small.
     #[inline]
     #[must_use]
     fn log_cosh(self) -> Self {
@@ -292,11 +293,11 @@ pub trait Scalar:
         let far = self.abs() + (-two * self.abs()).softplus() - two.ln();
         is_far * far + near + near
     }
-    /// The square root. The derivative parts of a root of 0 are those of a sum of squares: where those of the
-    /// radicand are 0, so are those of the root.
+    /// The square root. At 0, its derivative parts are the limits for a sum of squares: 0 if the derivative parts of
+    /// the radicand are 0.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// `self` to a real power; NaN where real numbers have none.
+    /// `self` to a real power; NaN if it is not real.
     #[must_use]
     fn powf(self, exponent: Self) -> Self;
     /// The absolute value.
@@ -305,9 +306,9 @@ pub trait Scalar:
     /// −1, 0 or 1. Unlike [`f64::signum`], it is 0 at 0, where |x| has no derivative.
     #[must_use]
     fn signum(self) -> Self;
-    /// The largest whole number that is not greater, without derivative parts.
+    /// The largest integer that is not greater than `self`, without derivative parts.
     ///
-    /// Found digit by digit; lanes for which the processor has something better implement it.
+    /// The default finds it digit by digit; lanes override it if the processor has a faster instruction.
     #[must_use]
     fn floor(self) -> Self {
         let greater = |x: Self, y: Self| (x - y).signum().max(Self::zero());
@@ -326,23 +327,22 @@ pub trait Scalar:
     }
     /// A power of two, without derivative parts, by which the larger of |self| and |other| becomes about 1.
     ///
-    /// Emitted code multiplies both by it where it squares them, so that the squares neither underflow nor overflow. It takes
-    /// them in either order, in which the scale is the same.
-    /// The default is 1, with which slopes of `atan2` have their digits at distances whose squares are
-    /// representable.
+    /// Emitted code multiplies both numbers by it before squaring, so that the squares neither underflow nor overflow.
+    /// The scale does not depend on the order of the numbers. The default is 1, with which slopes of `atan2` are
+    /// accurate at distances whose squares are representable.
     #[inline]
     #[must_use]
     fn common_scale(self, other: Self) -> Self {
         let _ = other;
         Self::one()
     }
-    /// The lesser of two numbers; in lanes, the other one where one of them is NaN.
+    /// The lesser of two numbers; in lanes, the other number if one of them is NaN.
     #[must_use]
     fn min(self, other: Self) -> Self;
-    /// The greater of two numbers; in lanes, the other one where one of them is NaN.
+    /// The greater of two numbers; in lanes, the other number if one of them is NaN.
     #[must_use]
     fn max(self, other: Self) -> Self;
-    /// `self` to a whole power, by repeated squares.
+    /// `self` to an integer power, by repeated squaring.
     #[inline]
     #[must_use]
     fn powi(self, exponent: i32) -> Self {
@@ -363,8 +363,8 @@ pub trait Scalar:
             power
         }
     }
-    /// The nearest number between two limits, of which `least` is not above `most`: the saturation of an actuator. NaN stays NaN,
-    /// but in lanes, where it becomes `least`.
+    /// The nearest number between two limits with `least` ≤ `most`: the saturation of an actuator. NaN is preserved,
+    /// except in lanes, where it becomes `least`.
     #[inline]
     #[must_use]
     fn clamp(self, least: Self, most: Self) -> Self {
@@ -378,13 +378,13 @@ pub trait Scalar:
         let (x, y) = (self * scale, other * scale);
         (x * x + y * y).sqrt() / scale
     }
-    /// An angle in degrees, in radians.
+    /// Converts an angle from degrees to radians.
     #[inline]
     #[must_use]
     fn to_radians(self) -> Self {
         self * (Self::pi() / Self::from_f64(180.0))
     }
-    /// An angle in radians, in degrees.
+    /// Converts an angle from radians to degrees.
     #[inline]
     #[must_use]
     fn to_degrees(self) -> Self {
@@ -396,7 +396,7 @@ pub trait Scalar:
 mod tests {
     use super::Scalar;
 
-    /// A number that leaves the machine epsilon to the trait.
+    /// Measures the machine epsilon like the default of the trait.
     fn measured<S: Scalar>() -> f64 {
         let halvings = (0..110).take_while(|&n| {
             let half = S::from_f64(libm::ldexp(0.5, -n));

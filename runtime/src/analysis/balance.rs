@@ -1,4 +1,4 @@
-//! The equations whose solutions are equilibria and steady motions, with their exact Jacobian.
+//! The equations satisfied by equilibria and steady motions, with their exact Jacobian.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -7,7 +7,7 @@ use crate::integrate::SingleNumber;
 use crate::model::{Inputs, Lagrangian, Linearization, State};
 use crate::scalar::Scalar;
 
-/// What is asked of a model, with `U` inputs that a search may change.
+/// The quantities of a model that a search evaluates, with `U` inputs that the search may change.
 pub trait Balance<S: Scalar, const N: usize, const U: usize> {
     /// The names of the coordinates.
     const COORDINATES: [&'static str; N];
@@ -28,15 +28,15 @@ pub trait Balance<S: Scalar, const N: usize, const U: usize> {
     fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
     /// The forcing f in M q̈ = f.
     fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
-    /// The conditioning of M q̈ = f by coordinates, as [`Lagrangian::relative_pivots`] has it.
+    /// The conditioning of M q̈ = f by coordinates, as defined by [`Lagrangian::relative_pivots`].
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N>;
 }
 
-/// A model with the inputs that it has, none of which is to be found.
+/// A model whose inputs, if any, keep their values.
 #[derive(Debug)]
 pub struct HeldInputs<'a, M: ?Sized>(pub(super) &'a M);
 
-/// A model with inputs of which some may be found.
+/// A model whose inputs may be unknowns of the search.
 #[derive(Debug)]
 pub struct FreeInputs<'a, M: ?Sized>(pub(super) &'a M);
 
@@ -130,7 +130,7 @@ pub(super) struct Point<S: Scalar, const N: usize, const U: usize> {
 }
 
 impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
-    /// The point at `factor · step`, where a step is measured in `sizes`.
+    /// Returns the point displaced by `factor · step`, where the step is measured in `sizes`.
     pub(super) fn moved(
         &self,
         step: &Variables<S, N, U>,
@@ -151,11 +151,11 @@ impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
     }
 }
 
-/// The derivatives ∂pᵢ/∂qⱼ of the momenta of ignorable coordinates i by the others, at a state at which only ignorable
-/// coordinates have velocities.
+/// Returns the derivatives ∂pᵢ/∂qⱼ of the momenta of ignorable coordinates i by the other coordinates j.
 ///
-/// For such i, Lagrange's equation is ṗᵢ = Qᵢ, so that fᵢ = Qᵢ − Σ ∂pᵢ/∂qⱼ q̇ⱼ. The part of fᵢ that is odd in one q̇ⱼ is
-/// −∂pᵢ/∂qⱼ q̇ⱼ, exactly where L is of second degree in the velocities and Qᵢ does not contain q̇ⱼ.
+/// Only ignorable coordinates may have velocities in the given state. For an ignorable coordinate i, Lagrange's
+/// equation is ṗᵢ = Qᵢ, so that fᵢ = Qᵢ − Σ ∂pᵢ/∂qⱼ q̇ⱼ. The part of fᵢ that is odd in one q̇ⱼ is −∂pᵢ/∂qⱼ q̇ⱼ. This is
+/// exact if L is of second degree in the velocities and Qᵢ does not contain q̇ⱼ.
 pub(super) fn momentum_gradients<S, B, const N: usize, const U: usize>(
     model: &B,
     point: &Point<S, N, U>,
@@ -185,7 +185,7 @@ where
     gradients
 }
 
-/// The accelerations, and what the momenta are less what they are to be.
+/// Returns the accelerations, and the differences of the momenta from their prescribed values.
 pub(super) fn residuals<S, B, const N: usize, const U: usize>(
     model: &B,
     point: &Point<S, N, U>,
@@ -205,7 +205,7 @@ where
     [accelerations, differences]
 }
 
-/// The rows of the Jacobian of the residuals by all variables.
+/// Returns the rows of the Jacobian of the residuals by all variables.
 pub(super) fn jacobian<S, B, const N: usize, const U: usize>(
     model: &B,
     point: &Point<S, N, U>,

@@ -1,11 +1,13 @@
-//! Which variables of a linear system are coupled: the connected components of the pattern of its matrices, which are treated
-//! apart, so that a stiff one takes no digits of a soft one.
+//! Groups of coupled variables of a linear system: the connected components of the pattern of its matrices.
+//!
+//! Components are treated separately, so that a stiff component does not cost a soft one its accuracy.
 
 use nalgebra::SMatrix;
 
 use crate::scalar::Scalar;
 
-/// For each variable the least index of those to which it is coupled by entries that are not zero, directly or through others.
+/// Returns, for each variable, the least index among the variables coupled to it by nonzero entries, directly or
+/// through others.
 pub(super) fn components<S: Scalar, const N: usize>(matrices: &[&SMatrix<S, N, N>]) -> [usize; N] {
     let mut labels = core::array::from_fn(|i| i);
     // A label travels along at least one entry in each round.

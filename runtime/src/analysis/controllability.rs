@@ -1,10 +1,10 @@
 //! Controllability, by the staircase form.
 //!
-//! Orthogonal transformations separate what inputs reach from what they do not: C. C. Paige, *Properties of numerical algorithms
-//! related to computing controllability*, IEEE Trans. Autom. Control **26** (1981) 130–138; P. M. Van Dooren, *The generalized
-//! eigenstructure problem in linear system theory*, the same, 111–129. The matrix (B, AB, …), whose
-//! powers hide small singular values, is not formed. A is balanced before (Parlett and Reinsch), since scales of its variables are not
-//! a matter of controllability.
+//! Orthogonal transformations separate the part of the state that the inputs reach from the part that they do not: C.
+//! C. Paige, *Properties of numerical algorithms related to computing controllability*, IEEE Trans. Autom. Control
+//! **26** (1981) 130–138; P. M. Van Dooren, *The generalized eigenstructure problem in linear system theory*, ibid.,
+//! 111–129. The matrix (B, AB, …) is not formed, because its powers hide small singular values. A is balanced first
+//! (Parlett and Reinsch), since controllability does not depend on the scales of the variables.
 
 use nalgebra::{Complex, SMatrix};
 
@@ -14,13 +14,13 @@ use super::spectrum::{Spectrum, modulus};
 use crate::limits::analysis::UNREACHED;
 use crate::scalar::Scalar;
 
-/// Which part of the state of a linear system its inputs reach.
+/// The part of the state of a linear system that its inputs reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controllability<const D: usize> {
-    /// The dimension of the controllable subspace, `D` if the system is controllable.
+    /// The dimension of the controllable subspace; `D` if the system is controllable.
     pub rank: usize,
-    /// The basis in which (A, B) is a staircase: the first `rank` columns span the controllable subspace. It is orthonormal in
-    /// the units in which A is balanced, which are powers of two.
+    /// The basis in which (A, B) has staircase form: the first `rank` columns span the controllable subspace. It is
+    /// orthonormal in the units in which A is balanced, which are powers of two.
     pub basis: SMatrix<f64, D, D>,
     /// A in this basis.
     staircase: SMatrix<f64, D, D>,
@@ -31,13 +31,13 @@ pub struct Controllability<const D: usize> {
 pub struct UncontrollableMode {
     /// Its eigenvalue.
     pub eigenvalue: Complex<f64>,
-    /// The component of the state with the greatest part in it: coordinates come first, then velocities.
+    /// The component of the state that participates most in the mode: coordinates come first, then velocities.
     pub component: usize,
 }
 
 impl<const D: usize> Controllability<D> {
-    /// That of the pair (A, B). What is below some machine epsilons of the largest entries counts as zero, in units in which A is
-    /// balanced.
+    /// Computes the controllability of the pair (A, B). In the units in which A is balanced, entries below a few
+    /// machine epsilons of the largest entries count as zero.
     #[must_use]
     pub fn of<S: Scalar, const U: usize>(a: &SMatrix<S, D, D>, b: &SMatrix<S, D, U>) -> Self {
         let a = a.map(Scalar::largest);
@@ -51,7 +51,7 @@ impl<const D: usize> Controllability<D> {
         #[allow(clippy::cast_precision_loss)] // A dimension.
         let rounding = UNREACHED * (D as f64) * f64::EPSILON;
         let entries = |size: f64, x: &f64| x.abs().max(size);
-        // Scales of inputs do not matter.
+        // The scales of the inputs do not matter.
         for mut column in form.b.column_iter_mut() {
             let largest = column.iter().fold(0.0, entries);
             if largest > 0.0 {
@@ -74,13 +74,13 @@ impl<const D: usize> Controllability<D> {
         }
     }
 
-    /// Whether inputs reach every state.
+    /// Returns whether the inputs reach every state.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.rank == D
     }
 
-    /// The eigenvalues of the modes that no input reaches. None if they are not found.
+    /// Returns the eigenvalues of the modes that no input reaches, or `None` if they are not found.
     #[must_use]
     pub fn uncontrollable(&self) -> Option<Spectrum<D>> {
         let order = D - self.rank;
@@ -96,7 +96,7 @@ impl<const D: usize> Controllability<D> {
         converged.then(|| Spectrum::new(found, order))
     }
 
-    /// The mode of an eigenvalue that no input reaches.
+    /// Returns the mode that belongs to an uncontrollable eigenvalue.
     pub(super) fn mode(&self, eigenvalue: Complex<f64>) -> UncontrollableMode {
         let unit = |i: usize, j: usize| {
             let entry = if i == j { 1.0 } else { 0.0 };
@@ -112,7 +112,7 @@ impl<const D: usize> Controllability<D> {
         let vector = null_vector(&left, core::iter::empty());
         let share = |i: usize| {
             let terms = (self.rank..D).map(|j| vector[j] * self.basis[(i, j)]);
-            // A left vector, in the unit of the state: the rows of the basis have the lengths of the units.
+            // A left vector in the units of the state: the rows of the basis have the lengths of the units.
             let squares: f64 = self.basis.row(i).iter().map(|x| x * x).sum();
             modulus(terms.sum()) / squares
         };
@@ -124,7 +124,7 @@ impl<const D: usize> Controllability<D> {
     }
 }
 
-/// (A, B) in a basis that is being built.
+/// The pair (A, B) in a basis that is being built.
 struct Form<const D: usize, const U: usize> {
     a: SMatrix<f64, D, D>,
     b: SMatrix<f64, D, U>,
@@ -132,8 +132,8 @@ struct Form<const D: usize, const U: usize> {
 }
 
 impl<const D: usize, const U: usize> Form<D, U> {
-    /// Compresses the rows from `start` on of B, or of the columns of A from `before` up to `start`: how many are left that are not
-    /// zero.
+    /// Compresses the rows from `start` on of B, or of the columns `before..start` of A, and returns the number of
+    /// nonzero rows that remain.
     fn compress(&mut self, before: Option<usize>, start: usize, zero: f64) -> usize {
         let columns = before.map_or(U, |before| start - before);
         let mut rank = 0;
@@ -170,7 +170,7 @@ impl<const D: usize, const U: usize> Form<D, U> {
         rank
     }
 
-    /// The Householder reflection in the hyperplane orthogonal to v, whose components below `first` are zero.
+    /// Applies the Householder reflection in the hyperplane orthogonal to v, whose components below `first` are zero.
     fn reflect(&mut self, v: &[f64; D], first: usize) {
         let v = || v.iter().copied().enumerate().skip(first);
         let factor = 2.0 / v().map(|(_, x)| x * x).sum::<f64>();

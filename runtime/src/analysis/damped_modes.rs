@@ -1,8 +1,8 @@
 //! Modes of small oscillations with damping and gyroscopic forces.
 //!
-//! (λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q) φ = 0, a quadratic eigenvalue problem: F. Tisseur and K. Meerbergen, *The quadratic eigenvalue
-//! problem*, SIAM Review **43** (2001) 235–286. Eigenvalues are those of the first-order system; a shape is a null vector of the
-//! matrix of its eigenvalue.
+//! The modes solve the quadratic eigenvalue problem (λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q) φ = 0: F. Tisseur and K. Meerbergen, *The
+//! quadratic eigenvalue problem*, SIAM Review **43** (2001) 235–286. The eigenvalues are computed from the first-order
+//! system; a mode shape is a null vector of the matrix at its eigenvalue.
 
 use nalgebra::{Complex, SMatrix, SVector};
 
@@ -15,33 +15,35 @@ use crate::limits::analysis::ROOM_FOR_SHAPES as ROOM;
 
 type C = Complex<f64>;
 
-/// A mode δq = Re(φ eᵏᵗ) with k = λ, of a conjugate pair that above the real axis.
+/// A mode δq = Re(φ exp(λt)); of a conjugate pair, the mode with Im λ > 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DampedMode<const N: usize> {
     /// λ, in rad over time: the real part is the rate of growth, the imaginary part the damped frequency.
     pub eigenvalue: Complex<f64>,
-    /// The shape φ, complex since coordinates are out of phase. The largest component is 1. Eliminated coordinates
-    /// have theirs, by their constant momenta; they drift if λ is 0, and have 0 then. A double eigenvalue may have only one shape,
-    /// as at critical damping: all its modes have that one then.
+    /// The shape φ, complex since the coordinates are out of phase. The largest component is 1. The components of
+    /// eliminated coordinates follow from their constant momenta; these coordinates drift if λ is 0, and their
+    /// components are 0 then. A double eigenvalue may have only one shape, as at critical damping: both of its modes
+    /// have this shape then.
     pub shape: SVector<Complex<f64>, N>,
 }
 
 impl<const N: usize> DampedMode<N> {
-    /// The natural frequency |λ| in rad over time.
+    /// Returns the natural frequency |λ| in rad over time.
     #[must_use]
     pub fn natural_frequency(&self) -> f64 {
         modulus(self.eigenvalue)
     }
 
-    /// The damping ratio −Re λ/|λ|: 0 without damping, 1 for a mode that does not oscillate, negative for one that grows, and NaN
-    /// for λ = 0.
+    /// Returns the damping ratio −Re λ/|λ|.
+    ///
+    /// It is 0 without damping, 1 for a mode that does not oscillate, negative for a growing mode, and NaN for λ = 0.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
         -self.eigenvalue.re / modulus(self.eigenvalue)
     }
 }
 
-/// The modes of small oscillations, by ascending natural frequency; a slice of them.
+/// The modes of small oscillations, by ascending natural frequency; dereferences to a slice of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DampedModes<const N: usize> {
     modes: [[DampedMode<N>; N]; 2],
@@ -57,7 +59,8 @@ impl<const N: usize> core::ops::Deref for DampedModes<N> {
 }
 
 impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
-    /// The modes, whatever the forces: one for each real eigenvalue and for each conjugate pair. Eigenvalues of rigid motions are 0.
+    /// Computes the modes, whatever the forces: one for each real eigenvalue and for each conjugate pair. Eigenvalues
+    /// of rigid motions are 0.
     ///
     /// # Errors
     ///
@@ -99,7 +102,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         Ok(found)
     }
 
-    /// A vector that the matrix of an eigenvalue takes to zero, orthogonal to those that are known if there is one.
+    /// Returns a null vector of the matrix at an eigenvalue, orthogonal to the known null vectors if there is one.
     fn amplitudes(
         &self,
         eigenvalue: C,
@@ -119,8 +122,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         }
     }
 
-    /// Whether there are amplitudes that no force opposes, to rounding: 0 is an eigenvalue then, which is found as ±√ε or so
-    /// where it is double.
+    /// Returns whether there are amplitudes that no force opposes, up to rounding errors. In this case 0 is an
+    /// eigenvalue, which is found as about ±√ε if it is double.
     fn has_rigid_motion(&self) -> bool {
         let zero = C::new(0.0, 0.0);
         let still = null_vector(&self.quadratic(zero), core::iter::empty());
@@ -130,8 +133,9 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         self.backward_error(zero, &still) <= room * epsilon
     }
 
-    /// What a matrix leaves of a vector, in each row in relation to the terms of the entries: the largest. F. Tisseur, *Backward error
-    /// and condition of polynomial eigenvalue problems*, Linear Algebra Appl. **309** (2000) 339–361, by rows.
+    /// Returns the largest residual of the product with a vector over all rows, each relative to the sizes of its
+    /// terms: F. Tisseur, *Backward error and condition of polynomial eigenvalue problems*, Linear Algebra Appl.
+    /// **309** (2000) 339–361, by rows.
     fn backward_error(&self, eigenvalue: C, vector: &SVector<C, N>) -> f64 {
         let most = vector.iter().fold(0.0, |most, x| modulus(*x).max(most));
         let left = self.quadratic(eigenvalue) * vector;
@@ -151,8 +155,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         errors.fold(0.0, f64::max)
     }
 
-    /// The matrix λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q of the coordinates that oscillate; the columns of velocities that are left are
-    /// those of λ − ∂q̈/∂q̇. Diagonal entries of what is not there are 1.
+    /// Returns the matrix λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q of the oscillating coordinates. Where only a velocity remains, the
+    /// column is taken from λ − ∂q̈/∂q̇; eliminated coordinates have 1 on the diagonal.
     pub(super) fn quadratic(&self, eigenvalue: C) -> SMatrix<C, N, N> {
         SMatrix::from_fn(|i, j| {
             let [c0, c1, c2] = self.coefficients(i, j);
@@ -160,7 +164,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         })
     }
 
-    /// An entry of [`quadratic`](Self::quadratic): its coefficients of 1, λ and λ².
+    /// Returns an entry of [`quadratic`](Self::quadratic): its coefficients of 1, λ and λ².
     pub(super) fn coefficients(&self, i: usize, j: usize) -> [f64; 3] {
         let unit = if i == j { 1.0 } else { 0.0 };
         let by_velocity = -self.velocity[(i, j)].largest();
@@ -171,7 +175,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         }
     }
 
-    /// The amplitudes of all coordinates, from those of coordinates that oscillate and of velocities that are left.
+    /// Returns the amplitudes of all coordinates, given the amplitudes of the oscillating coordinates and of the
+    /// remaining velocities.
     fn of_coordinates(&self, vector: &SVector<C, N>, eigenvalue: C) -> SVector<C, N> {
         let [by_position, by_velocity] = &self.eliminated;
         let oscillates = |i: usize| self.parts[i] == Part::Oscillating;
@@ -183,7 +188,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
             if drifts {
                 return C::new(0.0, 0.0);
             }
-            // The velocities of all, less those of what oscillates in case of what is left.
+            // Sums the contributions of all velocities to an eliminated velocity. A remaining velocity is its own
+            // amplitude; the velocity of an oscillating coordinate is λ times its amplitude.
             let sum = (0..N).fold(C::new(0.0, 0.0), |sum, j| {
                 let velocity = if oscillates(j) {
                     eigenvalue * vector[j]
@@ -199,7 +205,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     }
 }
 
-/// A multiple with a largest component of 1; of those that are equal to rounding, the first.
+/// Returns a multiple of the shape whose largest component is 1; of components that are equal up to rounding, the
+/// first.
 fn normalized<const N: usize>(shape: SVector<C, N>) -> SVector<C, N> {
     let most = shape.iter().fold(0.0, |most, x| modulus(*x).max(most));
     let near = most * (1.0 - negligible::<f64>());

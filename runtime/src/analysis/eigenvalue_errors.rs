@@ -1,11 +1,12 @@
-//! How accurate eigenvalues of the linearized motion are, each by its own condition number.
+//! Error bounds for the eigenvalues of the linearized motion, each by its own condition number.
 //!
-//! With vectors x and y that Q(λ) = λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q takes to zero from the right and from the left, a change of the entries by
-//! their relative errors ε moves a simple eigenvalue by at most ε |y|ᵀ (|λ|² + |λ| |∂q̈/∂q̇| + |∂q̈/∂q|) |x| / |yᴴ Q'(λ) x|, to first
-//! order: F. Tisseur, *Backward error and condition of polynomial eigenvalue problems*, Linear Algebra Appl. **309** (2000) 339–361,
-//! by entries, as D. J. Higham and N. J. Higham, *Structured backward error and condition of generalized eigenvalue problems*, SIAM J.
-//! Matrix Anal. Appl. **20** (1998) 493–512. The denominator vanishes where an eigenvalue is defective (J. H. Wilkinson, *The
-//! Algebraic Eigenvalue Problem*, 1965, 2.7 to 2.9). What the place of the equilibrium leaves undetermined in the entries is added.
+//! Let x and y be the right and left null vectors of Q(λ) = λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q. If the entries have relative
+//! errors ε, a simple eigenvalue moves by at most ε |y|ᵀ (|λ|² + |λ| |∂q̈/∂q̇| + |∂q̈/∂q|) |x| / |yᴴ Q'(λ) x|, to first
+//! order: F. Tisseur, *Backward error and condition of polynomial eigenvalue problems*, Linear Algebra Appl. **309**
+//! (2000) 339–361, by entries, as D. J. Higham and N. J. Higham, *Structured backward error and condition of
+//! generalized eigenvalue problems*, SIAM J. Matrix Anal. Appl. **20** (1998) 493–512. The denominator vanishes where
+//! an eigenvalue is defective (J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965, 2.7 to 2.9). The uncertainty
+//! of the entries that results from the uncertain position of the equilibrium is added.
 
 use nalgebra::{Complex, SMatrix, SVector};
 
@@ -17,7 +18,7 @@ use crate::limits::analysis::{DEFECTIVE, EIGENVALUE_ERRORS, VARIATION_ERRORS};
 
 type C = Complex<f64>;
 
-/// An eigenvalue, how far from it the true one may be, and the label of its component.
+/// An eigenvalue, a bound on its error, and the label of its component.
 #[derive(Clone, Copy)]
 pub(super) struct Located {
     pub(super) value: C,
@@ -26,7 +27,7 @@ pub(super) struct Located {
 }
 
 impl Located {
-    /// Whether the true one may be the same as that of another.
+    /// Returns whether the exact eigenvalue may equal another one.
     pub(super) fn may_equal(&self, other: &Self) -> bool {
         self.component == other.component
             && modulus(self.value - other.value) <= self.error + other.error
@@ -34,7 +35,8 @@ impl Located {
 }
 
 impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
-    /// How far from a computed eigenvalue of a component the true one may be; `radius` is the size of the largest one there.
+    /// Returns a bound on the error of a computed eigenvalue of a component; `radius` is the modulus of the component's
+    /// largest eigenvalue.
     pub(super) fn eigenvalue_error(
         &self,
         value: C,
@@ -46,7 +48,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
             let [c0, c1, c2] = self.coefficients(i, j).map(f64::abs);
             c0 + modulus(value) * (c1 + modulus(value) * c2)
         };
-        // Rows in the sizes of their terms, so that none vanishes beside another; those of other components are 1.
+        // Scales of the rows by the sizes of their terms, so that no row vanishes beside another; rows of other
+        // components have scale 1.
         let scale: [f64; N] = core::array::from_fn(|i| {
             let members = (0..N).filter(|j| is_member(*j));
             let most = members.map(|j| terms(i, j)).fold(0.0, f64::max);
@@ -83,11 +86,12 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         let bounds =
             pairs().map(|(i, j)| size(&left, i) * terms(i, j) * size(&right, j) / scale[i]);
         let bound = EIGENVALUE_ERRORS * epsilon * bounds.sum::<f64>();
-        // What the QR algorithm has left, by one step of Newton's method.
+        // The residual that the QR algorithm has left, by one step of Newton's method.
         let residual = 2.0 * modulus(sum(&|i, j| whole[(i, j)]));
         let most = libm::pow(epsilon, DEFECTIVE) * radius;
         let error = (bound + residual) / slope;
-        // What the place of the equilibrium leaves undetermined: to first order, or of a double eigenvalue the root.
+        // The uncertainty due to the position of the equilibrium, to first order; for a double eigenvalue, the square
+        // root.
         let [of_position, of_velocity] = &self.errors;
         let undetermined = pairs().map(|(i, j)| {
             let entry =
@@ -98,7 +102,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         let curvature = modulus(sum(&|i, j| C::new(self.coefficients(i, j)[2], 0.0)));
         let of_place = (2.0 * undetermined / slope).min(2.0 * libm::sqrt(undetermined / curvature));
         let of_place = if of_place.is_nan() { 0.0 } else { of_place };
-        // 0/0 of a double zero is NaN.
+        // At a double zero, 0/0 is NaN.
         (if error <= most { error } else { most }) + of_place
     }
 }

@@ -1,17 +1,18 @@
 //! Eigenvalues of real matrices, by the QR algorithm with implicit double shifts.
 //!
-//! Balancing: B. N. Parlett and C. Reinsch, *Balancing a matrix for calculation of eigenvalues and eigenvectors*, Numer.
-//! Math. **13** (1969) 293–304. Hessenberg form by Householder reflections and Francis's steps: G. H. Golub and C. F. Van
-//! Loan, *Matrix Computations*, 4th edition (2013), algorithms 7.4.2, 7.5.1 and 7.5.2; exceptional shifts are those of R. S.
-//! Martin, G. Peters and J. H. Wilkinson, *The QR algorithm for real Hessenberg matrices*, Numer. Math. **14** (1970) 219–231.
-//! Complex eigenvalues come in exactly conjugate pairs. The matrix is a slice, of which any leading part is used: its order
-//! need not be a constant.
+//! Balancing: B. N. Parlett and C. Reinsch, *Balancing a matrix for calculation of eigenvalues and eigenvectors*,
+//! Numer. Math. **13** (1969) 293–304. Hessenberg form by Householder reflections and Francis's steps: G. H. Golub and
+//! C. F. Van Loan, *Matrix Computations*, 4th edition (2013), algorithms 7.4.2, 7.5.1 and 7.5.2; exceptional shifts
+//! follow R. S. Martin, G. Peters and J. H. Wilkinson, *The QR algorithm for real Hessenberg matrices*, Numer. Math.
+//! **14** (1970) 219–231. Complex eigenvalues come in exactly conjugate pairs. The matrix is the leading block of a
+//! slice, so its order need not be a constant.
 
 use nalgebra::{Complex, SMatrix};
 
 use crate::limits::analysis::{BALANCED, EXCEPTIONAL_SHIFT, QR_STEPS};
 
-/// A square matrix in a slice, overwritten; rows and columns may be interchanged, since eigenvalues are those of the transpose.
+/// A square matrix in a slice, overwritten; rows and columns may be interchanged, since the transpose has equal
+/// eigenvalues.
 struct Square<'a> {
     entries: &'a mut [f64],
     stride: usize,
@@ -32,8 +33,10 @@ impl core::ops::IndexMut<(usize, usize)> for Square<'_> {
     }
 }
 
-/// Writes the eigenvalues of the leading block of some order of a matrix, whose rows are `stride` long, to the front of
-/// `found`, and destroys the matrix. `false` if an entry is not finite or the iteration does not converge.
+/// Writes the eigenvalues of a matrix's leading block to the front of `found`, and destroys the matrix.
+///
+/// The block has the given order, and the rows of the matrix are `stride` long. Returns `false` if an entry is not
+/// finite or the iteration does not converge.
 pub(crate) fn eigenvalues(
     entries: &mut [f64],
     stride: usize,
@@ -55,7 +58,7 @@ pub(crate) fn eigenvalues(
     matrix.deflate(found)
 }
 
-/// The powers of two D for which D⁻¹ A D is balanced: their exponents, 0 where an entry is not finite.
+/// Returns the exponents of the powers of two D for which D⁻¹ A D is balanced; all are 0 if an entry is not finite.
 pub(super) fn balancing<const D: usize>(matrix: &SMatrix<f64, D, D>) -> [i32; D] {
     let mut exponents = [0; D];
     let mut entries: [[f64; D]; D] =
@@ -64,7 +67,8 @@ pub(super) fn balancing<const D: usize>(matrix: &SMatrix<f64, D, D>) -> [i32; D]
     exponents
 }
 
-/// Balances a matrix that is given by rows in a slice, and adds the exponents of its units to `exponents`, one for each row.
+/// Balances a matrix that is stored by rows in a slice, and adds the exponents of its units to `exponents`, one for
+/// each row.
 pub(super) fn balance(entries: &mut [f64], exponents: &mut [i32]) {
     if entries.iter().all(|x| x.is_finite()) {
         let mut square = Square {
@@ -77,8 +81,8 @@ pub(super) fn balance(entries: &mut [f64], exponents: &mut [i32]) {
 }
 
 impl Square<'_> {
-    /// Scales rows and columns by powers of two, so that their sums are near each other; `scaled` is told each exponent by which
-    /// the unit of a variable has grown.
+    /// Scales rows and columns by powers of two, so that their sums have similar sizes. Calls `scaled` with each
+    /// exponent by which the unit of a variable grows.
     fn balance(&mut self, scaled: &mut dyn FnMut(usize, i32)) {
         let mut done = false;
         while !done {
@@ -115,7 +119,7 @@ impl Square<'_> {
         }
     }
 
-    /// Householder reflections; the vector of each is kept in its column until that is overwritten.
+    /// Applies Householder reflections; the vector of each is kept in its column until the column is overwritten.
     fn reduce_to_hessenberg(&mut self) {
         let n = self.order;
         for k in 0..n.saturating_sub(2) {
@@ -154,7 +158,7 @@ impl Square<'_> {
         }
     }
 
-    /// Francis's steps on the trailing unreduced block, until one or two eigenvalues split off.
+    /// Applies Francis's steps to the trailing unreduced block, until one or two eigenvalues split off.
     fn deflate(&mut self, found: &mut [Complex<f64>]) -> bool {
         let mut left = self.order;
         let mut steps = 0;
@@ -196,7 +200,7 @@ impl Square<'_> {
         0
     }
 
-    /// The eigenvalues of a block of order 2.
+    /// Returns the eigenvalues of a block of order 2.
     fn of_pair(&self, i: usize) -> [Complex<f64>; 2] {
         let [a, b] = [self[(i, i)], self[(i, i + 1)]];
         let [c, d] = [self[(i + 1, i)], self[(i + 1, i + 1)]];
@@ -215,7 +219,7 @@ impl Square<'_> {
         ]
     }
 
-    /// One step with a pair of shifts, on the rows and columns of the block.
+    /// Performs one step with a pair of shifts, on the rows and columns of the block.
     fn francis_step(&mut self, low: usize, high: usize, exceptional: bool) {
         let before = high - 1;
         let (sum, product) = if exceptional {
@@ -248,7 +252,8 @@ impl Square<'_> {
         }
     }
 
-    /// The similarity transformation that takes `column`, in the rows from k on, to a multiple of the first unit vector.
+    /// Applies the similarity transformation that takes `column`, in the rows from k on, to a multiple of the first
+    /// unit vector.
     fn reflect(&mut self, column: &[f64], k: usize, low: usize, high: usize) {
         let scale = column.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         if scale <= 0.0 {
@@ -320,7 +325,7 @@ mod tests {
         assert!(found[0] == found[1].conj());
     }
 
-    /// Without exceptional shifts it would not converge.
+    /// The iteration would not converge without exceptional shifts.
     #[test]
     fn cyclic_permutation() {
         let found = of([
@@ -336,7 +341,7 @@ mod tests {
     #[test]
     fn badly_scaled() {
         let found = of([[1.0, 1e12, 0.0], [1e-12, 2.0, 1e10], [0.0, 1e-10, 3.0]]);
-        // Those of (1, 1, 0; 1, 2, 1; 0, 1, 3).
+        // The eigenvalues of (1, 1, 0; 1, 2, 1; 0, 1, 3).
         let root = 3.0_f64.sqrt();
         let expected = [(2.0 - root, 0.0), (2.0, 0.0), (2.0 + root, 0.0)];
         assert_close(&found, &expected, 1e-13);
@@ -356,7 +361,7 @@ mod tests {
         assert!(!eigenvalues(rows.as_flattened_mut(), 2, 2, &mut found));
     }
 
-    /// The trace and the sum of squares of random matrices; their leading blocks in a larger one have the same.
+    /// Checks the trace and the sum of squares of leading blocks of random matrices.
     #[test]
     fn sums_of_random_matrices() {
         let mut seed = 1_u64;

@@ -1,11 +1,11 @@
-//! What a search for equilibria finds.
+//! The results of a search for equilibria.
 
 use nalgebra::SVector;
 
 use crate::model::State;
 use crate::scalar::Scalar;
 
-/// A variable that a search may change: a coordinate, a velocity or an input, by its index.
+/// A variable that a search may change: a coordinate, a velocity or an input, given by its index.
 ///
 /// The indices are the constants of the model, such as `Top::PHI`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,32 +21,32 @@ pub enum Variable {
 /// An equilibrium or a steady motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equilibrium<S: Scalar, const N: usize, const U: usize> {
-    /// The state; velocities of ignorable coordinates are those of a steady motion.
+    /// The state; in a steady motion, the ignorable coordinates have velocities.
     pub state: State<S, N>,
-    /// The inputs; none if they were held.
+    /// The inputs; empty if they were held.
     pub inputs: SVector<S, U>,
-    /// What the search did.
+    /// A report on the search.
     pub report: SearchReport,
 }
 
-/// What a search did.
+/// A report on a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SearchReport {
-    /// How many Newton steps were taken.
+    /// The number of Newton steps.
     pub iterations: usize,
-    /// How many steps of the descent by Levenberg and Marquardt were taken, if Newton's method from the guess had failed;
-    /// [`iterations`](Self::iterations) are those after it.
+    /// The number of Levenberg–Marquardt steps that were taken if Newton's method had failed from the guess;
+    /// [`iterations`](Self::iterations) counts only the Newton steps after them.
     pub descent_steps: usize,
-    /// How many steps were shortened, so that the next correction became less.
+    /// The number of steps that were shortened to make the next correction smaller.
     pub step_reductions: usize,
-    /// How often accelerations were evaluated.
+    /// The number of evaluations of the accelerations.
     pub evaluations: usize,
-    /// The largest acceleration that is left, or difference of a momentum that was to be kept.
+    /// The largest remaining acceleration, or difference of a momentum from its prescribed value.
     pub residual: f64,
-    /// The rank of the Jacobian by the unknowns at the last iterate. Where it is less than the count of unknowns, the solution is one of
-    /// a family.
+    /// The rank of the Jacobian by the unknowns at the last iterate. If it is less than the number of unknowns, the
+    /// solution is one of a family.
     pub rank: usize,
-    /// The ratio of the largest singular value of the Jacobian to the smallest that is not zero, with variables measured
-    /// in their sizes.
+    /// The ratio of the largest singular value of the Jacobian to the smallest nonzero one, with variables measured in
+    /// their sizes.
     pub condition: f64,
 }

@@ -1,4 +1,4 @@
-//! Why no equilibrium was found.
+//! The errors of a search for equilibria.
 
 use core::fmt;
 
@@ -7,56 +7,57 @@ use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 use crate::scalar::Scalar;
 
-/// Why no equilibrium or steady motion was found.
+/// The reason why no equilibrium or steady motion was found.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum EquilibriumError<S: Scalar, const N: usize, const U: usize> {
-    /// An index is none of a coordinate or of an input.
+    /// No coordinate or input has the index.
     NoSuchVariable {
-        /// The variable that was to be unknown, or whose momentum was given.
+        /// The variable that was declared unknown, or whose momentum was given.
         variable: Variable,
     },
     /// Nothing is unknown: all coordinates are ignorable, or the list is empty.
     NoUnknown,
-    /// A coordinate that is not ignorable has a velocity in the guess, or one that is to be found.
+    /// A coordinate that is not ignorable has a velocity in the guess, or its velocity is unknown.
     Moving {
         /// Its name.
         name: &'static str,
         /// Its velocity in the guess.
         velocity: f64,
     },
-    /// The momentum of a coordinate was given that is not ignorable, so that it is no constant.
+    /// A momentum was given for a coordinate that is not ignorable, so that its momentum is not constant.
     NoConstantMomentum {
         /// Its name.
         name: &'static str,
     },
     /// The accelerations or their derivatives are infinite or not a number.
     NotFinite {
-        /// Where.
+        /// The last iterate.
         last: Equilibrium<S, N, U>,
     },
-    /// The search did not come to an end within its steps.
+    /// The search did not converge within the allowed number of steps.
     NoConvergence {
         /// The last iterate.
         last: Equilibrium<S, N, U>,
     },
-    /// No step, however short, made the next correction less: the Jacobian is singular near the last iterate, or there is no
-    /// equilibrium nearby.
+    /// No step, however short, made the next correction smaller: the Jacobian is singular near the last iterate, or
+    /// there is no equilibrium nearby.
     Stalled {
         /// The last iterate.
         last: Equilibrium<S, N, U>,
     },
-    /// The sum of the squares of the accelerations is stationary here, and not zero: to first order the unknowns do not act on
-    /// what is left. There may be an equilibrium elsewhere.
+    /// The sum of the squares of the accelerations is stationary at the last iterate, but not zero: to first order, the
+    /// unknowns do not act on the remaining accelerations. There may be an equilibrium elsewhere.
     Unbalanced {
         /// The last iterate.
         last: Equilibrium<S, N, U>,
-        /// The coordinate with the largest acceleration, or whose momentum differs most, or whose force is not balanced.
+        /// The coordinate with the largest acceleration, or with the largest difference of its momentum, or with an
+        /// unbalanced force.
         name: &'static str,
-        /// That acceleration, difference or force.
+        /// This acceleration, difference or force.
         residual: f64,
     },
-    /// The search ended where the mass matrix is nearly singular, and forces are not balanced there.
+    /// The search ended where the mass matrix is nearly singular, and the forces are not balanced there.
     SingularMass {
         /// The last iterate.
         last: Equilibrium<S, N, U>,
@@ -72,7 +73,7 @@ pub enum EquilibriumError<S: Scalar, const N: usize, const U: usize> {
 }
 
 impl<S: Scalar, const N: usize, const U: usize> EquilibriumError<S, N, U> {
-    /// The last iterate, if there was a search.
+    /// Returns the last iterate, if there was a search.
     pub fn last(&self) -> Option<&Equilibrium<S, N, U>> {
         match self {
             Self::NotFinite { last }

@@ -1,17 +1,17 @@
-//! The equations that an equilibrium or a steady motion satisfies, and which variables are unknown in them.
+//! The equations that an equilibrium or a steady motion satisfies, and the choice of their unknowns.
 
 use super::balance::{Balance, Point, jacobian, residuals};
 use super::jacobian_rows::{JacobianRows, Residuals, Variables};
 use crate::integrate::SingleNumber;
 use crate::scalar::Scalar;
 
-/// What a search is to solve, and how accurately.
+/// The problem that a search solves, and the required accuracy.
 #[derive(Debug)]
 pub(super) struct EquilibriumProblem<B, S: Scalar, const N: usize, const U: usize> {
     pub(super) model: B,
-    /// 1 for what is unknown, 0 for what is given.
+    /// 1 for unknown variables, 0 for given ones.
     pub(super) unknown: Variables<S, N, U>,
-    /// The momenta that are to be kept.
+    /// The prescribed momenta.
     pub(super) momenta: [Option<S>; N],
     /// The sizes in which steps are measured, if they are set.
     pub(super) sizes: Option<Variables<S, N, U>>,
@@ -24,7 +24,7 @@ where
     B: Balance<S, N, U>,
     S: SingleNumber,
 {
-    /// The sizes of the unknowns in a search from a point; 0 for what is given.
+    /// Returns the sizes of the unknowns in a search from a point; 0 for given variables.
     pub(super) fn sizes(&self, start: &Point<S, N, U>) -> Variables<S, N, U> {
         let magnitudes = self.sizes.unwrap_or(Variables {
             positions: start.state.q,
@@ -38,12 +38,12 @@ where
         })
     }
 
-    /// What is left of the equations at a point.
+    /// Returns the residuals of the equations at a point.
     pub(super) fn residuals(&self, point: &Point<S, N, U>) -> Residuals<S, N> {
         residuals(&self.model, point, &self.momenta)
     }
 
-    /// The Jacobian at a point by the unknowns, in their sizes.
+    /// Returns the Jacobian at a point by the unknowns, in their sizes.
     pub(super) fn scaled_jacobian(
         &self,
         point: &Point<S, N, U>,

@@ -1,4 +1,4 @@
-//! A search for equilibria and steady motions.
+//! The search for equilibria and steady motions.
 
 use nalgebra::SVector;
 
@@ -15,10 +15,10 @@ use crate::linalg::IntoVector;
 use crate::model::{Inputs, Lagrangian, State};
 use crate::scalar::Scalar;
 
-/// A search for equilibria, q̈ = 0 at q̇ = 0, and for steady motions (relative equilibria), at which only ignorable coordinates
-/// move, with constant velocities.
+/// A search for equilibria, q̈ = 0 at q̇ = 0, and for steady motions (relative equilibria), in which only ignorable
+/// coordinates move, with constant velocities.
 ///
-/// Unknown are all coordinates but the ignorable ones, on which nothing depends, unless
+/// The unknowns are all coordinates except the ignorable ones, on which nothing depends, unless
 /// [`unknown`](Self::unknown) says otherwise. All other variables keep the values of the guess.
 ///
 /// # Equilibria
@@ -69,7 +69,8 @@ use crate::scalar::Scalar;
 ///
 /// # Steady motions
 ///
-/// Of a top at an inclination, with a momentum `I_s` ω₃ (4.11): which of the solutions is found depends on the guess.
+/// A top precesses at a given inclination with a given momentum `I_s` ω₃ (4.11). Which of the solutions is found
+/// depends on the guess.
 ///
 /// ```
 /// use lagrangian::analysis::{EquilibriumSearch, Variable};
@@ -99,13 +100,13 @@ use crate::scalar::Scalar;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// There may be more or fewer unknowns than equations: of several solutions the one is found to which Newton's
-/// steps of least length lead, and equations that contradict each other are an error.
+/// There may be more or fewer unknowns than equations. Of several solutions, the search finds the one to which Newton
+/// steps of minimal length lead; contradictory equations are an error.
 ///
-/// Newton's method is damped. Where its path meets a singular Jacobian, the search descends from the guess to where
-/// accelerations are least, in the sense of least squares, and Newton's method goes on from there.
+/// Newton's method is damped. Where its path meets a singular Jacobian, the search restarts from the guess, minimizes
+/// the accelerations in the sense of least squares, and continues with Newton's method from there.
 ///
-/// On dual numbers, what is found has the derivatives by parameters and by whatever else is given.
+/// On dual numbers, the result has derivatives by the parameters and by all other given values.
 #[derive(Debug)]
 pub struct EquilibriumSearch<B, S: Scalar, const N: usize, const U: usize> {
     problem: EquilibriumProblem<B, S, N, U>,
@@ -118,8 +119,8 @@ where
     M: Lagrangian<N, S> + ?Sized,
     S: SingleNumber,
 {
-    /// Equilibria and steady motions of a model, under the inputs of its fields if it has inputs, or of
-    /// [`with_inputs`](crate::Lagrangian::with_inputs).
+    /// Searches for equilibria and steady motions of a model. If it has inputs, they are held at the values of its
+    /// fields, or at the values given to [`with_inputs`](crate::Lagrangian::with_inputs).
     pub fn of(model: &'a M) -> Self {
         Self::about(HeldInputs(model))
     }
@@ -130,8 +131,8 @@ where
     M: Inputs<N, U, S> + ?Sized,
     S: SingleNumber,
 {
-    /// Equilibria and steady motions of a model with inputs, some of which may be unknown. The guess of the inputs is in the
-    /// fields of the model.
+    /// Searches for equilibria and steady motions of a model with inputs, some of which may be unknown. The fields of
+    /// the model hold the guess of the inputs.
     pub fn trim(model: &'a M) -> Self {
         Self::about(FreeInputs(model))
     }
@@ -160,7 +161,7 @@ where
         }
     }
 
-    /// Which variables are unknown, instead of all coordinates that are not ignorable.
+    /// Sets the unknown variables, instead of all coordinates that are not ignorable.
     #[must_use]
     pub fn unknown(mut self, variables: &[Variable]) -> Self {
         self.problem.unknown = Variables::zeros();
@@ -179,7 +180,8 @@ where
         self
     }
 
-    /// The momentum of an ignorable coordinate that a steady motion is to have. A velocity has to be unknown to make up for it.
+    /// Prescribes the momentum of an ignorable coordinate in a steady motion. A velocity has to be unknown to make up
+    /// for it.
     #[must_use]
     pub fn momentum(mut self, coordinate: usize, momentum: S) -> Self {
         match self.problem.momenta.get_mut(coordinate) {
@@ -189,23 +191,23 @@ where
         self
     }
 
-    /// How accurate the unknowns are to be, in relation to their sizes: 64 machine epsilons unless set. The last correction is
-    /// less than that.
+    /// Sets the accuracy of the unknowns relative to their sizes; 64 machine epsilons by default. The last correction
+    /// is smaller than the accuracy.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.problem.tolerance = tolerance;
         self
     }
 
-    /// How many Newton steps there may be: 100 unless set.
+    /// Sets the maximal number of Newton steps; 100 by default.
     #[must_use]
     pub fn max_iterations(mut self, count: usize) -> Self {
         self.problem.max_iterations = count;
         self
     }
 
-    /// The sizes of coordinates, velocities and inputs, in which steps and the condition are measured. Unless set, each is the
-    /// magnitude in the guess, or 1 if that is 0.
+    /// Sets the sizes of coordinates, velocities and inputs, in which steps and the condition are measured. By default,
+    /// each size is the magnitude in the guess, or 1 if that is 0.
     #[must_use]
     pub fn sizes(
         mut self,
@@ -221,11 +223,12 @@ where
         self
     }
 
-    /// The equilibrium or steady motion to which Newton's method leads from a guess.
+    /// Finds the equilibrium or steady motion to which Newton's method leads from a guess.
     ///
     /// # Errors
     ///
-    /// [`EquilibriumError`]: what was asked cannot be, or nothing was found, with the last iterate.
+    /// [`EquilibriumError`], if the request is invalid or nothing is found; in the latter case it contains the last
+    /// iterate.
     pub fn near(
         &self,
         guess: &State<S, N>,
@@ -244,7 +247,7 @@ where
         let mut report = failed
             .last()
             .map_or_else(SearchReport::default, |last| last.report);
-        // Newton's steps begin anew.
+        // The Newton steps are counted anew.
         report.iterations = 0;
         let near = descended(&self.problem, &start, &mut report);
         Newton::new(&self.problem, &near).after(report).run()

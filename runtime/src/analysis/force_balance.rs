@@ -1,6 +1,7 @@
-//! Whether forces are balanced, which is asked besides whether accelerations are zero: near a singular mass matrix the
-//! derivatives of the accelerations are so large that any acceleration is small in comparison with them. M q̈ = f stays well scaled
-//! there.
+//! The balance of forces, which is tested in addition to the accelerations.
+//!
+//! Near a singular mass matrix, the derivatives of the accelerations are so large that any acceleration is small in
+//! comparison. The equation M q̈ = f stays well scaled there.
 
 use nalgebra::SVector;
 
@@ -18,9 +19,10 @@ pub(super) struct UnbalancedForce {
     pub(super) force: f64,
 }
 
-/// The force f of M q̈ = f that is farthest from zero, if one is: each in relation to what it changes by where variables
-/// change by their sizes. Of those that do not change, rounding errors are those of the others, in units of
-/// the roots of inertia.
+/// Returns the unbalanced component of f in M q̈ = f that is farthest from zero, if there is one.
+///
+/// Each force is compared with its change where variables change by their sizes. For forces that do not change, the
+/// rounding errors of the other forces are used, in units of the square roots of the inertias.
 pub(super) fn unbalanced_force<S, B, const N: usize, const U: usize>(
     model: &B,
     point: &Point<S, N, U>,
@@ -51,7 +53,7 @@ where
     };
     let worst = (0..N).fold((0, 0.0), |worst, i| {
         let excess = excess(i);
-        // NaN is not balanced.
+        // NaN counts as unbalanced.
         if excess <= worst.1 {
             worst
         } else {
@@ -64,8 +66,8 @@ where
     })
 }
 
-/// How much each force changes where one variable changes by its size, to first order: by central differences, since those
-/// of the accelerations have no digits near a singular mass matrix.
+/// Returns how much each force changes where one variable changes by its size, to first order. Central differences are
+/// used, since the derivatives of the accelerations have no correct digits near a singular mass matrix.
 fn force_slopes<S, B, const N: usize, const U: usize>(
     model: &B,
     point: &Point<S, N, U>,
@@ -83,7 +85,7 @@ where
         };
         let change = forces(FORCE_DIFFERENCE) - forces(-FORCE_DIFFERENCE);
         for (slope, change) in slopes.iter_mut().zip(change.iter()) {
-            // NaN, beyond the domain of the model, is left out.
+            // NaN, beyond the domain of the model, is ignored.
             *slope = slope.max(change.abs().largest() / (2.0 * FORCE_DIFFERENCE));
         }
     };
@@ -103,7 +105,7 @@ where
     slopes
 }
 
-/// The coordinate with the least relative pivot, and that pivot, if the mass matrix is nearly singular.
+/// Returns the coordinate with the least relative pivot, and this pivot, if the mass matrix is nearly singular.
 pub(super) fn nearly_singular<S, B, const N: usize, const U: usize>(
     model: &B,
     point: &Point<S, N, U>,
@@ -112,7 +114,7 @@ where
     S: SingleNumber,
     B: Balance<S, N, U>,
 {
-    // How the accelerations are solved for may have no pivot that shows it.
+    // The method of solving for the accelerations may have no pivot that shows the singularity.
     let factored = Factorization::new(model.mass_matrix(&point.state)).relative_pivots();
     let pivots = model.relative_pivots(&point.state);
     let pairs = pivots.iter().zip(factored.iter());
@@ -122,7 +124,7 @@ where
     });
     let sizes = sizes.enumerate();
     let least = sizes.fold((0, f64::INFINITY), |least, (i, size)| {
-        // NaN is singular.
+        // NaN counts as singular.
         if size >= least.1 { least } else { (i, size) }
     });
     (least.1.is_nan() || least.1 < NEARLY_SINGULAR).then_some(least)

@@ -1,8 +1,9 @@
 //! The pseudoinverse of a Jacobian that is given row by row, by rotations that make its rows orthogonal.
 //!
-//! The one-sided method of Jacobi: M. R. Hestenes, *Inversion of matrices by biorthogonalization and related results*, J. SIAM
-//! **6** (1958) 51–90; J. Demmel and K. Veselić, *Jacobi's method is more accurate than QR*, SIAM J. Matrix Anal. Appl. **13**
-//! (1992) 1204–1245. W J = Σ Vᵀ with W orthogonal: the rows of W J are orthogonal, and their lengths are the singular values.
+//! The one-sided Jacobi method: M. R. Hestenes, *Inversion of matrices by biorthogonalization and related results*, J.
+//! SIAM **6** (1958) 51–90; J. Demmel and K. Veselić, *Jacobi's method is more accurate than QR*, SIAM J. Matrix Anal.
+//! Appl. **13** (1992) 1204–1245. W J = Σ Vᵀ with W orthogonal: the rows of W J are orthogonal, and their lengths are
+//! the singular values.
 
 use nalgebra::SVector;
 
@@ -46,7 +47,7 @@ impl<S: Scalar, const N: usize, const U: usize> Variables<S, N, U> {
         pairs.fold(S::zero(), |sum, (x, y)| x.mul_add(y, sum))
     }
 
-    /// The Euclidean length.
+    /// Returns the Euclidean length.
     pub(super) fn norm(&self) -> f64 {
         let largest = self.largest();
         if largest > 0.0 && largest.is_finite() {
@@ -58,7 +59,7 @@ impl<S: Scalar, const N: usize, const U: usize> Variables<S, N, U> {
         }
     }
 
-    /// The largest magnitude; NaN if a component is.
+    /// Returns the largest magnitude; NaN if a component is NaN.
     pub(super) fn largest(&self) -> f64 {
         self.components().fold(0.0, |most, x| {
             let size = x.abs().largest();
@@ -74,14 +75,14 @@ impl<S: Scalar, const N: usize, const U: usize> Variables<S, N, U> {
 /// A right-hand side: one number for the acceleration of each coordinate, and one for its momentum.
 pub(super) type Residuals<S, const N: usize> = [SVector<S, N>; 2];
 
-/// A row, and the combination of the original rows that it is.
+/// A row of W J, and its representation as a combination of the original rows.
 #[derive(Clone, Copy, Debug)]
 struct Row<S: Scalar, const N: usize, const U: usize> {
     entries: Variables<S, N, U>,
     combination: Residuals<S, N>,
 }
 
-/// A Jacobian of 2 `N` rows, factored.
+/// A factored Jacobian with 2 `N` rows.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct JacobianRows<S: Scalar, const N: usize, const U: usize> {
     rows: [[Row<S, N, U>; N]; 2],
@@ -114,13 +115,13 @@ impl<S: SingleNumber, const N: usize, const U: usize> JacobianRows<S, N, U> {
         Self { rows }
     }
 
-    /// The singular values, in no order; the other ones are 0.
+    /// Returns the singular values of the rows, in no particular order; all others are 0.
     fn singular_values(&self) -> impl Iterator<Item = f64> + '_ {
         let rows = self.rows.as_flattened().iter();
         rows.map(|row| row.entries.norm())
     }
 
-    /// The largest singular value.
+    /// Returns the largest singular value.
     pub(super) fn largest(&self) -> f64 {
         self.singular_values().fold(0.0, f64::max)
     }
@@ -129,13 +130,13 @@ impl<S: SingleNumber, const N: usize, const U: usize> JacobianRows<S, N, U> {
         SINGULAR * S::machine_epsilon() * self.largest()
     }
 
-    /// How many singular values are not zero.
+    /// Returns the number of singular values that are not zero up to rounding.
     pub(super) fn rank(&self) -> usize {
         let limit = self.smallest_regular();
         self.singular_values().filter(|size| *size > limit).count()
     }
 
-    /// The largest singular value over the smallest one that is not zero; 1 if all are.
+    /// Returns the ratio of the largest singular value to the smallest nonzero one; 1 if all are zero.
     pub(super) fn condition(&self) -> f64 {
         let limit = self.smallest_regular();
         let regular = self.singular_values().filter(|size| *size > limit);
@@ -147,7 +148,7 @@ impl<S: SingleNumber, const N: usize, const U: usize> JacobianRows<S, N, U> {
         }
     }
 
-    /// Of all x for which J x is nearest to `right`, the shortest one.
+    /// Returns the shortest x among all for which J x is nearest to `right`.
     pub(super) fn solve(&self, right: &Residuals<S, N>) -> Variables<S, N, U> {
         let limit = self.smallest_regular();
         let mut x = Variables::zeros();
@@ -162,8 +163,9 @@ impl<S: SingleNumber, const N: usize, const U: usize> JacobianRows<S, N, U> {
 }
 
 impl<S: SingleNumber, const N: usize, const U: usize> JacobianRows<S, N, U> {
-    /// The x for which |J x − right|² + damping |x|² is least, and what the linear model predicts for the decrease of |right|²:
-    /// xᵀ(damping x + Jᵀ right).
+    /// Minimizes |J x − right|² + damping |x|².
+    ///
+    /// Returns x and the decrease of |right|² that the linear model predicts: xᵀ(damping x + Jᵀ right).
     pub(super) fn damped(&self, right: &Residuals<S, N>, damping: S) -> (Variables<S, N, U>, f64) {
         let mut x = Variables::zeros();
         let mut predicted = S::zero();
@@ -186,7 +188,7 @@ impl<S: Scalar, const N: usize, const U: usize> Row<S, N, U> {
     }
 }
 
-/// Rotates two rows until they are orthogonal; whether they were not.
+/// Rotates two rows until they are orthogonal, and returns whether a rotation was necessary.
 fn orthogonalize<S: SingleNumber, const N: usize, const U: usize>(
     rows: &mut [[Row<S, N, U>; N]; 2],
     p: usize,
@@ -198,7 +200,7 @@ fn orthogonalize<S: SingleNumber, const N: usize, const U: usize>(
     let product = first.entries.dot(&second.entries);
     let size = product.abs().largest();
     let lengths = (of_first * of_second).sqrt().largest();
-    // NaN is left as it is.
+    // NaN is left unchanged.
     if !(size > 0.0 && size > S::machine_epsilon() * lengths) {
         return false;
     }

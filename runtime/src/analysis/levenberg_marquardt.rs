@@ -1,9 +1,10 @@
-//! Descent to where accelerations are least, for searches whose Newton path meets a singular Jacobian.
+//! Descent to a minimum of the accelerations, for searches whose Newton path meets a singular Jacobian.
 //!
-//! The method of Levenberg and Marquardt: K. Levenberg, *A method for the solution of certain non-linear problems in least squares*,
-//! Quart. Appl. Math. **2** (1944) 164–168; D. W. Marquardt, *An algorithm for least-squares estimation of nonlinear parameters*,
-//! J. SIAM **11** (1963) 431–441. The damping is that of H. B. Nielsen, *Damping parameter in Marquardt's method*, 1999. It ends near
-//! a solution or a local minimum, where [`Newton`](super::newton::Newton) goes on.
+//! The Levenberg–Marquardt method: K. Levenberg, *A method for the solution of certain non-linear problems in least
+//! squares*, Quart. Appl. Math. **2** (1944) 164–168; D. W. Marquardt, *An algorithm for least-squares estimation of
+//! nonlinear parameters*, J. SIAM **11** (1963) 431–441. The damping follows H. B. Nielsen, *Damping parameter in
+//! Marquardt's method*, 1999. The descent ends near a solution or a local minimum, where
+//! [`Newton`](super::newton::Newton) takes over.
 
 use super::balance::{Balance, Point};
 use super::equilibrium::SearchReport;
@@ -12,7 +13,7 @@ use super::jacobian_rows::Residuals;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{DESCENT_DAMPING, DESCENT_END, MAX_NEWTON_STEP};
 
-/// The point to which the descent from a point leads, and what it took, added to a report.
+/// Returns the point to which the descent from `start` leads, and adds the steps and evaluations to the report.
 pub(super) fn descended<B, S, const N: usize, const U: usize>(
     problem: &EquilibriumProblem<B, S, N, U>,
     start: &Point<S, N, U>,
@@ -31,7 +32,7 @@ where
     for _ in 0..problem.max_iterations {
         let right = found.map(|block| -block);
         let (step, predicted) = rows.damped(&right, S::from_f64(damping));
-        // NaN ends it, too.
+        // NaN ends the descent, too.
         if step.norm().is_nan() || step.norm() <= DESCENT_END || predicted <= 0.0 {
             break;
         }

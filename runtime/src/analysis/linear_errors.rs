@@ -1,10 +1,11 @@
-//! How far the linear equations at a state may be from those at the equilibrium beside which it was found.
+//! Bounds for the difference between the linearized equations at a computed state and at the exact equilibrium nearby.
 //!
-//! A search ends at a finite distance from the equilibrium, and where the second variation vanishes, as for V = x³, it ends where that
-//! has a sign that the equilibrium has not. The distance along each principal direction of K is estimated by Newton's correction, and by
-//! the force that rounding leaves undetermined, in units of the stiffness there: K is then evaluated at that distance on both sides.
-//! The rounding of forces is seen in their fourth differences: R. W. Hamming, *Introduction to Applied Numerical Analysis*, 1971,
-//! chapter 6; J. J. Moré and S. M. Wild, *Estimating computational noise*, SIAM J. Sci. Comput. **33** (2011) 1292–1314.
+//! A search ends at a finite distance from the equilibrium. Where the second variation vanishes, as for V = x³, it has
+//! a sign at the computed state that it lacks at the equilibrium. The distance along each principal direction of
+//! K is estimated by Newton's correction and by the rounding error of the force, in units of the stiffness along this
+//! direction. K is then evaluated at this distance on both sides. The rounding errors of forces are seen in their
+//! fourth differences: R. W. Hamming, *Introduction to Applied Numerical Analysis*, 1971, chapter 6; J. J. Moré and S.
+//! M. Wild, *Estimating computational noise*, SIAM J. Sci. Comput. **33** (2011) 1292–1314.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -18,10 +19,11 @@ use crate::limits::analysis::{
 use crate::model::{Lagrangian, State};
 use crate::scalar::Scalar;
 
-/// Signs with which principal directions are combined.
+/// The sign patterns in which principal directions are combined.
 const PATTERNS: [fn(usize) -> bool; 3] = [|_| true, |i| i % 2 == 0, |i| i % 4 < 2];
 
-/// How far ∂q̈/∂q and ∂q̈/∂q̇, as they are in small oscillations, may be from those at the equilibrium, entry by entry.
+/// Returns bounds, entry by entry, for the differences of ∂q̈/∂q and ∂q̈/∂q̇ of small oscillations from their values at
+/// the equilibrium.
 pub(super) fn linear_errors<S, M, const N: usize>(
     model: &M,
     state: &State<S, N>,
@@ -86,7 +88,7 @@ where
     S: SingleNumber,
     M: Lagrangian<N, S> + ?Sized,
 {
-    /// The state at a distance, under the same constant momenta.
+    /// Returns the displaced state, with unchanged constant momenta.
     fn moved(&self, displacement: &SVector<S, N>) -> State<S, N> {
         let [by_position, _] = &self.reduced.eliminated;
         State::new(
@@ -96,7 +98,8 @@ where
         )
     }
 
-    /// How far the equilibrium may be along each principal direction of K, in the columns, and as far as positions are rounded.
+    /// Returns in its columns how far the equilibrium may be along each principal direction of K, including the
+    /// rounding of positions.
     fn displacements(&self) -> SMatrix<S, N, N> {
         let half = S::from_f64(0.5);
         let product = self.reduced.mass * self.reduced.position;
@@ -146,8 +149,11 @@ where
         columns
     }
 
-    /// How far the equilibrium may be along a direction d: several times the distance from which on the force along d is that of the
-    /// stiffness κ = dᵀ K d on both sides, up to a factor of two; or, if there is none, the distance at which κ is another one.
+    /// Returns how far the equilibrium may be along a direction d.
+    ///
+    /// This is a multiple of the distance beyond which, on both sides, the force along d agrees with the stiffness κ =
+    /// dᵀ K d up to a factor of two. If there is no such distance, it is the distance at which κ has changed by its own
+    /// size.
     fn displacement(
         &self,
         stiffness: &SMatrix<S, N, N>,
@@ -167,7 +173,7 @@ where
         let lengths = || {
             let lengths = (0..).map(|n| libm::ldexp(1.0, FIRST_DISTANCE + 3 * n));
             let lengths = lengths.take_while(|length| *length < FARTHEST);
-            // Shorter ones are rounded away.
+            // Shorter displacements are lost by rounding.
             lengths.filter(|length| {
                 let moved = self.state.q + direction * S::from_f64(*length);
                 moved != self.state.q
@@ -201,7 +207,8 @@ where
     }
 }
 
-/// Whether a generalized force gives energy to some small perturbation, to whatever order: (Q(q, q̇ + w) − Q(q, q̇)) w > 0.
+/// Returns whether the generalized forces supply energy to some small perturbation, in whatever order: (Q(q, q̇ + w) −
+/// Q(q, q̇)) w > 0.
 pub(super) fn gives_energy<S, M, const N: usize>(
     model: &M,
     state: &State<S, N>,

@@ -8,8 +8,9 @@ use crate::model::State;
 use crate::scalar::Dual;
 
 impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
-    /// The same model with the outputs y = `outputs(state, inputs)`, linearized about a state and inputs: C = ∂y/∂x and D = ∂y/∂u,
-    /// exactly, by evaluating the function on dual numbers.
+    /// Returns the model with the outputs y = `outputs(state, inputs)`, linearized about a state and inputs.
+    ///
+    /// C = ∂y/∂x and D = ∂y/∂u are exact: the function is evaluated on dual numbers.
     ///
     /// ```
     /// use lagrangian::analysis::StateSpace;
@@ -55,7 +56,7 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
                 "the state has twice as many components as there are coordinates: `D` is 2 `N`"
             );
         }
-        // The value, and the derivative by the number of an index.
+        // Evaluates the outputs, and their derivatives by the variable with an index.
         let evaluated = |index: Option<usize>| {
             let number = |value: f64, own: usize| {
                 Dual::new(value, [if index == Some(own) { 1.0 } else { 0.0 }])

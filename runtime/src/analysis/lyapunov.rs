@@ -1,9 +1,9 @@
-//! Equations of Lyapunov and Stein, in numbers of twice the digits.
+//! Lyapunov and Stein equations, in double-double arithmetic.
 //!
-//! By doubling: R. A. Smith, *Matrix equation XA + BX = C*, SIAM J. Appl. Math. **16** (1968) 198–201. The powers of A vanish if and
-//! only if all eigenvalues are within the unit circle, so that the solution decides stability, too, with more digits than
-//! eigenvalues in `f64` have. Lyapunov's equation becomes Stein's by the Cayley transform (A + γ)(A − γ)⁻¹, which takes the left
-//! half plane to the unit disc.
+//! By doubling: R. A. Smith, *Matrix equation XA + BX = C*, SIAM J. Appl. Math. **16** (1968) 198–201. The powers of A
+//! vanish if and only if all eigenvalues are within the unit circle. The solution therefore also decides stability,
+//! with more digits than eigenvalues in `f64` have. A Lyapunov equation becomes a Stein equation by the Cayley
+//! transform (A + γ)(A − γ)⁻¹, which takes the left half plane to the unit disc.
 
 use nalgebra::SMatrix;
 
@@ -14,7 +14,7 @@ use crate::scalar::{DoubleDouble, Scalar};
 
 pub(super) type Square<const D: usize> = SMatrix<DoubleDouble, D, D>;
 
-/// The largest magnitude of an entry; NaN if one is.
+/// Returns the largest magnitude of an entry; NaN if an entry is NaN.
 pub(super) fn largest<const D: usize>(matrix: &Square<D>) -> f64 {
     let entries = matrix.iter().map(|x| x.to_f64().abs());
     entries.fold(0.0, |most, x| if x <= most { most } else { x })
@@ -24,19 +24,20 @@ pub(super) fn symmetric<const D: usize>(matrix: &Square<D>) -> Square<D> {
     (matrix + matrix.transpose()) * DoubleDouble::from(0.5)
 }
 
-/// The matrix of a quadratic form in units 2^nᵢ of the variables: Mᵢⱼ 2^(nᵢ + nⱼ).
+/// Returns the matrix of a quadratic form in units 2^nᵢ of the variables: Mᵢⱼ 2^(nᵢ + nⱼ).
 pub(super) fn form_in_units<const D: usize>(form: &Square<D>, exponents: &[i32; D]) -> Square<D> {
     let unit = |i: usize| DoubleDouble::from(libm::ldexp(1.0, exponents[i]));
     SMatrix::from_fn(|i, j| form[(i, j)] * unit(i) * unit(j))
 }
 
-/// The matrix of a linear map in other units: Mᵢⱼ 2^(nⱼ − nᵢ).
+/// Returns the matrix of a linear map in other units: Mᵢⱼ 2^(nⱼ − nᵢ).
 pub(super) fn map_in_units<const D: usize>(map: &Square<D>, exponents: &[i32; D]) -> Square<D> {
     let power = |n: i32| DoubleDouble::from(libm::ldexp(1.0, n));
     SMatrix::from_fn(|i, j| map[(i, j)] * power(exponents[j] - exponents[i]))
 }
 
-/// The solution X of Aᵀ X + X A + W = 0, or of X = Aᵀ X A + W in discrete time, for a symmetric W. None if A is not stable.
+/// Returns the solution X of Aᵀ X + X A + W = 0, or of X = Aᵀ X A + W in discrete time, for a symmetric W; `None` if A
+/// is not stable.
 pub(super) fn lyapunov<const D: usize>(
     a: &Square<D>,
     w: &Square<D>,
@@ -54,7 +55,8 @@ pub(super) fn lyapunov<const D: usize>(
     Some(form_in_units(&solution, &exponents.map(|n| -n)))
 }
 
-/// Stein's equation with the solution of Lyapunov's, with γ between the largest eigenvalue and the least.
+/// Returns the Stein equation that has the solution of a Lyapunov equation, with γ between the largest and the least
+/// eigenvalue.
 fn transformed<const D: usize>(a: &Square<D>, w: &Square<D>) -> Option<(Square<D>, Square<D>)> {
     let identity = Square::<D>::identity();
     let of_inverse = largest(&divided(a, &identity));
@@ -69,7 +71,7 @@ fn transformed<const D: usize>(a: &Square<D>, w: &Square<D>) -> Option<(Square<D
     Some((power, right))
 }
 
-/// The solution of X = Aᵀ X A + W: X ← X + Aᵀ X A, A ← A².
+/// Solves X = Aᵀ X A + W by the iteration X ← X + Aᵀ X A, A ← A².
 fn stein<const D: usize>(mut a: Square<D>, w: Square<D>) -> Option<Square<D>> {
     let mut x = w;
     for _ in 0..DOUBLINGS {
@@ -79,7 +81,7 @@ fn stein<const D: usize>(mut a: Square<D>, w: Square<D>) -> Option<Square<D>> {
         if !(size.is_finite() && power.is_finite()) {
             return None;
         }
-        // What is left is less by the square of this.
+        // The remaining error is smaller by the square of this power.
         if power <= VANISHED_POWER {
             return Some(x);
         }
@@ -87,7 +89,7 @@ fn stein<const D: usize>(mut a: Square<D>, w: Square<D>) -> Option<Square<D>> {
     None
 }
 
-/// A⁻¹ B.
+/// Returns A⁻¹ B.
 fn divided<const D: usize>(a: &Square<D>, b: &Square<D>) -> Square<D> {
     let lu = PivotedLu::new(*a);
     solve(&lu.factors, &lu.reciprocals, &lu.interchanges, b)

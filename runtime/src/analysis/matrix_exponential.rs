@@ -1,14 +1,15 @@
 //! The exponential of a matrix, and its integral, by scaling and squaring.
 //!
-//! A. H. Al-Mohy and N. J. Higham, *A new scaling and squaring algorithm for the matrix exponential*, SIAM J. Matrix Anal. Appl. **31**
-//! (2009) 970–989: the scaling is by roots of norms of powers, which are much less than the norm where a matrix is far from
-//! normal, and 0 where it is nilpotent. Sets of variables that are not coupled are treated apart, so that a stiff one takes no
-//! digits of a soft one, and are balanced (Parlett and Reinsch).
+//! The scaling follows A. H. Al-Mohy and N. J. Higham, *A new scaling and squaring algorithm for the matrix
+//! exponential*, SIAM J. Matrix Anal. Appl. **31** (2009) 970–989. It uses roots of norms of powers, which are much
+//! less than the norm if the matrix is far from normal, and 0 if it is nilpotent. Groups of uncoupled variables are
+//! treated separately, so that a stiff group does not cost a soft one its accuracy, and are balanced (Parlett and
+//! Reinsch).
 //!
-//! N. J. Higham, *The scaling and squaring method for the matrix exponential revisited*, SIAM J. Matrix Anal. Appl. **26**
-//! (2005) 1179–1193, with the diagonal Padé approximant of degree 13. The integral is a block of the exponential of
-//! (A, 1; 0, 0): C. F. Van Loan, *Computing integrals involving the matrix exponential*, IEEE Trans. Autom. Control **23**
-//! (1978) 395–404; the other blocks are known, so that only this one is computed.
+//! The diagonal Padé approximant of degree 13: N. J. Higham, *The scaling and squaring method for the matrix
+//! exponential revisited*, SIAM J. Matrix Anal. Appl. **26** (2005) 1179–1193. The integral is a block of the
+//! exponential of (A, 1; 0, 0): C. F. Van Loan, *Computing integrals involving the matrix exponential*, IEEE Trans.
+//! Autom. Control **23** (1978) 395–404. The other blocks are known, so that only this one is computed.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -37,10 +38,10 @@ const COEFFICIENTS: [f64; 14] = [
     1.0,
 ];
 
-/// Below this part of the norm, a root of the norm of a power may be 0 by underflow.
+/// The least root of the norm of a power relative to the norm; a smaller root may be due to underflow.
 const MIN_ROOT: f64 = 1e-28;
 
-/// exp(A h), and ∫ exp(A τ) dτ from 0 to h; not finite where A h is not or is so large that they overflow.
+/// Returns exp(A h), and ∫ exp(A τ) dτ from 0 to h; they are not finite if A h is not, or if they overflow.
 pub(super) fn exponential<S: SingleNumber, const D: usize>(
     matrix: &SMatrix<S, D, D>,
     period: S,
@@ -68,13 +69,13 @@ pub(super) fn exponential<S: SingleNumber, const D: usize>(
     sums
 }
 
-/// The same of variables that are coupled.
+/// Returns the exponential and its integral for a group of coupled variables.
 fn of_component<S: SingleNumber, const D: usize>(
     matrix: &SMatrix<S, D, D>,
     period: S,
 ) -> [SMatrix<S, D, D>; 2] {
     let exponents = balancing(&matrix.map(Scalar::largest));
-    // D⁻¹ A D, or back.
+    // D⁻¹ A D, or its inverse transformation.
     let in_units = |matrix: SMatrix<S, D, D>, sign: i32| {
         SMatrix::<S, D, D>::from_fn(|i, j| {
             let exponent = sign * (exponents[j] - exponents[i]);
@@ -86,15 +87,15 @@ fn of_component<S: SingleNumber, const D: usize>(
     let step = period * S::from_f64(libm::ldexp(1.0, -squarings));
     let [mut value, mut integral] = pade(&(balanced * step), step);
     for _ in 0..squarings {
-        // The integral over twice the time.
+        // Doubles the time of the integral.
         integral += value * integral;
         value *= value;
     }
     [in_units(value, -1), in_units(integral, -1)]
 }
 
-/// How often the argument has to be halved until the approximant has all digits: the parameters s and ℓ of algorithm 5.1 of Al-Mohy
-/// and Higham.
+/// Returns the number of halvings after which the approximant is accurate to all digits: the parameters s and ℓ of
+/// algorithm 5.1 of Al-Mohy and Higham.
 fn squarings<S: SingleNumber, const D: usize>(matrix: &SMatrix<S, D, D>, period: S) -> i32 {
     let argument = matrix.map(|x| (x * period).largest());
     let norm = norm(&argument);
@@ -103,10 +104,10 @@ fn squarings<S: SingleNumber, const D: usize>(matrix: &SMatrix<S, D, D>, period:
     if norm.is_nan() || norm <= largest || norm.is_infinite() {
         return 0;
     }
-    // Powers of a matrix with the norm 1 do not overflow.
+    // Powers of a matrix of norm 1 do not overflow.
     let unit = argument / norm;
     let halvings = halvings(root_of_powers(&unit) * norm / largest);
-    // The backward error at this scale, by the matrix of the magnitudes.
+    // The backward error at this scale is bounded by the matrix of the magnitudes.
     let mut row = SVector::<f64, D>::repeat(1.0);
     let magnitudes = unit.abs();
     for _ in 0..27 {
@@ -118,7 +119,7 @@ fn squarings<S: SingleNumber, const D: usize>(matrix: &SMatrix<S, D, D>, period:
     (halvings + ceiling(excess)).min(PADE_SQUARINGS)
 }
 
-/// min(max(d₆, d₈), max(d₈, d₁₀)) with dₖ = ‖Aᵏ‖^(1/k), of a matrix with the norm 1.
+/// Returns min(max(d₆, d₈), max(d₈, d₁₀)) with dₖ = ‖Aᵏ‖^(1/k), for a matrix of norm 1.
 fn root_of_powers<const D: usize>(unit: &SMatrix<f64, D, D>) -> f64 {
     let second = unit * unit;
     let fourth = second * second;
@@ -132,25 +133,27 @@ fn root_of_powers<const D: usize>(unit: &SMatrix<f64, D, D>) -> f64 {
     sixth.max(eighth).min(eighth.max(tenth)).max(MIN_ROOT)
 }
 
-/// How often a number has to be halved to be at most 1.
+/// Returns how often a number has to be halved to be at most 1.
 fn halvings(x: f64) -> i32 {
     ceiling(libm::log2(x))
 }
 
-/// The least integer that is not less, and 0 if that is negative.
+/// Returns the least integer that is not less than x, or 0 if this is negative.
 #[allow(clippy::cast_possible_truncation)] // It is between 0 and the limit.
 fn ceiling(x: f64) -> i32 {
     libm::ceil(x).clamp(0.0, f64::from(PADE_SQUARINGS)) as i32
 }
 
-/// The largest sum of magnitudes in a column.
+/// Returns the 1-norm, the largest column sum of magnitudes.
 fn norm<const D: usize>(matrix: &SMatrix<f64, D, D>) -> f64 {
     let columns = (0..D).map(|j| matrix.column(j).iter().map(|x| x.abs()).sum::<f64>());
     columns.fold(0.0, |most, sum| if sum <= most { most } else { sum })
 }
 
-/// The approximants: with the odd part A W and the even part V of the numerator, exp A ≈ (V − A W)⁻¹ (V + A W), and the integral is
-/// (V − A W)⁻¹ 2 W times the step.
+/// Returns the Padé approximants of the exponential and its integral.
+///
+/// With the odd part A W and the even part V of the numerator, exp A ≈ (V − A W)⁻¹ (V + A W), and the integral is (V −
+/// A W)⁻¹ 2 W times the step.
 fn pade<S: SingleNumber, const D: usize>(
     matrix: &SMatrix<S, D, D>,
     step: S,
@@ -160,7 +163,7 @@ fn pade<S: SingleNumber, const D: usize>(
     let fourth = second * second;
     let sixth = fourth * second;
     let combined = |first: usize| {
-        // In leadings of the first, so that a nilpotent matrix has an exact exponential.
+        // Relative to the leading coefficient, so that the exponential of a nilpotent matrix is exact.
         let leading = S::from_f64(COEFFICIENTS[0]);
         let b = |k: usize| S::from_f64(COEFFICIENTS[first + 2 * k]) / leading;
         let high = sixth * (sixth * b(6) + fourth * b(5) + second * b(4));

@@ -1,19 +1,20 @@
-//! The stabilizing solutions of Riccati equations by the sign of a Hamiltonian matrix, in numbers of twice the digits.
+//! Stabilizing solutions of Riccati equations by the sign of a Hamiltonian matrix, in double-double arithmetic.
 //!
-//! J. D. Roberts, *Linear model reduction and solution of the algebraic Riccati equation by use of the sign function*, Int. J.
-//! Control **32** (1980) 677–687; R. Byers, *Solving the algebraic Riccati equation with the matrix sign function*, Linear Algebra
-//! Appl. **85** (1987) 267–279, with steps scaled by norms (N. J. Higham, *Functions of Matrices*, 2008, section 5.5). A discrete
-//! equation becomes a continuous one by z = (1 + s)/(1 − s), which takes the unit circle to the imaginary axis: V. Mehrmann, *A step
-//! toward a unified treatment of continuous and discrete time control problems*, Linear Algebra Appl. **241–243** (1996) 749–779.
-//! What costs nothing may be unstable or stable, and weights and rates may be far apart: the digits that the iteration loses by that
-//! are beyond those of `f64`.
+//! J. D. Roberts, *Linear model reduction and solution of the algebraic Riccati equation by use of the sign function*,
+//! Int. J. Control **32** (1980) 677–687; R. Byers, *Solving the algebraic Riccati equation with the matrix sign
+//! function*, Linear Algebra Appl. **85** (1987) 267–279, with steps scaled by norms (N. J. Higham, *Functions of
+//! Matrices*, 2008, section 5.5). A discrete equation becomes a continuous one by z = (1 + s)/(1 − s), which takes the
+//! unit circle to the imaginary axis: V. Mehrmann, *A step toward a unified treatment of continuous and discrete time
+//! control problems*, Linear Algebra Appl. **241–243** (1996) 749–779. States without cost may be stable or unstable,
+//! and weights and rates may have very different sizes: the iteration then loses digits, but only beyond the precision
+//! of `f64`.
 
 use super::eigenvalues::balance;
 use super::lyapunov::{Square, form_in_units, map_in_units};
 use crate::limits::analysis::SIGN_ITERATIONS;
 use crate::scalar::{DoubleDouble, Scalar};
 
-/// A matrix of order 2 `D` in rows.
+/// A matrix of order 2 `D`, stored by rows.
 #[derive(Clone, Copy)]
 struct Double<const D: usize>([[[[DoubleDouble; D]; 2]; D]; 2]);
 
@@ -46,7 +47,8 @@ impl<const D: usize> Double<D> {
         largest * libm::sqrt(squares.map(|x| x * x).sum())
     }
 
-    /// The inverse times another matrix, by elimination with pivots of rows in their own scale.
+    /// Returns the inverse times another matrix, by elimination with row pivoting; rows are compared in their own
+    /// scale.
     fn solve(mut self, mut right: Self) -> Self {
         let scale = |row: &[[DoubleDouble; D]; 2]| {
             let entries = row.as_flattened().iter();
@@ -92,7 +94,8 @@ impl<const D: usize> Double<D> {
         right
     }
 
-    /// The sign of the matrix: 1 where an eigenvalue is in the right half plane, −1 in the left one. None if one is on the imaginary axis.
+    /// Returns the sign of the matrix: 1 on eigenvalues in the right half plane, −1 in the left one; `None` if an
+    /// eigenvalue is on the imaginary axis.
     fn sign(mut self) -> Option<Self> {
         let one = Square::identity();
         let zero = Square::zeros();
@@ -129,8 +132,9 @@ impl<const D: usize> Double<D> {
     }
 }
 
-/// The solution X of S₁₂ X = −(S₁₁ + 1), (S₂₂ + 1) X = −S₂₁ from the sign S, whose stable subspace has the columns (1, X): by
-/// Householder's reflections of the columns of the left-hand side.
+/// Solves S₁₂ X = −(S₁₁ + 1), (S₂₂ + 1) X = −S₂₁ for X, where S is the sign.
+///
+/// The columns (1, X) span the stable subspace. The method reflects the columns of the left-hand side (Householder).
 fn solution<const D: usize>(sign: &Double<D>) -> Square<D> {
     let one = number(1.0);
     let mut left = [[[DoubleDouble::default(); D]; D]; 2];
@@ -184,8 +188,9 @@ fn solution<const D: usize>(sign: &Double<D>) -> Square<D> {
     (x + x.transpose()) * number(0.5)
 }
 
-/// The exponents of units x = T x′ of the state and y = T⁻¹ y′ of the costate in which the Hamiltonian matrix is balanced: P. Benner,
-/// *Symplectic balancing of Hamiltonian matrices*, SIAM J. Sci. Comput. **22** (2001) 1885–1904.
+/// Returns the exponents of units x = T x′ of the state and y = T⁻¹ y′ of the costate in which the Hamiltonian matrix
+/// is balanced: P. Benner, *Symplectic balancing of Hamiltonian matrices*, SIAM J. Sci. Comput. **22** (2001)
+/// 1885–1904.
 fn units<const D: usize>(hamiltonian: &Double<D>) -> [i32; D] {
     let entries = hamiltonian
         .0
@@ -198,7 +203,7 @@ fn units<const D: usize>(hamiltonian: &Double<D>) -> [i32; D] {
     core::array::from_fn(|i| (states[i] - costates[i]) / 2)
 }
 
-/// The stabilizing solution X of Aᵀ X + X A − X G X + Q = 0, or of X = Aᵀ X (1 + G X)⁻¹ A + Q.
+/// Returns the stabilizing solution X of Aᵀ X + X A − X G X + Q = 0, or of X = Aᵀ X (1 + G X)⁻¹ A + Q.
 pub(super) fn stabilizing<const D: usize>(
     a: &Square<D>,
     g: &Square<D>,
@@ -213,7 +218,7 @@ pub(super) fn stabilizing<const D: usize>(
     let g = &form_in_units(g, &back);
     let transposed = a.transpose();
     let hamiltonian = if is_discrete {
-        // Of A x = z (x + G y) and −Q x + y = z Aᵀ y: the sum of both sides, and their difference.
+        // The sum and the difference of both sides of A x = z (x + G y) and −Q x + y = z Aᵀ y.
         let one = Square::<D>::identity();
         let sum = Double::of([[&(a + one), g], [&-q, &(one + transposed)]]);
         let difference = Double::of([[&(a - one), &-g], [&-q, &(one - transposed)]]);

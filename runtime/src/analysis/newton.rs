@@ -1,10 +1,11 @@
-//! Newton's method with damping, for equilibria.
+//! Damped Newton's method for equilibria.
 //!
-//! Algorithm NLEQ-ERR of P. Deuflhard, *Newton Methods for Nonlinear Problems. Affine Invariance and Adaptive Algorithms*,
-//! Springer 2004, 3.3.3: a step is accepted if the simplified Newton correction after it, with the same Jacobian, is shorter
-//! than the step's own (natural monotonicity test), and its damping factor is predicted from both. It does not depend on the units of the
-//! equations. The corrections are those of least length among the solutions of least squares (4.4 there), so that ignorable
-//! directions and equations that are always satisfied do no harm. Besides, no step is longer than the sizes of the variables.
+//! Algorithm NLEQ-ERR of P. Deuflhard, *Newton Methods for Nonlinear Problems. Affine Invariance and Adaptive
+//! Algorithms*, Springer 2004, 3.3.3. A step is accepted if the simplified Newton correction after it, with an
+//! unchanged Jacobian, is shorter than the step's own correction (natural monotonicity test). The next damping factor
+//! is predicted from both corrections. The method does not depend on the units of the equations. Each correction is the
+//! shortest of all least-squares solutions (4.4 there), so that ignorable directions and equations that are always
+//! satisfied do no harm. In addition, no step is longer than the sizes of the variables.
 
 use nalgebra::SVector;
 
@@ -21,7 +22,7 @@ use crate::scalar::Scalar;
 /// A running search.
 pub(super) struct Newton<'a, B, S: Scalar, const N: usize, const U: usize> {
     problem: &'a EquilibriumProblem<B, S, N, U>,
-    /// The sizes of the unknowns; 0 for what is given.
+    /// The sizes of the unknowns; 0 for given variables.
     sizes: Variables<S, N, U>,
     point: Point<S, N, U>,
     residuals: Residuals<S, N>,
@@ -30,14 +31,14 @@ pub(super) struct Newton<'a, B, S: Scalar, const N: usize, const U: usize> {
 
 type Failure<S, const N: usize, const U: usize> = EquilibriumError<S, N, U>;
 
-/// A step that was accepted: what the next damping factor is predicted from.
+/// An accepted step, from which the next damping factor is predicted.
 struct Accepted<S: Scalar, const N: usize, const U: usize> {
     correction: f64,
     simplified: Variables<S, N, U>,
     damping: f64,
 }
 
-/// What came of a step.
+/// The outcome of a step.
 enum Trial<S: Scalar, const N: usize, const U: usize> {
     Accepted(Accepted<S, N, U>),
     Converged,
@@ -58,7 +59,7 @@ where
         }
     }
 
-    /// The same search after some steps of another method.
+    /// Continues the search after steps of another method.
     pub(super) fn after(self, report: SearchReport) -> Self {
         Self { report, ..self }
     }
@@ -95,7 +96,7 @@ where
         found
     }
 
-    /// The Jacobian by the unknowns, in their sizes.
+    /// Returns the factored Jacobian by the unknowns, in their sizes.
     fn factored(&mut self) -> Result<JacobianRows<S, N, U>, Failure<S, N, U>> {
         if !largest(&self.residuals).is_finite() {
             return Err(EquilibriumError::NotFinite { last: self.found() });
@@ -109,7 +110,7 @@ where
         Ok(rows)
     }
 
-    /// Moves by a damped step; nothing but the damping factor is tried anew.
+    /// Moves by a damped step; only the damping factor is varied between the attempts.
     fn step(
         &mut self,
         rows: &JacobianRows<S, N, U>,
@@ -138,7 +139,7 @@ where
             if !is_finite || after >= length {
                 is_reduced = true;
                 self.report.step_reductions += 1;
-                // NaN and infinity say nothing of the right length.
+                // NaN and infinity give no estimate of the right length.
                 let less = if is_finite { estimated } else { 0.0 };
                 damping = less.min(0.5 * damping).max(0.1 * damping);
                 continue;
@@ -175,7 +176,8 @@ where
         }
     }
 
-    /// Whether what is left is zero, and not only beyond the reach of the unknowns.
+    /// Returns the equilibrium if the residuals are zero, or an error if they are merely beyond the reach of the
+    /// unknowns.
     fn finish(
         mut self,
         rows: &JacobianRows<S, N, U>,
@@ -226,7 +228,7 @@ where
     }
 }
 
-/// The correction of these residuals.
+/// Returns the correction for given residuals.
 fn newton_correction<S: SingleNumber, const N: usize, const U: usize>(
     rows: &JacobianRows<S, N, U>,
     residuals: &Residuals<S, N>,
@@ -234,7 +236,8 @@ fn newton_correction<S: SingleNumber, const N: usize, const U: usize>(
     rows.solve(&residuals.map(|block| -block))
 }
 
-/// The damping factor of the next step: how far the last simplified correction is from the new one shows the nonlinearity.
+/// Returns the damping factor of the next step: the difference between the last simplified correction and the new
+/// correction measures the nonlinearity.
 fn predicted<S: SingleNumber, const N: usize, const U: usize>(
     before: Option<&Accepted<S, N, U>>,
     correction: &Variables<S, N, U>,
@@ -250,7 +253,7 @@ fn predicted<S: SingleNumber, const N: usize, const U: usize>(
     };
     let difference = simplified.zip_map(correction, |x, y| x - y).norm();
     let predicted = damping * last * simplified.norm() / (difference * length);
-    // 0/0 where both agree.
+    // 0/0 if both agree.
     if predicted.is_nan() {
         1.0
     } else {
@@ -258,7 +261,7 @@ fn predicted<S: SingleNumber, const N: usize, const U: usize>(
     }
 }
 
-/// The largest magnitude; NaN if an entry is.
+/// Returns the largest magnitude; NaN if an entry is NaN.
 fn largest<S: SingleNumber, const N: usize>(residuals: &Residuals<S, N>) -> f64 {
     let entries = residuals.iter().flat_map(|block| block.iter());
     entries.fold(0.0, |most, x| {

@@ -1,8 +1,8 @@
 //! Normal modes: K φ = ω² M φ.
 //!
-//! Through the Cholesky factors of M and Jacobi's method: G. H. Golub and C. F. Van Loan, *Matrix Computations*, 4th edition
-//! (2013), 8.7.1. Frequencies of rigid motions are zero: what rounding of the entries of K makes of ω² is at most
-//! ε Σ |φᵢ| |Kᵢⱼ| |φⱼ|, to first order (8.1).
+//! The method reduces the problem by the Cholesky factor of M and applies Jacobi's method: G. H. Golub and C. F. Van
+//! Loan, *Matrix Computations*, 4th edition (2013), 8.7.1. Frequencies of rigid motions are set to zero: rounding
+//! errors of the entries of K change ω² by at most ε Σ |φᵢ| |Kᵢⱼ| |φⱼ|, to first order (8.1).
 
 use nalgebra::{SMatrix, SVector};
 
@@ -15,7 +15,8 @@ use crate::scalar::Scalar;
 
 /// The normal modes of a conservative system without gyroscopic forces, K φ = ω² M φ, by ascending ω².
 ///
-/// Shapes have φᵀ M φ = 1, and their largest component is positive; of components equal to rounding, the first.
+/// Shapes are normalized by φᵀ M φ = 1, and their largest component is positive; of components that are equal up to
+/// rounding, the first counts.
 ///
 /// ```
 /// use lagrangian::analysis::NormalModes;
@@ -36,11 +37,12 @@ pub struct NormalModes<S: Scalar, const N: usize> {
 }
 
 impl<S: SingleNumber, const N: usize> NormalModes<S, N> {
-    /// Those of a mass matrix M, of which the lower triangle is read, and a stiffness matrix K, both symmetric.
+    /// Computes the normal modes of a mass matrix M, whose lower triangle is read, and a stiffness matrix K; both are
+    /// symmetric.
     ///
     /// # Errors
     ///
-    /// If M is not positive definite, or if K is not symmetric up to half of the digits.
+    /// If M is not positive definite, or if K is not symmetric to half of the digits.
     pub fn of(
         mass: &SMatrix<S, N, N>,
         stiffness: &SMatrix<S, N, N>,
@@ -49,7 +51,7 @@ impl<S: SingleNumber, const N: usize> NormalModes<S, N> {
         Self::of_variables(mass, stiffness, &every, N)
     }
 
-    /// Those of the first `count` of some coordinates.
+    /// Computes the normal modes of the first `count` of the given coordinates.
     fn of_variables(
         mass: &SMatrix<S, N, N>,
         stiffness: &SMatrix<S, N, N>,
@@ -57,7 +59,7 @@ impl<S: SingleNumber, const N: usize> NormalModes<S, N> {
         count: usize,
     ) -> Result<Self, OscillationError> {
         let asymmetry = largest(&(stiffness - stiffness.transpose()));
-        // NaN is not symmetric.
+        // A NaN counts as asymmetry.
         if exceeds(asymmetry, negligible::<S>() * largest(stiffness)) {
             return Err(OscillationError::NotConservative { asymmetry });
         }
@@ -104,14 +106,14 @@ impl<S: SingleNumber, const N: usize> NormalModes<S, N> {
         })
     }
 
-    /// How many modes there are.
+    /// Returns the number of modes.
     #[must_use]
     #[allow(clippy::len_without_is_empty)] // Nobody asks whether there are none.
     pub fn len(&self) -> usize {
         self.count
     }
 
-    /// ω² of a mode, negative if it is unstable, 0 of a rigid motion; NaN if there is no such mode.
+    /// Returns ω² of a mode: negative if it is unstable, 0 for a rigid motion, and NaN if there is no such mode.
     #[must_use]
     pub fn squared_frequency(&self, mode: usize) -> S {
         if mode < self.count {
@@ -121,18 +123,18 @@ impl<S: SingleNumber, const N: usize> NormalModes<S, N> {
         }
     }
 
-    /// The squares ω² of all modes.
+    /// Returns the squares ω² of all modes.
     pub fn squared_frequencies(&self) -> impl Iterator<Item = S> + '_ {
         self.squared_frequencies.iter().take(self.count).copied()
     }
 
-    /// The angular frequencies ω in rad over time; none for a mode that is unstable.
+    /// Returns the angular frequencies ω in rad over time; `None` for an unstable mode.
     pub fn frequencies(&self) -> impl Iterator<Item = Option<S>> + '_ {
         let squares = self.squared_frequencies();
         squares.map(|square| (square.largest() >= 0.0).then(|| square.sqrt()))
     }
 
-    /// The shape φ of a mode; zero if there is no such mode.
+    /// Returns the shape φ of a mode; zero if there is no such mode.
     #[must_use]
     pub fn shape(&self, mode: usize) -> SVector<S, N> {
         SVector::from_fn(|i, _| {
@@ -146,16 +148,16 @@ impl<S: SingleNumber, const N: usize> NormalModes<S, N> {
 }
 
 impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
-    /// The normal modes of the coordinates that oscillate.
+    /// Computes the normal modes of the oscillating coordinates.
     ///
     /// # Errors
     ///
-    /// If there are gyroscopic or damping forces, if forces are not conservative, or if the mass matrix is not positive definite.
-    /// [`damped_modes`](Self::damped_modes) has the modes then.
+    /// If there are gyroscopic or damping forces, if forces are not conservative, or if the mass matrix is not positive
+    /// definite. [`damped_modes`](Self::damped_modes) returns the modes in these cases, too.
     pub fn normal_modes(&self) -> Result<NormalModes<S, N>, OscillationError> {
         let forces = largest(&self.velocity_forces());
         let stiffness = self.stiffness();
-        // In terms of a frequency ω: coefficients of the size of M ω and K/ω.
+        // At a frequency ω, the coefficients have the sizes of M ω and K/ω.
         let typical = (largest(&self.mass) * largest(&stiffness)).max(0.0);
         if exceeds(forces, negligible::<S>() * libm::sqrt(typical)) {
             return Err(OscillationError::VelocityForces { largest: forces });
@@ -165,7 +167,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     }
 }
 
-/// What rounding makes of ω² of a mode with φᵀ M φ = 1.
+/// Returns a bound on the rounding error of ω² of a mode with φᵀ M φ = 1.
 fn rounding<S: SingleNumber, const N: usize>(
     stiffness: &SMatrix<S, N, N>,
     shapes: &SMatrix<S, N, N>,
@@ -181,7 +183,8 @@ fn rounding<S: SingleNumber, const N: usize>(
     room * S::machine_epsilon() * forces.sum::<f64>()
 }
 
-/// L of M = L Lᵀ in the leading block of some order; or the index and the value of the pivot that is not positive.
+/// Returns L of M = L Lᵀ in the leading block of some order, or the index and the value of the first pivot that is not
+/// positive.
 fn cholesky<S: SingleNumber, const N: usize>(
     matrix: &SMatrix<S, N, N>,
     order: usize,
@@ -203,7 +206,7 @@ fn cholesky<S: SingleNumber, const N: usize>(
     Ok(lower)
 }
 
-/// L⁻¹ B.
+/// Returns L⁻¹ B.
 fn forward<S: SingleNumber, const N: usize>(
     lower: &SMatrix<S, N, N>,
     right: SMatrix<S, N, N>,
@@ -219,7 +222,7 @@ fn forward<S: SingleNumber, const N: usize>(
     x
 }
 
-/// L⁻ᵀ B.
+/// Returns L⁻ᵀ B.
 fn backward<S: SingleNumber, const N: usize>(
     lower: &SMatrix<S, N, N>,
     right: SMatrix<S, N, N>,
@@ -236,7 +239,7 @@ fn backward<S: SingleNumber, const N: usize>(
     x
 }
 
-/// The component of the largest magnitude in a column; of those that are equal to rounding, the first.
+/// Returns the component of the largest magnitude in a column; of components that are equal up to rounding, the first.
 fn largest_component<S: SingleNumber, const N: usize>(shapes: &SMatrix<S, N, N>, mode: usize) -> S {
     let most = (0..N).fold(0.0, |most, i| shapes[(i, mode)].abs().largest().max(most));
     let near = most * (1.0 - negligible::<S>());

@@ -1,5 +1,6 @@
-//! A null vector of a singular complex matrix, by inverse iteration: J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965,
-//! chapter 9.
+//! A null vector of a singular complex matrix, by inverse iteration.
+//!
+//! J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965, chapter 9.
 
 use nalgebra::{Complex, SMatrix, SVector};
 
@@ -8,13 +9,13 @@ use crate::limits::analysis::INVERSE_ITERATIONS;
 
 type C = Complex<f64>;
 
-/// A unit vector that a singular matrix takes nearly to zero, orthogonal to others.
+/// Returns a unit vector that a singular matrix takes nearly to zero, orthogonal to other vectors.
 pub(super) fn null_vector<const N: usize>(
     matrix: &SMatrix<C, N, N>,
     others: impl Iterator<Item = SVector<C, N>> + Clone,
 ) -> SVector<C, N> {
     let factorization = Factorization::new(matrix);
-    // No component of a start without a pattern is near zero.
+    // The start has no pattern, so that hardly any of its components is near zero.
     let mut x = SVector::<C, N>::from_fn(|i, _| {
         #[allow(clippy::cast_precision_loss)] // An index.
         let phase = 1.0 + 2.4 * i as f64;
@@ -28,18 +29,19 @@ pub(super) fn null_vector<const N: usize>(
     x
 }
 
-/// PA = LU with the largest pivot of each column; one that vanishes is replaced by one of the size of rounding.
+/// The factorization PA = LU with column pivoting; a vanishing pivot is replaced by a number of the size of the
+/// rounding errors.
 struct Factorization<const N: usize> {
-    /// L below the diagonal, without its ones, and U.
+    /// L below the diagonal, without its unit diagonal, and U.
     factors: SMatrix<C, N, N>,
-    /// For each row of PA the row of A.
+    /// The row of A for each row of PA.
     rows: [usize; N],
 }
 
 impl<const N: usize> Factorization<N> {
     fn new(matrix: &SMatrix<C, N, N>) -> Self {
         let size = matrix.iter().fold(0.0, |most, x| modulus(*x).max(most));
-        // Of a matrix of zeros, every vector is a null vector.
+        // For a zero matrix, every vector is a null vector.
         let least = if size > 1e-100 {
             f64::EPSILON * size
         } else {
@@ -72,7 +74,7 @@ impl<const N: usize> Factorization<N> {
         Self { factors, rows }
     }
 
-    /// A⁻¹ of a vector.
+    /// Returns A⁻¹ times a vector.
     fn solve(&self, right: &SVector<C, N>) -> SVector<C, N> {
         let mut x: SVector<C, N> = SVector::from_fn(|i, _| right[self.rows[i]]);
         for i in 0..N {
@@ -92,7 +94,7 @@ impl<const N: usize> Factorization<N> {
     }
 }
 
-/// Takes from a vector its components along unit vectors, and makes it a unit vector.
+/// Removes the components of a vector along unit vectors, and normalizes it.
 fn orthogonalize<const N: usize>(
     x: &mut SVector<C, N>,
     others: impl Iterator<Item = SVector<C, N>>,
@@ -106,7 +108,7 @@ fn orthogonalize<const N: usize>(
     scale(x);
 }
 
-/// Makes a vector one of length 1, without overflow.
+/// Normalizes a vector to length 1, without overflow.
 fn scale<const N: usize>(x: &mut SVector<C, N>) {
     let most = x.iter().fold(0.0, |most, x| modulus(*x).max(most));
     if most > 0.0 && most.is_finite() {

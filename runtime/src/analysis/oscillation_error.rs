@@ -1,30 +1,30 @@
-//! Why there are no small oscillations, or no modes of them.
+//! The errors of small oscillations and of their modes.
 
 use core::fmt;
 
 use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
-/// Why there are no small oscillations about a state, or no modes of the kind that was asked for.
+/// The reason why there are no small oscillations about a state, or no modes of the requested kind.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum OscillationError {
-    /// An acceleration is not zero: the state is no equilibrium and no steady motion.
+    /// An acceleration is not zero: the state is neither an equilibrium nor a steady motion.
     Accelerated {
         /// The coordinate.
         name: &'static str,
         /// Its acceleration.
         acceleration: f64,
     },
-    /// A force is not balanced, though near a singular mass matrix the accelerations are small in comparison with their derivatives: the
-    /// state is no equilibrium and no steady motion.
+    /// A force is not balanced: the state is neither an equilibrium nor a steady motion. Near a singular mass matrix,
+    /// the accelerations may still be small in comparison with their derivatives.
     Unbalanced {
         /// The coordinate.
         name: &'static str,
         /// The force f in M q̈ = f.
         force: f64,
     },
-    /// A coordinate moves that is not ignorable: the motion is not steady.
+    /// A coordinate that is not ignorable has a velocity: the motion is not steady.
     Moving {
         /// The coordinate.
         name: &'static str,
@@ -35,20 +35,21 @@ pub enum OscillationError {
     NoPositiveMass {
         /// The index of the coordinate at which its factorization fails.
         coordinate: usize,
-        /// The pivot there.
+        /// The pivot at this coordinate.
         pivot: f64,
     },
-    /// The stiffness matrix is not symmetric: positions have forces that are not conservative, and real modes do not exist.
+    /// The stiffness matrix is not symmetric: the position-dependent forces are not conservative, and there are no real
+    /// modes.
     NotConservative {
         /// The largest difference of two entries that should be equal.
         asymmetry: f64,
     },
-    /// There are gyroscopic or damping forces: modes are complex.
+    /// There are gyroscopic or damping forces: the modes are complex.
     VelocityForces {
         /// The largest entry of G + C.
         largest: f64,
     },
-    /// The QR algorithm has not converged, or an entry is infinite or not a number.
+    /// The QR algorithm did not converge, or an entry is infinite or NaN.
     NoEigenvalues,
 }
 

@@ -1,9 +1,10 @@
 //! The linear-quadratic regulator.
 //!
-//! R. E. Kalman, *Contributions to the theory of optimal control*, Bol. Soc. Mat. Mexicana **5** (1960) 102–119; B. D. O. Anderson and
-//! J. B. Moore, *Optimal Control: Linear Quadratic Methods*, 1990. Doubling in `f64` starts Newton's method in numbers of twice the
-//! digits, or the sign of a matrix does where doubling does not find a gain that stabilizes the system, as where an unstable mode has no
-//! cost. The last step of Newton's method decides whether the digits are certain.
+//! R. E. Kalman, *Contributions to the theory of optimal control*, Bol. Soc. Mat. Mexicana **5** (1960) 102–119; B. D.
+//! O. Anderson and J. B. Moore, *Optimal Control: Linear Quadratic Methods*, 1990. Newton's method in double-double
+//! arithmetic starts from the result of a doubling algorithm in `f64`. Where doubling does not find a stabilizing gain,
+//! for example because an unstable mode has no cost, it starts from the sign of a matrix. The last step of Newton's
+//! method shows whether the digits are reliable.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -22,8 +23,11 @@ use crate::linalg::Factorization;
 use crate::model::State;
 use crate::scalar::{DoubleDouble, Scalar};
 
-/// The linear-quadratic regulator u = u₀ − K (x − x₀), where x₀ and u₀ are the state, coordinates and then velocities, and the inputs
-/// of the linearization. With deviations x and u from them it minimizes ∫ xᵀ Q x + uᵀ R u dt, or the sum of the same over samples.
+/// The linear-quadratic regulator u = u₀ − K (x − x₀).
+///
+/// x₀ is the state of the linearization, coordinates first, then velocities, and u₀ are its inputs. In the deviations x
+/// and u from this point, the regulator minimizes ∫ xᵀ Q x + uᵀ R u dt, or in discrete time the sum Σ xᵀ Q x + uᵀ R u
+/// over samples.
 ///
 /// ```
 /// use lagrangian::analysis::StateSpace;
@@ -46,11 +50,11 @@ use crate::scalar::{DoubleDouble, Scalar};
 pub struct Regulator<const D: usize, const U: usize> {
     /// The gain K.
     pub gain: SMatrix<f64, U, D>,
-    /// The solution P of the Riccati equation: xᵀ P x is the cost from x on.
+    /// The solution P of the Riccati equation: xᵀ P x is the cost of the motion that starts at x.
     pub cost: SMatrix<f64, D, D>,
     /// The eigenvalues of the closed loop A − B K.
     pub poles: Spectrum<D>,
-    /// What P leaves of the Riccati equation, in relation to its terms: the largest entry, each in units of the terms of its row and
+    /// The relative residual of P in the Riccati equation: the largest entry, each in units of the terms of its row and
     /// its column.
     pub residual: f64,
     /// The coordinates and velocities x₀.
@@ -60,9 +64,9 @@ pub struct Regulator<const D: usize, const U: usize> {
 }
 
 impl<const D: usize, const U: usize> Regulator<D, U> {
-    /// The inputs u = u₀ − K (x − x₀) at a state of the model that was linearized.
+    /// Returns the inputs u = u₀ − K (x − x₀) at a state of the linearized model.
     ///
-    /// Another `D` than 2 `N` does not compile.
+    /// A `D` other than 2 `N` does not compile.
     #[must_use]
     pub fn input<const N: usize>(&self, state: &State<f64, N>) -> SVector<f64, U> {
         const {
@@ -88,14 +92,16 @@ struct Problem<'a, const D: usize, const U: usize> {
 }
 
 impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
-    /// The regulator that minimizes ∫ xᵀ Q x + uᵀ R u dt, with Q positive semidefinite and R positive definite.
+    /// Computes the regulator that minimizes ∫ xᵀ Q x + uᵀ R u dt, with Q positive semidefinite and R positive
+    /// definite.
     ///
-    /// A point of linearization that is no equilibrium has to be held by other inputs: f₀ is left out.
+    /// If the point of linearization is not an equilibrium, it has to be held by additional inputs: f₀ is ignored.
     ///
     /// # Errors
     ///
-    /// [`RegulatorError`] if a weight is not positive (semi)definite, if no input reaches an unstable mode, or if a mode that neither
-    /// grows nor decays has no cost. States without a cost are allowed: with Q = 0, unstable modes are stabilized with the least effort.
+    /// [`RegulatorError`] if a weight is not positive (semi)definite, if no input reaches an unstable mode, or if a
+    /// mode that neither grows nor decays has no cost. States without a cost are allowed: with Q = 0, unstable modes
+    /// are stabilized with the least effort.
     pub fn regulator(
         &self,
         state_weight: &SMatrix<f64, D, D>,
@@ -115,14 +121,16 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
 }
 
 impl<const D: usize, const U: usize, const Y: usize> DiscreteStateSpace<f64, D, U, Y> {
-    /// The regulator that minimizes Σ xᵀ Q x + uᵀ R u over samples, with Q positive semidefinite and R positive definite.
+    /// Computes the regulator that minimizes Σ xᵀ Q x + uᵀ R u over samples, with Q positive semidefinite and R
+    /// positive definite.
     ///
-    /// For the weights of an integral, take them times the period, or nearly so.
+    /// To approximate an integral, multiply its weights by the period.
     ///
     /// # Errors
     ///
-    /// [`RegulatorError`] if a weight is not positive (semi)definite, if no input reaches an unstable mode, or if a mode that neither
-    /// grows nor decays has no cost. States without a cost are allowed: with Q = 0, unstable modes are stabilized with the least effort.
+    /// [`RegulatorError`] if a weight is not positive (semi)definite, if no input reaches an unstable mode, or if a
+    /// mode that neither grows nor decays has no cost. States without a cost are allowed: with Q = 0, unstable modes
+    /// are stabilized with the least effort.
     pub fn regulator(
         &self,
         state_weight: &SMatrix<f64, D, D>,
@@ -147,13 +155,14 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
         if !self.a.iter().chain(self.b).all(|x| x.is_finite()) {
             return Err(RegulatorError::NotFinite);
         }
-        // Where scales are far apart, a mode may seem to be out of reach that is not: a regulator that is found decides.
+        // If the scales are very different, a reachable mode may seem unreachable; then a regulator that is found
+        // decides.
         let checked = self.check_modes();
         let riccati = self.riccati();
         let starts: [&dyn Fn() -> Option<Square<D>>; 3] = [
             &|| checked.ok().and_then(|()| self.by_doubling()),
             &|| riccati.by_sign(),
-            // The gain 0 of a plant that is stable.
+            // The gain 0, for a stable plant.
             &|| Some(Square::zeros()),
         ];
         let mut least = f64::INFINITY;
@@ -187,7 +196,7 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
         }
     }
 
-    /// The cost by doubling in `f64`, which starts Newton's method where it finds one.
+    /// Returns the cost found by doubling in `f64`, from which Newton's method starts.
     fn by_doubling(&self) -> Option<Square<D>> {
         let Self { a, b, q, r, .. } = *self;
         let g = b * Factorization::new(*r).solve(&b.transpose());
@@ -200,7 +209,7 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
         Some(cost?.map(DoubleDouble::from))
     }
 
-    /// The regulator of a solution, unless the rounded gain leaves a mode unstable.
+    /// Returns the regulator of a solution, unless the rounded gain leaves a mode unstable.
     fn rounded(
         &self,
         riccati: &Riccati<D, U>,
@@ -220,8 +229,8 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
         })
     }
 
-    /// Whether rounding errors of the system leave the closed loop stable, in units in which it is balanced: no mode is stabilized by
-    /// a part of B that is rounding.
+    /// Returns whether the closed loop remains stable under rounding errors of the system, in units in which it is
+    /// balanced: no mode is stabilized merely by rounding errors of B.
     fn is_certain(&self, regulator: &Regulator<D, U>) -> bool {
         let Regulator { gain, poles, .. } = regulator;
         let closed = self.a - self.b * gain;
@@ -234,8 +243,8 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
         poles.iter().all(|pole| self.excess(*pole) < -rounding)
     }
 
-    /// The largest entry of what P leaves of the Riccati equation, in relation to its terms in the rows and columns of the entry, so that
-    /// states with small costs count as those with large ones.
+    /// Returns the largest relative entry of the residual of P in the Riccati equation. Each entry is relative to the
+    /// terms in its row and column, so that states with small and large costs count equally.
     fn residual(&self, cost: &SMatrix<f64, D, D>, gain: &SMatrix<f64, U, D>) -> f64 {
         let Self { a, b, q, .. } = *self;
         let [transposed, sizes] = [a.transpose(), cost.abs()];
@@ -257,7 +266,7 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
                 let size = libm::sqrt(terms[(i, i)]) * libm::sqrt(terms[(j, j)]);
                 let size = size.max(terms[(i, j)]);
                 let ratio = left[(i, j)].abs() / size;
-                // Nothing of nothing is left where states have no cost.
+                // If states have no cost, 0/0 counts as 0.
                 let ratio = if left[(i, j)] == 0.0 { 0.0 } else { ratio };
                 most = if ratio <= most { most } else { ratio };
             }
@@ -265,7 +274,7 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
         most
     }
 
-    /// How far an eigenvalue is beyond the border of stability; negative if it is stable.
+    /// Returns the distance of an eigenvalue from the border of stability; negative if it is stable.
     fn excess(&self, eigenvalue: nalgebra::Complex<f64>) -> f64 {
         if self.is_discrete {
             modulus(eigenvalue) - 1.0
@@ -302,7 +311,7 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
         Ok(())
     }
 
-    /// Whether inputs stabilize all modes, and whether those on the border of stability have a cost.
+    /// Checks that the inputs stabilize all modes, and that modes on the border of stability have a cost.
     fn check_modes(&self) -> Result<(), RegulatorError> {
         let Self { a, b, q, .. } = *self;
         let open = poles(a).ok_or(RegulatorError::NotFinite)?;

@@ -1,4 +1,4 @@
-//! Why there is no regulator.
+//! The errors of the linear-quadratic regulator.
 
 use core::fmt;
 
@@ -6,30 +6,30 @@ use super::controllability::UncontrollableMode;
 use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
-/// Why there is no linear-quadratic regulator.
+/// The reason why there is no linear-quadratic regulator.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum RegulatorError {
-    /// An entry of A, B or Q is infinite or not a number.
+    /// An entry of A, B or Q is infinite or NaN.
     NotFinite,
     /// A weight is not symmetric.
     NotSymmetric {
-        /// Which one.
+        /// The name of the weight.
         matrix: &'static str,
-        /// The row of an entry that differs from the opposite one, from 0.
+        /// The row, counted from 0, of an entry that differs from its transposed entry.
         row: usize,
-        /// Its column.
+        /// The column of this entry.
         column: usize,
-        /// By how much.
+        /// The difference.
         difference: f64,
     },
     /// A weight has an eigenvalue that is not positive.
     NotPositive {
-        /// Which one.
+        /// The name of the weight.
         matrix: &'static str,
         /// The least eigenvalue.
         eigenvalue: f64,
-        /// Whether it may be zero.
+        /// Whether a zero eigenvalue is allowed.
         zero_is_allowed: bool,
     },
     /// No input reaches a mode that is not stable.
@@ -39,14 +39,14 @@ pub enum RegulatorError {
     },
     /// A mode that neither grows nor decays has no cost, so that no optimal input acts on it.
     NoCost {
-        /// The mode; the component is the one with the greatest part in it.
+        /// The mode; the component is the state with the largest part in it.
         mode: UncontrollableMode,
     },
-    /// The doubling algorithm has not converged: eigenvalues of the closed loop are too near the border of stability.
+    /// The Riccati equation was not solved: eigenvalues of the closed loop are too near the border of stability.
     NoConvergence,
-    /// The digits of the cost that was found are not certain: the problem is too badly conditioned.
+    /// The digits of the computed cost are not reliable: the problem is too badly conditioned.
     Inaccurate {
-        /// The last step of Newton's method in relation to the cost.
+        /// The last step of Newton's method relative to the cost.
         change: f64,
     },
 }

@@ -1,9 +1,9 @@
-//! Algebraic Riccati equations.
+//! Algebraic Riccati equations, by structure-preserving doubling.
 //!
-//! Discrete, by the structure-preserving doubling algorithm: E. K.-W. Chu, H.-Y. Fan, W.-W. Lin and C.-S. Wang,
-//! *Structure-preserving algorithms for periodic discrete-time algebraic Riccati equations*, Int. J. Control **77** (2004)
-//! 767–788. Continuous, by the same after a Cayley transform: E. K.-W. Chu, H.-Y. Fan and W.-W. Lin, *A structure-preserving doubling
-//! algorithm for continuous-time algebraic Riccati equations*, Linear Algebra Appl. **396** (2005) 55–80. The iteration converges
+//! Discrete equations: E. K.-W. Chu, H.-Y. Fan, W.-W. Lin and C.-S. Wang, *Structure-preserving algorithms for periodic
+//! discrete-time algebraic Riccati equations*, Int. J. Control **77** (2004) 767–788. Continuous equations, after a
+//! Cayley transform: E. K.-W. Chu, H.-Y. Fan and W.-W. Lin, *A structure-preserving doubling algorithm for
+//! continuous-time algebraic Riccati equations*, Linear Algebra Appl. **396** (2005) 55–80. The iteration converges
 //! quadratically unless eigenvalues of the closed loop are on the border of stability.
 
 use nalgebra::{Complex, SMatrix};
@@ -15,7 +15,7 @@ use crate::linalg::pivoting::{PivotedLu, solve};
 
 type Square<const D: usize> = SMatrix<f64, D, D>;
 
-/// A⁻¹ B.
+/// Returns A⁻¹ B.
 fn divided<const D: usize>(a: &Square<D>, b: &Square<D>) -> Square<D> {
     let lu = PivotedLu::new(*a);
     solve(&lu.factors, &lu.reciprocals, &lu.interchanges, b)
@@ -25,7 +25,7 @@ fn symmetric<const D: usize>(matrix: &Square<D>) -> Square<D> {
     (matrix + matrix.transpose()) * 0.5
 }
 
-/// The stabilizing solution X of X = Aᵀ X (1 + G X)⁻¹ A + Q, if the iteration finds it.
+/// Returns the stabilizing solution X of X = Aᵀ X (1 + G X)⁻¹ A + Q, if the iteration finds it.
 pub(super) fn discrete<const D: usize>(
     a: &Square<D>,
     g: &Square<D>,
@@ -51,7 +51,7 @@ pub(super) fn discrete<const D: usize>(
     None
 }
 
-/// The stabilizing solution X of Aᵀ X + X A − X G X + Q = 0, if the iteration finds it.
+/// Returns the stabilizing solution X of Aᵀ X + X A − X G X + Q = 0, if the iteration finds it.
 pub(super) fn continuous<const D: usize>(
     a: &Square<D>,
     g: &Square<D>,
@@ -72,8 +72,10 @@ pub(super) fn continuous<const D: usize>(
     discrete(&a, &g, &q)
 }
 
-/// The parameter γ of the transform, which takes λ to (λ + γ)/(λ − γ): between the least and the largest eigenvalue of the Hamiltonian
-/// matrix (A, −G; −Q, −Aᵀ), and far from all of them and from those of A. None if eigenvalues are not found or on the imaginary axis.
+/// Returns the parameter γ of the Cayley transform, which takes λ to (λ + γ)/(λ − γ).
+///
+/// It lies between the least and the largest eigenvalue of the Hamiltonian matrix (A, −G; −Q, −Aᵀ), far from all of
+/// them and from the eigenvalues of A. Returns `None` if eigenvalues are not found or on the imaginary axis.
 fn cayley_shift<const D: usize>(a: &Square<D>, g: &Square<D>, q: &Square<D>) -> Option<f64> {
     let mut entries = [[[[0.0; D]; 2]; D]; 2];
     let flat = entries.as_flattened_mut().as_flattened_mut();

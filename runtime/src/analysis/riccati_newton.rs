@@ -1,9 +1,10 @@
-//! Newton's method for algebraic Riccati equations, in numbers of twice the digits.
+//! Newton's method for algebraic Riccati equations, in double-double arithmetic.
 //!
-//! D. L. Kleinman, *On an iterative technique for Riccati equation computations*, IEEE Trans. Automat. Contr. **13** (1968) 114–115;
-//! G. A. Hewer, *An iterative technique for the computation of the steady state gains for the discrete optimal regulator*,
-//! IEEE Trans. Automat. Contr. **16** (1971) 382–384. From any gain that stabilizes the system it converges to the stabilizing solution, and near it quadratically.
-//! Its last step is the error of the solution before it, whatever the conditioning of the equation; a residual does not tell it.
+//! D. L. Kleinman, *On an iterative technique for Riccati equation computations*, IEEE Trans. Automat. Contr. **13**
+//! (1968) 114–115; G. A. Hewer, *An iterative technique for the computation of the steady state gains for the discrete
+//! optimal regulator*, IEEE Trans. Automat. Contr. **16** (1971) 382–384. The method converges from any stabilizing
+//! gain to the stabilizing solution, and quadratically near it. Its last step is the error of the previous iterate,
+//! whatever the conditioning of the equation; a residual does not show this error.
 
 use nalgebra::SMatrix;
 
@@ -29,12 +30,12 @@ pub(super) struct Riccati<const D: usize, const U: usize> {
 pub(super) struct Solution<const D: usize, const U: usize> {
     pub(super) cost: Square<D>,
     pub(super) gain: SMatrix<DoubleDouble, U, D>,
-    /// The last step of Newton's method, in relation to the costs.
+    /// The last step of Newton's method, relative to the cost.
     pub(super) change: f64,
 }
 
 impl<const D: usize, const U: usize> Riccati<D, U> {
-    /// The gain K of a cost P.
+    /// Returns the gain K of a cost P.
     fn gain(&self, cost: &Square<D>) -> SMatrix<DoubleDouble, U, D> {
         let Self { a, b, r, .. } = self;
         let of_inputs = b.transpose() * cost;
@@ -46,18 +47,18 @@ impl<const D: usize, const U: usize> Riccati<D, U> {
         }
     }
 
-    /// The closed loop A − B K.
+    /// Returns the closed loop A − B K.
     pub(super) fn closed(&self, gain: &SMatrix<DoubleDouble, U, D>) -> Square<D> {
         self.a - self.b * gain
     }
 
-    /// The stabilizing cost by the sign of a matrix.
+    /// Returns the stabilizing cost by the sign of a matrix.
     pub(super) fn by_sign(&self) -> Option<Square<D>> {
         let g = self.b * Factorization::new(self.r).solve(&self.b.transpose());
         stabilizing(&self.a, &g, &self.q, self.is_discrete)
     }
 
-    /// The stabilizing solution, from a cost whose gain stabilizes the system. None if it does not.
+    /// Returns the stabilizing solution, starting from a cost whose gain stabilizes the system; `None` if it does not.
     pub(super) fn refined(&self, start: &Square<D>) -> Option<Solution<D, U>> {
         let mut cost = *start;
         let mut last = f64::INFINITY;
@@ -86,8 +87,10 @@ impl<const D: usize, const U: usize> Riccati<D, U> {
     }
 }
 
-/// The largest change of a cost, each entry Pᵢⱼ in relation to (Pᵢᵢ Pⱼⱼ)^½, which bounds it, so that no unit matters. A cost
-/// below the rounding errors of the largest one may vanish, and is compared with those errors, in units in which A is balanced.
+/// Returns the largest relative change of a cost.
+///
+/// Each entry Pᵢⱼ is compared with its bound (Pᵢᵢ Pⱼⱼ)^½, so that units do not matter. A cost below the rounding errors
+/// of the largest one may vanish, and is compared with those errors, in units in which A is balanced.
 fn relative_change<const D: usize>(cost: &Square<D>, step: &Square<D>, units: &[i32; D]) -> f64 {
     let [cost, step] = [cost, step].map(|form| form_in_units(form, units));
     let least = f64::EPSILON * largest(&cost);

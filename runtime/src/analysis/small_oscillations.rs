@@ -1,9 +1,9 @@
 //! Small oscillations about equilibria and steady motions.
 //!
-//! Ignorable coordinates whose momenta are constant are eliminated (E. J. Routh, *A Treatise on the Stability of a Given
-//! State of Motion*, 1877): δpᵢ = 0 gives their velocities. What is left has the equation M δq̈ + (G + C) δq̇ + K δq = 0 with the
-//! Hessian K of the effective potential, gyroscopic forces G and damping C; D. R. Merkin, *Introduction to the Theory of Stability*,
-//! 1997, chapters 3 and 6.
+//! Ignorable coordinates with constant momenta are eliminated (E. J. Routh, *A Treatise on the Stability of a Given
+//! State of Motion*, 1877): δpᵢ = 0 determines their velocities. The remaining coordinates satisfy
+//! M δq̈ + (G + C) δq̇ + K δq = 0 with the Hessian K of the effective potential, gyroscopic forces G and damping C;
+//! D. R. Merkin, *Introduction to the Theory of Stability*, 1997, chapters 3 and 6.
 
 use nalgebra::{Complex, SMatrix, SVector};
 
@@ -23,11 +23,13 @@ use crate::linalg::Factorization;
 use crate::model::{Lagrangian, Linearization, State};
 use crate::scalar::Scalar;
 
-/// The linear equations of small oscillations about an equilibrium or a steady motion, at which only ignorable coordinates move.
+/// The linear equations of small oscillations about an equilibrium, or about a steady motion in which only ignorable
+/// coordinates move.
 ///
-/// Ignorable coordinates whose momenta are constant to first order are eliminated: perturbations have the
-/// same momenta. Those on which a force acts, such as friction, keep their velocities. The rows and the columns of what is eliminated
-/// are zero in the matrices here, so that the constants of the model, such as `Top::THETA`, are their indices.
+/// Ignorable coordinates whose momenta are constant to first order are eliminated: perturbations leave these momenta
+/// unchanged. Ignorable coordinates on which a force acts, such as friction, keep their velocities as variables. In the
+/// matrices, rows and columns of eliminated coordinates are zero, so that they can be indexed by the constants of the
+/// model, such as `Top::THETA`.
 ///
 /// ```
 /// use lagrangian::analysis::SmallOscillations;
@@ -62,27 +64,28 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmallOscillations<S: Scalar, const N: usize> {
-    /// What becomes of each coordinate.
+    /// The role of each coordinate.
     pub(super) parts: [Part; N],
-    /// The mass matrix M, without what is eliminated (a Schur complement).
+    /// The mass matrix M after elimination (a Schur complement).
     pub mass: SMatrix<S, N, N>,
-    /// ∂q̈ᵢ/∂qⱼ under the constant momenta.
+    /// ∂q̈ᵢ/∂qⱼ at constant momenta.
     pub position: SMatrix<S, N, N>,
-    /// ∂q̈ᵢ/∂q̇ⱼ under the constant momenta.
+    /// ∂q̈ᵢ/∂q̇ⱼ at constant momenta.
     pub velocity: SMatrix<S, N, N>,
-    /// What eliminated velocities are by coordinates and by velocities.
+    /// The eliminated velocities as linear functions of coordinates and of velocities.
     pub(super) eliminated: [SMatrix<S, N, N>; 2],
-    /// The sizes of the terms of M ∂q̈/∂q̇, to which its rounding errors are in relation.
+    /// The sizes of the terms of M ∂q̈/∂q̇, by which its rounding errors are measured.
     pub(super) velocity_terms: SMatrix<S, N, N>,
-    /// How far `position` and `velocity` may be from those at the equilibrium beside which the state is, entry by entry.
+    /// Bounds, entry by entry, for the differences of `position` and `velocity` from their values at the exact
+    /// equilibrium.
     pub(super) errors: [SMatrix<S, N, N>; 2],
-    /// Whether a force gives energy to small perturbations, to whatever order.
+    /// Whether a force supplies energy to small perturbations, in whatever order.
     pub(super) gives_energy: bool,
-    /// Whether the equations contain the time.
+    /// Whether the equations depend on time.
     pub(super) contains_time: bool,
 }
 
-/// The linear equations without what is eliminated.
+/// The linear equations after elimination.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reduced<S: Scalar, const N: usize> {
     pub(super) mass: SMatrix<S, N, N>,
@@ -93,7 +96,7 @@ pub(super) struct Reduced<S: Scalar, const N: usize> {
 }
 
 impl<S: SingleNumber, const N: usize> Reduced<S, N> {
-    /// Those at a state.
+    /// Evaluates the reduced linear equations at a state.
     pub(super) fn at<M>(model: &M, state: &State<S, N>, parts: &[Part; N]) -> Self
     where
         M: Lagrangian<N, S> + ?Sized,
@@ -139,7 +142,7 @@ impl<S: SingleNumber, const N: usize> Reduced<S, N> {
     }
 }
 
-/// A state under the inputs of the model.
+/// Returns the point of a state under the inputs of the model.
 fn under_held_inputs<S: Scalar, const N: usize>(state: &State<S, N>) -> Point<S, N, 0> {
     Point {
         state: *state,
@@ -147,27 +150,27 @@ fn under_held_inputs<S: Scalar, const N: usize>(state: &State<S, N>) -> Point<S,
     }
 }
 
-/// Room for two eigenvalues for each coordinate.
+/// Storage for two eigenvalues per coordinate.
 type Pairs<const N: usize> = [[Complex<f64>; N]; 2];
 
-/// What becomes of a coordinate in small oscillations.
+/// The role of a coordinate in small oscillations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
     /// It oscillates.
     Oscillating,
-    /// It is ignorable, and its momentum is not constant: its velocity is left.
+    /// It is ignorable, but its momentum is not constant: only its velocity is a variable.
     Moving,
     /// It is ignorable, and its momentum is constant.
     Eliminated,
 }
 
 impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
-    /// Those about a state at which accelerations are zero and only ignorable coordinates move, as [`EquilibriumSearch`] finds
-    /// it.
+    /// Linearizes a model about a state at which accelerations are zero and only ignorable coordinates move, as found
+    /// by [`EquilibriumSearch`].
     ///
     /// # Errors
     ///
-    /// [`OscillationError`]: the state is none of these.
+    /// [`OscillationError`], if the state is neither an equilibrium nor a steady motion.
     ///
     /// [`EquilibriumSearch`]: crate::analysis::EquilibriumSearch
     pub fn about<M>(model: &M, state: &State<S, N>) -> Result<Self, OscillationError>
@@ -199,12 +202,13 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         })
     }
 
-    /// The coordinates that oscillate.
+    /// Returns the oscillating coordinates.
     pub fn coordinates(&self) -> impl Iterator<Item = usize> + '_ {
         (0..N).filter(|i| self.parts[*i] == Part::Oscillating)
     }
 
-    /// The coordinates that oscillate, then those whose velocities are left, and how many there are of both.
+    /// Returns the oscillating coordinates, then the coordinates of which only velocities are variables; and the number
+    /// of the oscillating ones and of both.
     pub(super) fn variables(&self) -> ([usize; N], [usize; 2]) {
         let moving = (0..N).filter(|i| self.parts[*i] == Part::Moving);
         let mut variables = [0; N];
@@ -216,32 +220,35 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         (variables, [self.coordinates().count(), count])
     }
 
-    /// The stiffness matrix K = −M ∂q̈/∂q: where all forces are conservative, the Hessian of the potential energy, or, if
-    /// coordinates were eliminated, of the effective potential (4.10).
+    /// Returns the stiffness matrix K = −M ∂q̈/∂q.
+    ///
+    /// If all forces are conservative, it is the Hessian of the potential energy or, if coordinates were eliminated, of
+    /// the effective potential (4.10).
     #[must_use]
     pub fn stiffness(&self) -> SMatrix<S, N, N> {
         -(self.mass * self.position)
     }
 
-    /// The matrix G + C = −M ∂q̈/∂q̇. Its antisymmetric part G is that of gyroscopic forces, its symmetric part C that of damping.
+    /// Returns the matrix G + C = −M ∂q̈/∂q̇. Its antisymmetric part G describes gyroscopic forces, its symmetric part
+    /// C damping.
     #[must_use]
     pub fn velocity_forces(&self) -> SMatrix<S, N, N> {
         -(self.mass * self.velocity)
     }
 
-    /// The eigenvalues of the first-order system in the coordinates that oscillate, their velocities, and those of ignorable
-    /// coordinates without constant momenta.
+    /// Computes the eigenvalues of the first-order system in the oscillating coordinates, their velocities, and the
+    /// velocities of ignorable coordinates without constant momenta.
     ///
     /// # Errors
     ///
-    /// If they are not found: the QR algorithm has not converged, or an entry is not finite.
+    /// If the QR algorithm does not converge, or if an entry is not finite.
     pub fn spectrum(&self) -> Result<Spectrum<N>, OscillationError> {
         let (found, count) = self.eigenvalues_by_components(&mut |_, _| {})?;
         Ok(Spectrum::new(found, count))
     }
 
-    /// The eigenvalues of each set of coordinates that are coupled, apart from those of the others, and how many there are; `visit`
-    /// is called for each set with its label and the eigenvalues.
+    /// Calls `visit` with the label and the eigenvalues of each group of coupled coordinates; returns all and their
+    /// count.
     pub(super) fn eigenvalues_by_components(
         &self,
         visit: &mut dyn FnMut(usize, &[Complex<f64>]),
@@ -265,12 +272,12 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         Ok((found, start))
     }
 
-    /// Labels of the sets of coordinates that are coupled.
+    /// Returns the label of the group of coupled coordinates to which each coordinate belongs.
     pub(super) fn components(&self) -> [usize; N] {
         components(&[&self.mass, &self.position, &self.velocity])
     }
 
-    /// Writes the matrix of the first-order system of some coordinates, in rows of length 2 `N`: its order.
+    /// Writes the matrix of the first-order system of some coordinates in rows of length 2 `N`, and returns its order.
     fn first_order_matrix(&self, flat: &mut [f64], is_member: &dyn Fn(usize) -> bool) -> usize {
         let (variables, [all_coordinates, all]) = self.variables();
         let members = |range: core::ops::Range<usize>| {
@@ -295,7 +302,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     }
 }
 
-/// Whether accelerations are zero, and velocities but those of ignorable coordinates.
+/// Checks that all accelerations are zero, and all velocities except those of ignorable coordinates.
 fn check_steady<S, M, const N: usize>(
     model: &M,
     state: &State<S, N>,
@@ -336,7 +343,7 @@ where
     }
 }
 
-/// Which momenta are constant to first order: ṗᵢ = Σ ∂pᵢ/∂qⱼ δq̇ⱼ + Σ Mᵢⱼ δq̈ⱼ vanishes for all perturbations.
+/// Returns which momenta are constant to first order: ṗᵢ = Σ ∂pᵢ/∂qⱼ δq̇ⱼ + Σ Mᵢⱼ δq̈ⱼ vanishes for all perturbations.
 fn constant_momenta<S, M, const N: usize>(
     mass: &SMatrix<S, N, N>,
     gradients: &SMatrix<S, N, N>,
@@ -368,8 +375,8 @@ where
     })
 }
 
-/// The velocities of all coordinates by coordinates and by velocities that are left: those that are eliminated follow from
-/// their constant momenta.
+/// Returns the velocities of all coordinates as linear functions of the remaining coordinates and velocities;
+/// eliminated velocities follow from the constant momenta.
 fn eliminated_velocities<S: SingleNumber, const N: usize>(
     parts: &[Part; N],
     mass: &SMatrix<S, N, N>,
@@ -400,12 +407,12 @@ fn eliminated_velocities<S: SingleNumber, const N: usize>(
     [factors.solve(&by_position), factors.solve(&by_velocity)]
 }
 
-/// What is negligible in relation to 1.
+/// Returns the bound below which a number is negligible relative to 1.
 pub(super) fn negligible<S: Scalar>() -> f64 {
     libm::pow(S::machine_epsilon(), NEGLIGIBLE)
 }
 
-/// The largest magnitude.
+/// Returns the largest magnitude.
 pub(super) fn largest<S: Scalar, const N: usize>(matrix: &SMatrix<S, N, N>) -> f64 {
     let entries = matrix.iter().map(|x| x.abs().largest());
     entries.fold(0.0, f64::max)

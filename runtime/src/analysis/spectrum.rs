@@ -1,9 +1,10 @@
-//! The eigenvalues of a linear system of first order.
+//! The eigenvalues of a first-order linear system.
 
 use nalgebra::Complex;
 
-/// Up to 2 `N` eigenvalues of a linear system of first order, by ascending magnitude, of a conjugate pair the one above the
-/// real axis first; a slice of them.
+/// Up to 2 `N` eigenvalues of a first-order linear system; dereferences to a slice of them.
+///
+/// They are ordered by ascending magnitude; of a conjugate pair, the eigenvalue above the real axis comes first.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Spectrum<const N: usize> {
     values: [[Complex<f64>; N]; 2],
@@ -17,13 +18,13 @@ impl<const N: usize> Spectrum<N> {
         spectrum
     }
 
-    /// The largest magnitude; 0 if there are no eigenvalues.
+    /// Returns the largest magnitude; 0 if there are no eigenvalues.
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.iter().fold(0.0, |most, x| modulus(*x).max(most))
     }
 
-    /// The largest real part: the rate at which perturbations grow; −∞ if there are no eigenvalues.
+    /// Returns the largest real part, the rate at which perturbations grow; −∞ if there are no eigenvalues.
     #[must_use]
     pub fn abscissa(&self) -> f64 {
         self.iter()
@@ -31,7 +32,7 @@ impl<const N: usize> Spectrum<N> {
     }
 }
 
-/// That of the slice.
+/// Formats the slice of eigenvalues.
 impl<const N: usize> core::fmt::Debug for Spectrum<N> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_list().entries(self.iter()).finish()
@@ -46,12 +47,12 @@ impl<const N: usize> core::ops::Deref for Spectrum<N> {
     }
 }
 
-/// The magnitude of a complex number.
+/// Returns the magnitude of a complex number.
 pub(super) fn modulus(x: Complex<f64>) -> f64 {
     libm::hypot(x.re, x.im)
 }
 
-/// By ascending magnitude; those of equal magnitude by their real parts, and a pair from above.
+/// Sorts by ascending magnitude; at equal magnitudes by real parts, then by descending imaginary parts.
 pub(super) fn sort(values: &mut [Complex<f64>]) {
     values.sort_unstable_by(|x, y| {
         let magnitudes = modulus(*x).total_cmp(&modulus(*y));

@@ -1,6 +1,6 @@
 //! Stability of equilibria and steady motions.
 //!
-//! By the second variation: theorems of Lagrange and Dirichlet and of Routh; by the linearized motion: Lyapunov's first
+//! By the second variation: the theorems of Lagrange, Dirichlet and Routh. By the linearized motion: Lyapunov's first
 //! method. D. R. Merkin, *Introduction to the Theory of Stability*, 1997, chapters 2, 3 and 6.
 
 use nalgebra::{Complex, SMatrix};
@@ -16,62 +16,68 @@ use crate::integrate::SingleNumber;
 use crate::limits::analysis::{SINGULAR, VARIATION_ERRORS};
 use crate::scalar::Scalar;
 
-/// The second variation of the potential energy, or of the effective potential: the signs of the eigenvalues of K φ = κ M φ.
+/// The second variation of the potential energy or of the effective potential: the signs of the eigenvalues of K φ = κ
+/// M φ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SecondVariation {
     /// Positive definite: the potential has a minimum.
     PositiveDefinite,
-    /// No eigenvalue is negative, and some are zero to rounding, or as far as the place of the equilibrium is known: higher orders
-    /// decide.
+    /// No eigenvalue is negative, and some are zero up to rounding errors and the uncertainty of the equilibrium:
+    /// higher orders decide.
     PositiveSemidefinite,
-    /// Some eigenvalues are negative: no minimum, and a maximum if all are.
+    /// Some eigenvalues are negative: there is no minimum, and a maximum if all are negative.
     NotPositive {
-        /// How many are negative: the degree of instability (Poincaré).
+        /// The number of negative eigenvalues: the degree of instability (Poincaré).
         negative: usize,
     },
     /// There is no potential: forces are not conservative, or an ignorable coordinate has no constant momentum.
     NoPotential,
 }
 
-/// What the eigenvalues of the linearized motion say.
+/// The stability of the linearized motion, by its eigenvalues.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LinearStability {
     /// All perturbations decay.
     Decaying {
-        /// The rate at which the slowest does.
+        /// The rate of the slowest decay.
         rate: f64,
     },
-    /// None grows exponentially, and some do not decay: real parts are zero to rounding.
+    /// No perturbation grows exponentially, but some do not decay: their real parts are zero up to rounding.
     Neutral,
-    /// Some grow.
+    /// Some perturbations grow.
     Growing {
-        /// The rate at which the fastest does.
+        /// The rate of the fastest growth.
         rate: f64,
     },
 }
 
-/// What follows for perturbations of the true motion that change no constant momentum.
+/// The conclusion for perturbations of the nonlinear motion that leave the constant momenta unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// They decay.
+    /// Perturbations decay.
     AsymptoticallyStable,
-    /// They stay small: the effective potential has a minimum, and no force gives energy (Lagrange and Dirichlet, Routh).
+    /// Perturbations stay small: the effective potential has a minimum, and no force supplies energy (Lagrange,
+    /// Dirichlet, Routh).
     Stable,
-    /// They neither grow nor decay to first order, though the potential has no minimum: gyroscopic stabilization, which dissipation
-    /// destroys.
+    /// Perturbations neither grow nor decay to first order, though the potential has no minimum: gyroscopic
+    /// stabilization, which dissipation destroys.
     LinearlyStable,
-    /// The first order does not decide: an eigenvalue is zero, or may be at the equilibrium beside which the state is, two equal ones of coordinates that are coupled are on the imaginary axis,
-    /// or there is damping that leaves some there, all to rounding. Or the equations contain the time: theorems of Lagrange and
-    /// Dirichlet and of Lyapunov on eigenvalues hold for equations that do not.
+    /// The first order does not decide.
+    ///
+    /// Up to rounding errors and the uncertainty of the equilibrium, an eigenvalue is zero, or two equal eigenvalues of
+    /// coupled coordinates are on the imaginary axis, or damping leaves some eigenvalues there. The verdict is also
+    /// undecided if the equations depend on time: the theorems of Lagrange and Dirichlet, and Lyapunov's theorem on
+    /// eigenvalues, hold for autonomous equations only.
     Undecided,
-    /// Some grow.
+    /// Some perturbations grow.
     Unstable,
 }
 
-/// The stability of an equilibrium or a steady motion, by the second variation and by the linearized motion, which may differ.
+/// The stability of an equilibrium or a steady motion, by the second variation and by the linearized motion, which may
+/// differ.
 ///
-/// The triangular points of Lagrange are maxima of the effective potential in the rotating frame, and stable below Routh's
-/// ratio of the masses:
+/// Lagrange's triangular points are maxima of the effective potential in the rotating frame, and stable below Routh's
+/// mass ratio:
 ///
 /// ```
 /// use lagrangian::analysis::{EquilibriumSearch, SecondVariation, SmallOscillations, Verdict};
@@ -98,22 +104,26 @@ pub enum Verdict {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stability {
-    /// By the second variation.
+    /// The second variation.
     pub second_variation: SecondVariation,
-    /// By the linearized motion.
+    /// The stability of the linearized motion.
     pub linear: LinearStability,
-    /// Whether no force gives energy to perturbations: the symmetric part of −M ∂q̈/∂q̇ is positive semidefinite, and the generalized
-    /// forces give none to some small perturbations that are tried, so that forces of higher order count, too.
+    /// Whether no force supplies energy to perturbations.
+    ///
+    /// This requires that the symmetric part of −M ∂q̈/∂q̇ is positive semidefinite, and that the generalized forces
+    /// supply no energy to some small trial perturbations, so that forces of higher order count, too.
     pub is_passive: bool,
-    /// Whether the equations of motion contain the time, or inputs that are functions of it: `second_variation` and `linear` are then
-    /// those of the equations as they are at the time of the state, from which nothing follows for later ones.
+    /// Whether the equations of motion depend on time, directly or through inputs that are functions of time.
+    ///
+    /// If so, `second_variation` and `linear` refer to the equations at the time of the state, and nothing follows for
+    /// later times.
     pub contains_time: bool,
     /// Whether eigenvalues are zero, or multiple on the imaginary axis, or whether damping may move them off it.
     is_degenerate: bool,
 }
 
 impl Stability {
-    /// What follows.
+    /// Returns the conclusion for the nonlinear motion.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         let is_minimum = self.second_variation == SecondVariation::PositiveDefinite;
@@ -134,7 +144,7 @@ impl Stability {
         }
     }
 
-    /// Whether perturbations stay small, at least to first order.
+    /// Returns whether perturbations stay small, at least to first order.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         !matches!(self.verdict(), Verdict::Unstable | Verdict::Undecided)
@@ -142,9 +152,10 @@ impl Stability {
 }
 
 impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
-    /// The stability, by the second variation and by the linearized motion.
+    /// Determines the stability by the second variation and by the linearized motion.
     ///
-    /// Coordinates that are not coupled are looked at apart, and each eigenvalue is known up to what its condition number says.
+    /// Groups of uncoupled coordinates are treated separately, and each eigenvalue is known up to an error given by its
+    /// condition number.
     ///
     /// # Errors
     ///
@@ -199,8 +210,9 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         }
     }
 
-    /// Whether no force gives energy: the symmetric part of −M ∂q̈/∂q̇ is positive semidefinite; and whether it is zero: each entry
-    /// to its own rounding. Neither, where the error of the equilibrium does not allow to say.
+    /// Returns whether no force supplies energy (the symmetric part of −M ∂q̈/∂q̇ is positive semidefinite), and
+    /// whether this part is zero, each entry up to its own rounding. Both are `false` if the uncertainty of the
+    /// equilibrium does not allow a decision.
     fn passivity(&self) -> (bool, bool) {
         if self.gives_energy {
             return (false, false);
@@ -230,9 +242,11 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         (is_certain && is_passive, is_certain && is_free)
     }
 
-    /// A unit for each coordinate, in which the largest entry of its row of a matrix is at most 1: by Sylvester's law of
-    /// inertia the signs of the eigenvalues are the same. A row counts as zero if it is less than `zero` of the
-    /// others, in units of the roots of inertia: of those with which it shares inertia, so that its entries have their rounding.
+    /// Returns a unit for each coordinate, in which the largest entry of its row of a matrix is at most 1.
+    ///
+    /// By Sylvester's law of inertia, the eigenvalues keep their signs. A row counts as zero if it is less than `zero`
+    /// relative to the other rows, in units of the square roots of the inertias. It is compared only with rows of
+    /// coordinates that share inertia with it, whose rounding errors its entries have.
     fn units(&self, matrix: &SMatrix<S, N, N>, zero: f64) -> [f64; N] {
         let inertia: [f64; N] = core::array::from_fn(|i| {
             let inertia = self.mass[(i, i)].abs().largest();
@@ -261,8 +275,10 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         })
     }
 
-    /// How many eigenvalues of a symmetric matrix on the coordinates that are left are negative, and how many are zero: up to
-    /// `zero` of their own, or up to what `error` makes of them. Coordinates that are not coupled are looked at apart.
+    /// Returns the numbers of negative and of zero eigenvalues of a symmetric matrix on the remaining coordinates.
+    ///
+    /// An eigenvalue counts as zero up to `zero`, relative to its group, or up to the uncertainty that results from
+    /// `error`. Groups of uncoupled coordinates are treated separately.
     fn signs(&self, matrix: &SMatrix<S, N, N>, zero: f64, error: &SMatrix<S, N, N>) -> [usize; 2] {
         let (variables, [_, count]) = self.variables();
         let labels = components(&[matrix]);
@@ -301,7 +317,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     }
 }
 
-/// A symmetric matrix in units of its rows and columns.
+/// Returns a symmetric matrix in units of its rows and columns.
 fn in_units<S: Scalar, const N: usize>(
     matrix: &SMatrix<S, N, N>,
     units: &[f64; N],
@@ -324,7 +340,7 @@ fn linear_stability(all: &[Located]) -> LinearStability {
     LinearStability::Decaying { rate: slowest }
 }
 
-/// Whether an eigenvalue on the imaginary axis may be zero or multiple.
+/// Returns whether an eigenvalue on the imaginary axis may be zero or multiple.
 fn is_degenerate(all: &[Located]) -> bool {
     all.iter().enumerate().any(|(i, x)| {
         let is_zero = modulus(x.value) <= x.error;

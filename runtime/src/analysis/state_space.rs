@@ -10,10 +10,12 @@ use crate::integrate::SingleNumber;
 use crate::model::{Inputs, Lagrangian, State};
 use crate::scalar::Scalar;
 
-/// A linear model ẋ = A x + B u + f₀, y = C x + D u + y₀ in the deviations x = (δq, δq̇) and u from the point of linearization.
+/// A linear model ẋ = A x + B u + f₀, y = C x + D u + y₀ in the deviations x = (δq, δq̇) and u from the point of
+/// linearization.
 ///
-/// `D` is 2 `N`, `U` the number of inputs and `Y` that of outputs, which are the states unless others are declared. About an
-/// equilibrium f₀ is 0; elsewhere it is the derivative (q̇, q̈) there, and the model holds for short times.
+/// `D` is 2 `N`, `U` is the number of inputs and `Y` the number of outputs, which are the states unless others are
+/// given. At an equilibrium f₀ is 0; elsewhere it is the derivative (q̇, q̈) at the point of linearization, and the
+/// model holds for short times.
 ///
 /// ```
 /// use lagrangian::analysis::StateSpace;
@@ -56,11 +58,11 @@ pub struct StateSpace<S: Scalar, const D: usize, const U: usize, const Y: usize>
     pub output: SVector<S, Y>,
     /// The coordinates and velocities x₀ at the point of linearization.
     pub state: SVector<S, D>,
-    /// The inputs u₀ there.
+    /// The inputs u₀ at the point of linearization.
     pub inputs: SVector<S, U>,
 }
 
-/// A linear model in discrete time, xₖ₊₁ = A xₖ + B uₖ + f, yₖ = C xₖ + D uₖ + y₀; given by [`StateSpace::discretized`].
+/// A linear model in discrete time, xₖ₊₁ = A xₖ + B uₖ + f, yₖ = C xₖ + D uₖ + y₀; see [`StateSpace::discretized`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiscreteStateSpace<S: Scalar, const D: usize, const U: usize, const Y: usize> {
     /// The state matrix A.
@@ -71,13 +73,13 @@ pub struct DiscreteStateSpace<S: Scalar, const D: usize, const U: usize, const Y
     pub c: SMatrix<S, Y, D>,
     /// The feedthrough matrix D.
     pub d: SMatrix<S, Y, U>,
-    /// What f₀ adds in a period.
+    /// The increment f that f₀ adds in a period.
     pub increment: SVector<S, D>,
     /// The outputs y₀ at the point of linearization.
     pub output: SVector<S, Y>,
     /// The coordinates and velocities x₀ at the point of linearization.
     pub state: SVector<S, D>,
-    /// The inputs u₀ there.
+    /// The inputs u₀ at the point of linearization.
     pub inputs: SVector<S, U>,
     /// The sampling period.
     pub period: S,
@@ -88,7 +90,7 @@ fn identity<S: Scalar, const D: usize>() -> SMatrix<S, D, D> {
 }
 
 impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
-    /// The model ẋ = A x + B u, whose outputs are the states.
+    /// Creates the model ẋ = A x + B u, whose outputs are the states.
     #[must_use]
     pub fn new(a: SMatrix<S, D, D>, b: SMatrix<S, D, U>) -> Self {
         let zero = SVector::from_element(S::zero());
@@ -106,7 +108,7 @@ impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
 }
 
 impl<S: Scalar, const D: usize, const U: usize> DiscreteStateSpace<S, D, U, D> {
-    /// The model xₖ₊₁ = A xₖ + B uₖ, whose outputs are the states.
+    /// Creates the model xₖ₊₁ = A xₖ + B uₖ, whose outputs are the states.
     #[must_use]
     pub fn new(a: SMatrix<S, D, D>, b: SMatrix<S, D, U>, period: S) -> Self {
         let zero = SVector::from_element(S::zero());
@@ -125,9 +127,9 @@ impl<S: Scalar, const D: usize, const U: usize> DiscreteStateSpace<S, D, U, D> {
 }
 
 impl<S: Scalar, const D: usize> StateSpace<S, D, 0, D> {
-    /// The linearization of a model without inputs, or under those of its fields, about a state.
+    /// Linearizes a model about a state, without inputs or with the inputs held at the values of its fields.
     ///
-    /// Another `D` than 2 `N` does not compile.
+    /// A `D` other than 2 `N` does not compile.
     pub fn free<M, const N: usize>(model: &M, state: &State<S, N>) -> Self
     where
         M: Lagrangian<N, S> + ?Sized,
@@ -146,11 +148,11 @@ impl<S: Scalar, const D: usize> StateSpace<S, D, 0, D> {
 }
 
 impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
-    /// The linearization of a model about a state and its inputs: those of its fields, or of
-    /// [`with_inputs`](Lagrangian::with_inputs), such as those that
-    /// [`EquilibriumSearch::trim`](crate::analysis::EquilibriumSearch::trim) finds.
+    /// Linearizes a model about a state and its inputs.
     ///
-    /// Another `D` than 2 `N` does not compile.
+    /// The inputs are taken from the fields of the model or from [`with_inputs`](Lagrangian::with_inputs), for example
+    /// as found by [`EquilibriumSearch::trim`](crate::analysis::EquilibriumSearch::trim). A `D` other than 2 `N` does
+    /// not compile.
     pub fn of<M, const N: usize>(model: &M, state: &State<S, N>) -> Self
     where
         M: Lagrangian<N, S, Model: Inputs<N, U, S>> + ?Sized,
@@ -169,7 +171,7 @@ impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
 }
 
 impl<S: Scalar, const D: usize, const U: usize, const Y: usize> StateSpace<S, D, U, Y> {
-    /// The same model with other outputs y = C x + D u + y₀.
+    /// Returns the model with other outputs y = C x + D u + y₀.
     #[must_use]
     pub fn with_outputs<const Z: usize>(
         &self,
@@ -189,9 +191,9 @@ impl<S: Scalar, const D: usize, const U: usize, const Y: usize> StateSpace<S, D,
         }
     }
 
-    /// Whether the point of linearization is an equilibrium: whether no component of f₀ exceeds `tolerance`.
+    /// Returns whether the point of linearization is an equilibrium: whether no component of f₀ exceeds `tolerance`.
     ///
-    /// At a steady motion it is not, since ignorable coordinates move.
+    /// A steady motion is not an equilibrium in this sense, since ignorable coordinates move.
     #[must_use]
     pub fn is_at_equilibrium(&self, tolerance: f64) -> bool {
         let mut components = self.derivative.iter();
@@ -200,25 +202,27 @@ impl<S: Scalar, const D: usize, const U: usize, const Y: usize> StateSpace<S, D,
 }
 
 impl<S: SingleNumber, const D: usize, const U: usize, const Y: usize> StateSpace<S, D, U, Y> {
-    /// The poles: the eigenvalues of A. None if they are not found, since an entry is not finite or the QR algorithm has not converged.
+    /// Returns the poles, the eigenvalues of A, or `None` if an entry is not finite or the QR algorithm does not
+    /// converge.
     #[must_use]
     pub fn poles(&self) -> Option<Spectrum<D>> {
         poles(&self.a)
     }
 
-    /// Which part of the state the inputs reach.
+    /// Returns the part of the state that the inputs reach.
     #[must_use]
     pub fn controllability(&self) -> Controllability<D> {
         Controllability::of(&self.a, &self.b)
     }
 
-    /// Which part of the state the outputs show: the controllability of (Aᵀ, Cᵀ).
+    /// Returns the part of the state that the outputs show: the controllability of (Aᵀ, Cᵀ).
     #[must_use]
     pub fn observability(&self) -> Controllability<D> {
         Controllability::of(&self.a.transpose(), &self.c.transpose())
     }
 
-    /// The model with a zero-order hold: inputs are constant over each period. Not finite where the exponential overflows.
+    /// Returns the model with a zero-order hold: the inputs are constant over each period. It is not finite if the
+    /// exponential overflows.
     #[must_use]
     pub fn discretized(&self, period: S) -> DiscreteStateSpace<S, D, U, Y> {
         let [a, integral] = exponential(&self.a, period);
@@ -239,20 +243,21 @@ impl<S: SingleNumber, const D: usize, const U: usize, const Y: usize> StateSpace
 impl<S: SingleNumber, const D: usize, const U: usize, const Y: usize>
     DiscreteStateSpace<S, D, U, Y>
 {
-    /// The poles: the eigenvalues of A, stable within the unit circle. None if they are not found.
+    /// Returns the poles, the eigenvalues of A, or `None` if they are not found; stable poles lie within the unit
+    /// circle.
     #[must_use]
     pub fn poles(&self) -> Option<Spectrum<D>> {
         poles(&self.a)
     }
 
-    /// Which part of the state the inputs reach.
+    /// Returns the part of the state that the inputs reach.
     #[must_use]
     pub fn controllability(&self) -> Controllability<D> {
         Controllability::of(&self.a, &self.b)
     }
 }
 
-/// The eigenvalues of a matrix.
+/// Returns the eigenvalues of a matrix.
 pub(super) fn poles<S: Scalar, const D: usize>(a: &SMatrix<S, D, D>) -> Option<Spectrum<D>> {
     let mut entries: [[f64; D]; D] =
         core::array::from_fn(|i| core::array::from_fn(|j| a[(i, j)].largest()));
@@ -261,7 +266,7 @@ pub(super) fn poles<S: Scalar, const D: usize>(a: &SMatrix<S, D, D>) -> Option<S
     converged.then(|| Spectrum::new(found, D))
 }
 
-/// A matrix of which the upper half is zero.
+/// Returns a matrix whose upper half is zero.
 fn below_zeros<S: Scalar, const D: usize, const N: usize, const U: usize>(
     lower: &SMatrix<S, N, U>,
 ) -> SMatrix<S, D, U> {

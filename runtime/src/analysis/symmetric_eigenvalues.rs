@@ -1,15 +1,15 @@
-//! Eigenvalues and eigenvectors of symmetric matrices, by the cyclic method of Jacobi.
+//! Eigenvalues and eigenvectors of symmetric matrices, by the cyclic Jacobi method.
 //!
-//! G. H. Golub and C. F. Van Loan, *Matrix Computations*, 4th edition (2013), 8.5. Eigenvectors are orthogonal to rounding
-//! even where eigenvalues are equal.
+//! G. H. Golub and C. F. Van Loan, *Matrix Computations*, 4th edition (2013), 8.5. Eigenvectors are orthogonal up to
+//! rounding even if eigenvalues are equal.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::JACOBI_SWEEPS;
 
-/// The eigenvalues of a symmetric matrix, ascending, and its eigenvectors, in the columns of an orthogonal matrix in the same
-/// order. Only the leading block of some order is read; the rest of both is zero.
+/// Returns the eigenvalues of a symmetric matrix in ascending order, and its eigenvectors in the corresponding columns
+/// of an orthogonal matrix. Only the leading block of some order is read; the rest of both results is zero.
 pub(crate) fn symmetric_eigenvalues<S: SingleNumber, const N: usize>(
     matrix: &SMatrix<S, N, N>,
     order: usize,
@@ -50,7 +50,7 @@ fn rotate<S: SingleNumber, const N: usize>(
     let size = entry.abs().largest();
     let largest = a[(p, p)].abs().largest().max(a[(q, q)].abs().largest());
     let negligible = S::machine_epsilon() * scale.max(S::machine_epsilon() * largest);
-    // NaN is left as it is.
+    // NaN is left unchanged.
     if !(size > 0.0 && size > negligible) {
         return false;
     }
@@ -83,7 +83,7 @@ fn rotate<S: SingleNumber, const N: usize>(
     true
 }
 
-/// Sorts eigenvalues with their vectors.
+/// Sorts eigenvalues with their eigenvectors.
 fn sort<S: SingleNumber, const N: usize>(
     values: &mut SVector<S, N>,
     vectors: &mut SMatrix<S, N, N>,

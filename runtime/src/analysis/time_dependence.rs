@@ -1,12 +1,12 @@
-//! Whether the equations of motion contain the time, so that a linearization at one time says nothing of later ones.
+//! A test for equations of motion that depend on time, whose linearization at one time says nothing about later times.
 
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::OTHER_TIMES;
 use crate::model::{Lagrangian, Linearization, State};
 
-/// Whether the linear equations about a state are others at other times, or change there.
+/// Returns whether the linearized equations about a state change with time.
 ///
-/// A model that does not contain the time has the same numbers to the last bit.
+/// If a model does not depend on time, its numbers at different times agree to the last bit.
 pub(super) fn contains_time<S, M, const N: usize>(
     model: &M,
     state: &State<S, N>,

@@ -1,6 +1,6 @@
-//! The comparison of declared derivatives with numerical ones.
+//! The comparison of declared derivatives with numerical derivatives.
 //!
-//! The points are an additive recurrence with powers of the generalized golden ratio: M. Roberts, *The Unreasonable
+//! The points form an additive recurrence with powers of the generalized golden ratio: M. Roberts, *The Unreasonable
 //! Effectiveness of Quasirandom Sequences* (2018), extremelearning.com.au.
 
 use core::ops::RangeInclusive;
@@ -13,13 +13,12 @@ use crate::limits::derivative_checks::{
 use crate::model::{ExternalFunctions, FunctionSignature};
 use crate::scalar::Scalar;
 
-/// Compares the derivatives of a function with those of its values, at points spread over a region.
+/// Compares the derivatives of a function with numerical derivatives of its values, at points spread over a region.
 ///
 /// `derivatives` returns the derivatives by all arguments. They are compared with extrapolated difference quotients,
 /// and must agree within the error of these, or within the square root of the machine epsilon relative to the
-/// derivative. The function is evaluated within the region only, so that it can end where the
-/// function has a kink or no value. An argument whose range is one point is constant, and its derivative is not
-/// checked.
+/// derivative. The function is evaluated only within the region, so the region may end where the function has a kink or
+/// ceases to be defined. An argument whose range is a single point is constant, and its derivative is not checked.
 ///
 /// ```
 /// use lagrangian::check_derivatives;
@@ -37,7 +36,7 @@ use crate::scalar::Scalar;
 ///
 /// # Errors
 ///
-/// The [`DerivativeError`] found, if there is one.
+/// The [`DerivativeError`] that was found, if there is one.
 pub fn check_derivatives<const K: usize>(
     value: impl Fn([f64; K]) -> f64,
     derivatives: impl Fn([f64; K]) -> [f64; K],
@@ -56,11 +55,11 @@ pub fn check_derivatives<const K: usize>(
     check.run()
 }
 
-/// Default names of arguments.
+/// The default names of arguments.
 const NUMBERED: &[&str] = &["x₁", "x₂", "x₃", "x₄", "x₅", "x₆", "x₇", "x₈"];
 
-/// The check of the declared derivatives of a model's external functions; every model that has such functions
-/// has it.
+/// Checks the declared derivatives of a model's external functions; implemented for every model that has such
+/// functions.
 ///
 /// ```
 /// # use lagrangian::{CheckDerivatives, DerivativeError, ExternalFunctions, FunctionSignature};
@@ -76,12 +75,12 @@ const NUMBERED: &[&str] = &["x₁", "x₂", "x₃", "x₄", "x₅", "x₆", "x�
 /// # Ok::<(), DerivativeError>(())
 /// ```
 pub trait CheckDerivatives: ExternalFunctions {
-    /// Compares the declared derivatives of a function with those of its values, where each argument is
+    /// Compares the declared derivatives of a function with numerical derivatives of its values, where each argument is
     /// within its range; see [`check_derivatives`](crate::check_derivatives()).
     ///
     /// # Errors
     ///
-    /// The [`DerivativeError`] found, if there is one.
+    /// The [`DerivativeError`] that was found, if there is one.
     fn check_derivatives<const K: usize>(
         &self,
         function: &str,
@@ -109,7 +108,7 @@ pub trait CheckDerivatives: ExternalFunctions {
 
 impl<M: ExternalFunctions + ?Sized> CheckDerivatives for M {}
 
-/// A function, its derivatives, and where they are compared.
+/// A function, its derivatives, and the region in which they are compared.
 pub(crate) struct Check<V, D, const K: usize> {
     pub(crate) signature: FunctionSignature,
     pub(crate) value: V,
@@ -140,7 +139,7 @@ where
         Err(DerivativeError::NotDeclared { function })
     }
 
-    /// An error unless there is a valid range for each argument.
+    /// Returns an error unless there is a valid range for each argument.
     fn check_region(&self) -> Result<(), DerivativeError> {
         let FunctionSignature { name, arguments } = self.signature;
         let function = name;
@@ -165,7 +164,7 @@ where
         }
     }
 
-    /// The spread of the values over the region, at least that of their rounding errors.
+    /// Returns the spread of the values over the region, or the spread due to rounding errors if it is larger.
     fn span(&self) -> Result<f64, DerivativeError> {
         let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
         for point in self.points() {
@@ -184,7 +183,7 @@ where
         Ok(greatest - least + libm::sqrt(self.epsilon) * size)
     }
 
-    /// Compares the derivatives by one argument, whose typical magnitude is `scale`; returns whether there are any.
+    /// Compares the derivatives by one argument, whose typical magnitude is `scale`; returns whether any are declared.
     fn check_argument(&self, argument: usize, scale: f64) -> Result<bool, DerivativeError> {
         let range = &self.region[argument];
         let declared = |point| (self.derivative)(argument, point);
@@ -201,7 +200,7 @@ where
             let Some(numerical) = self.numerical_derivative(argument, point) else {
                 continue;
             };
-            // A value that is not finite is wrong by an infinite distance.
+            // A declared value that is not finite has an infinite distance from the numerical one.
             let (size, distance) = if declared.is_finite() {
                 let size = declared.abs().max(numerical.value.abs());
                 (size, (declared - numerical.value).abs())
@@ -232,7 +231,7 @@ where
         }
     }
 
-    /// The numerical derivative by one argument, from values within the region.
+    /// Returns the numerical derivative by one argument, from values within the region.
     fn numerical_derivative(
         &self,
         argument: usize,
@@ -249,13 +248,13 @@ where
         NumericalDerivative::central(along, self.epsilon, x, reach)
     }
 
-    /// Points of low discrepancy in the region (Roberts, 2018): multiples, modulo 1, of powers of 1/x, where x is the
-    /// generalized golden ratio, the root of xᴷ⁺¹ = x + 1.
+    /// Returns points of low discrepancy in the region (Roberts, 2018): multiples, modulo 1, of powers of 1/x, where x
+    /// is the generalized golden ratio, the root of xᴷ⁺¹ = x + 1.
     fn points(&self) -> impl Iterator<Item = [f64; K]> {
         let dimension = self.region.iter().fold(0.0, |count, _| count + 1.0);
         let root =
             (0..RATIO_ITERATIONS).fold(2.0, |x, _| libm::pow(1.0 + x, 1.0 / (dimension + 1.0)));
-        // They avoid the middle of the region, where many functions have a kink.
+        // The points avoid the middle of the region, where many functions have a kink.
         (1..=POINTS).map(move |n| {
             let mut share = 1.0;
             self.region.each_ref().map(|range| {

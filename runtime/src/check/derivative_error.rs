@@ -7,7 +7,7 @@ use crate::limits::derivative_checks::REPORTED_ARGUMENTS;
 use crate::model::FunctionSignature;
 use crate::number_format::Readable;
 
-/// The point at which a function was evaluated: names and values of its arguments, of the first four.
+/// The point at which a function was evaluated: the names and values of its first four arguments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArgumentValues {
     names: &'static [&'static str],
@@ -28,7 +28,7 @@ impl ArgumentValues {
         }
     }
 
-    /// The names and the values, in order.
+    /// Returns the names and the values, in order.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
         let names = self.names.iter().copied();
         names.zip(self.values).take(self.count)
@@ -49,7 +49,7 @@ impl fmt::Display for ArgumentValues {
     }
 }
 
-/// Why declared derivatives are wrong, or could not be checked.
+/// The reason why declared derivatives are wrong or could not be checked.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum DerivativeError {
@@ -59,11 +59,11 @@ pub enum DerivativeError {
         function: &'static str,
         /// The argument by which it is differentiated.
         argument: &'static str,
-        /// Where they differ most.
+        /// The point at which they differ most.
         point: ArgumentValues,
-        /// The declared derivative there.
+        /// The declared derivative at this point.
         declared: f64,
-        /// The numerical derivative there.
+        /// The numerical derivative at this point.
         measured: f64,
         /// The estimated error of the numerical derivative.
         uncertainty: f64,
@@ -79,7 +79,7 @@ pub enum DerivativeError {
     NonFiniteValue {
         /// The function.
         function: &'static str,
-        /// Where it has that value.
+        /// The point at which it has this value.
         point: ArgumentValues,
         /// The value.
         value: f64,
@@ -100,12 +100,12 @@ pub enum DerivativeError {
     ArgumentCount {
         /// The function.
         function: &'static str,
-        /// How many arguments it has.
+        /// The number of its arguments.
         expected: usize,
-        /// How many ranges there are.
+        /// The number of ranges.
         found: usize,
     },
-    /// The model has no function of that name.
+    /// The model has no function of this name.
     UnknownFunction {
         /// The functions of the model.
         known: &'static [FunctionSignature],

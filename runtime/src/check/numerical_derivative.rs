@@ -1,9 +1,9 @@
 //! Numerical derivatives by Richardson extrapolation of central differences.
 //!
-//! Central differences with shrinking steps are extrapolated to step 0, and the
-//! entry of the tableau with the smallest estimated error is taken: C. J. F. Ridders, *Accurate computation of F′(x)
-//! and F′(x) F″(x)*, Adv. Eng. Softw. **4** (1982) 75–76. Unlike there, all steps are taken, also after rounding errors
-//! appear, so that steep functions are resolved; and the ratio of the steps is irrational, so that no period is missed.
+//! Central differences with shrinking steps are extrapolated to step 0, and the entry of the tableau with the smallest
+//! estimated error is taken: C. J. F. Ridders, *Accurate computation of F′(x) and F′(x) F″(x)*, Adv. Eng. Softw. **4**
+//! (1982) 75–76. In contrast to Ridders, all steps are taken, even after rounding errors appear, so that steep
+//! functions are resolved. The ratio of the steps is irrational, so that no period is missed.
 
 use crate::limits::derivative_checks::{
     COLUMNS, MIN_JUMP, ROUNDING_AMPLIFICATION, SHORTER_STEPS, STEP_RATIO, STEPS,
@@ -28,7 +28,7 @@ struct Quotient {
 }
 
 impl NumericalDerivative {
-    /// The derivative of `value` at `x`, from values at most `reach` away; `None` if they are not finite.
+    /// Returns the derivative of `value` at `x`, from values at most `reach` away; `None` if they are not finite.
     ///
     /// `epsilon` is the machine epsilon of the scalar on which `value` is evaluated.
     pub(crate) fn central(
@@ -63,7 +63,7 @@ impl NumericalDerivative {
     }
 }
 
-/// The entry of the tableau with the smallest estimated error.
+/// Returns the entry of the tableau with the smallest estimated error.
 fn best(quotients: &[Quotient; STEPS]) -> Option<NumericalDerivative> {
     let tableau = tableau(quotients);
     let mut best: Option<NumericalDerivative> = None;
@@ -72,8 +72,8 @@ fn best(quotients: &[Quotient; STEPS]) -> Option<NumericalDerivative> {
             let value = tableau[row][column];
             let neighbours = [tableau[row][column - 1], tableau[row - 1][column - 1]];
             let neighbours = neighbours.map(|neighbour| (value - neighbour).abs());
-            // Differences from the results of shorter steps are noise of the values, which matters less for longer
-            // steps.
+            // Differences from the results of shorter steps are due to noise of the values, which matters less for
+            // longer steps.
             let step = quotients[row].step;
             let noise = (row + 1..STEPS).map(|shorter| {
                 (tableau[shorter][column] - value).abs() * quotients[shorter].step / step
@@ -90,7 +90,8 @@ fn best(quotients: &[Quotient; STEPS]) -> Option<NumericalDerivative> {
     best
 }
 
-/// The Richardson tableau: the quotients, and in each further column one more power of the squared step is removed.
+/// Returns the Richardson tableau: the quotients, and columns in each of which one more power of the squared step is
+/// eliminated.
 fn tableau(quotients: &[Quotient; STEPS]) -> [[f64; COLUMNS]; STEPS] {
     let mut above = [f64::NAN; COLUMNS];
     quotients.map(|quotient| {
@@ -106,8 +107,8 @@ fn tableau(quotients: &[Quotient; STEPS]) -> [[f64; COLUMNS]; STEPS] {
     })
 }
 
-/// The quantization of values that do not change at all at short steps, because they are rounded coarsely: the height
-/// of the first jump. A function with a plateau changes by less, one with real discontinuities by more.
+/// Returns the quantization of coarsely rounded values, which do not change at all at short steps: the height of the
+/// first jump. A function with a plateau changes by less, and a function with real discontinuities by more.
 fn jump(quotients: &[Quotient; STEPS], quotient: impl Fn(f64) -> Quotient) -> f64 {
     let changes = |quotient: &Quotient| quotient.value != 0.0;
     let Some(last) = quotients.iter().rposition(changes) else {
@@ -180,7 +181,7 @@ mod tests {
 
     #[test]
     fn noise_is_part_of_the_error() {
-        // Rounded to nine decimals, as a table might be.
+        // Rounded to nine decimals, like a table.
         let value = |x: f64| libm::round(libm::sin(x) * 1e9) / 1e9;
         for n in 0..200 {
             let x = 0.01 * f64::from(n);
@@ -195,7 +196,7 @@ mod tests {
 
     #[test]
     fn noise_is_seen_at_short_steps_too() {
-        // As random as a hash, a few parts in 10⁹.
+        // Noise as random as a hash, of a few parts in 10⁹.
         let hash = |x: f64| x.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let noise = |x: f64| if hash(x) >> 63 == 0 { 4e-9 } else { 0.0 };
         let value = |x: f64| libm::sin(x) + noise(x);

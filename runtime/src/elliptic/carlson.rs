@@ -1,32 +1,34 @@
 //! Carlson's symmetric elliptic integrals.
 //!
-//! B. C. Carlson, *Numerical computation of real or complex elliptic integrals*, Numerical Algorithms **10** (1995) 13–26:
-//! the duplication theorem makes the arguments nearly equal, and a Taylor polynomial does the rest. The polynomial is
-//! used where its error is the square of the machine epsilon, so that derivative parts have all digits, too.
+//! B. C. Carlson, *Numerical computation of real or complex elliptic integrals*, Numerical Algorithms **10** (1995)
+//! 13–26: the duplication theorem makes the arguments nearly equal, then a Taylor polynomial is evaluated. The
+//! polynomial is used where its error is the square of the machine epsilon, so that derivative parts are fully
+//! accurate, too.
 //!
-//! `R_J` is the form of B. C. Carlson, *Computing elliptic integrals by duplication*, Numer. Math. **33** (1979) 1–16, in which
-//! nothing cancels however small p is; a p that is much larger than the other arguments, which duplication would approach by
-//! quarters only, is first exchanged for a small one: NIST Digital Library of Mathematical Functions, 19.21.12.
+//! `R_J` follows B. C. Carlson, *Computing elliptic integrals by duplication*, Numer. Math. **33** (1979) 1–16, in a
+//! form without cancellation however small p is. A p that is much larger than the other arguments is first exchanged
+//! for a small one, since each duplication would only reduce it to a quarter: NIST Digital Library of Mathematical
+//! Functions, 19.21.12.
 
 use crate::integrate::SingleNumber;
 use crate::limits::elliptic::{DUPLICATIONS, LARGE_LAST};
 use crate::scalar::Scalar;
 
-/// By what factor the arguments have to be nearer to their mean than they are, for a relative error of the square of
-/// the machine epsilon of a polynomial of this degree.
+/// Returns the ratio of the mean to the largest deviation of an argument from it at which a Taylor polynomial of this
+/// degree has a relative error of the square of the machine epsilon.
 fn nearness<S: Scalar>(constant: f64, degree: f64) -> f64 {
     let epsilon = S::machine_epsilon();
     libm::pow(constant * epsilon * epsilon, -1.0 / (degree + 1.0))
 }
 
-/// The largest magnitude of numbers.
+/// Returns the largest magnitude.
 fn largest<S: Scalar>(numbers: &[S]) -> f64 {
     numbers
         .iter()
         .fold(0.0, |most: f64, x| most.max(x.abs().largest()))
 }
 
-/// Whether more than `most` of some arguments are zero, so that the integral diverges.
+/// Returns whether more than `most` of the arguments are zero, so that the integral diverges.
 fn diverges<S: Scalar>(arguments: &[S], most: usize) -> bool {
     let zeros = arguments.iter().filter(|x| x.abs().largest() <= 0.0);
     zeros.count() > most
@@ -40,7 +42,7 @@ fn number<S: Scalar>(numerator: f64, denominator: f64) -> S {
     S::ratio(numerator, denominator)
 }
 
-/// `R_F`(x, y, z) = ½ ∫₀^∞ dt/√((t + x)(t + y)(t + z)), for arguments that are not negative; infinite if two are 0.
+/// Returns `R_F`(x, y, z) = ½ ∫₀^∞ dt/√((t + x)(t + y)(t + z)), for nonnegative arguments; infinite if two are 0.
 ///
 /// ```
 /// use lagrangian::elliptic::carlson_rf;
@@ -79,7 +81,8 @@ pub fn carlson_rf<S: SingleNumber>(x: S, y: S, z: S) -> S {
     series / a.sqrt()
 }
 
-/// `R_C`(x, y) = `R_F`(x, y, y), for x ≥ 0 and y > 0: an inverse circular or hyperbolic tangent; infinite if y is 0.
+/// Returns `R_C`(x, y) = `R_F`(x, y, y), for x ≥ 0 and y > 0: an inverse circular or hyperbolic tangent; infinite if y
+/// is 0.
 ///
 /// ```
 /// use lagrangian::elliptic::carlson_rc;
@@ -122,8 +125,9 @@ pub fn carlson_rc<S: SingleNumber>(x: S, y: S) -> S {
     (S::one() + s * s * series) / a.sqrt()
 }
 
-/// `R_J`(x, y, z, p) = 3/2 ∫₀^∞ dt/((t + p)√((t + x)(t + y)(t + z))), for x, y, z that are not negative and p > 0; infinite
-/// if two of x, y and z are 0, or p is.
+/// Returns `R_J`(x, y, z, p) = 3/2 ∫₀^∞ dt/((t + p)√((t + x)(t + y)(t + z))), for nonnegative x, y, z and p > 0.
+///
+/// It is infinite if two of x, y and z are 0, or if p is 0.
 ///
 /// ```
 /// use lagrangian::elliptic::carlson_rj;
@@ -144,7 +148,7 @@ pub fn carlson_rj<S: SingleNumber>(x: S, y: S, z: S, p: S) -> S {
     }
 }
 
-/// `R_J` by duplication, in roots a, b, c and s of x, y, z and p.
+/// Computes `R_J` by duplication, with the square roots a, b, c and s of x, y, z and p.
 fn by_duplication<S: SingleNumber>(start: [S; 4]) -> S {
     let [x, y, z, p] = start;
     let mean = (x + y + z + p + p) * number(1.0, 5.0);
@@ -170,8 +174,10 @@ fn by_duplication<S: SingleNumber>(start: [S; 4]) -> S {
     scale / a / a.sqrt() * third_kind_near_mean(x, y, z) + six * sum
 }
 
-/// 1 + e and the divisor d = (s + a)(s + b)(s + c) of a duplication, where g = p + λ: with α = p (a + b + c) + a b c and β = s g they
-/// are 2 β/(α + β) and α + β. Where products would be beyond the range of numbers, α/β is a sum of quotients.
+/// Returns 1 + e and the divisor d = (s + a)(s + b)(s + c) of a duplication.
+///
+/// Let g = p + λ, α = p (a + b + c) + a b c and β = s g. Then the results are 2 β/(α + β) and α + β. Where products
+/// would be beyond the range of numbers, α/β is computed as a sum of quotients.
 fn elementary<S: SingleNumber>(arguments: &[S; 4], [a, b, c, s]: &[S; 4], g: S) -> (S, S) {
     let (a, b, c, s) = (*a, *b, *c, *s);
     let two = S::from_f64(2.0);
@@ -184,7 +190,7 @@ fn elementary<S: SingleNumber>(arguments: &[S; 4], [a, b, c, s]: &[S; 4], g: S) 
         return (two * beta / sum, sum);
     }
     let sizes = [a, b, c].map(Scalar::largest);
-    // The largest root is divided by s, and the product of the others by g, which is more than that.
+    // Divides the largest root by s, and the product of the others by g, which is larger than this product.
     let product = if sizes[0] >= sizes[1] && sizes[0] >= sizes[2] {
         b * c / g * (a / s)
     } else if sizes[1] >= sizes[2] {
@@ -196,9 +202,11 @@ fn elementary<S: SingleNumber>(arguments: &[S; 4], [a, b, c, s]: &[S; 4], g: S) 
     (two / one_and_quotient, one_and_quotient * s * g)
 }
 
-/// `R_J` where p is much larger than x, y and z: with the least of these as x, (p − x) `R_J`(p) = 3 `R_F` − 3 `R_C`(yz/x, pq/x) −
-/// (q − x) `R_J`(q), where (p − x)(q − x) = (y − x)(z − x), so that q is between x and a small part of the others. `R_F` is more than
-/// the other two terms.
+/// Computes `R_J` where p is much larger than x, y and z.
+///
+/// With the least of these as x, (p − x) `R_J`(p) = 3 `R_F` − 3 `R_C`(yz/x, pq/x) − (q − x) `R_J`(q), where (p − x)(q −
+/// x) = (y − x)(z − x), so that q lies between x and a small part of the others. `R_F` is larger than the other two
+/// terms.
 fn with_large_last<S: SingleNumber>([x, y, z]: [S; 3], p: S) -> S {
     let three = S::from_f64(3.0);
     let first = three * carlson_rf(x, y, z);
@@ -221,7 +229,7 @@ fn with_large_last<S: SingleNumber>([x, y, z]: [S; 3], p: S) -> S {
     leading - others * root / (p - x) * root * root
 }
 
-/// The root of the number, a power of four, by which `size` comes to three fifths of the exponents of the format.
+/// Returns the square root of the power of four by which `size` is scaled to three fifths of the exponent range.
 fn root_of_unit<S: SingleNumber>(size: f64) -> S {
     let exponent = |x: f64| libm::frexp(x).1;
     let target = exponent(S::min_positive().largest()) * -3 / 5;
@@ -242,7 +250,7 @@ fn ascending<S: SingleNumber>([x, y, z]: [S; 3]) -> [S; 3] {
     [x, y, z]
 }
 
-/// The Taylor polynomial of `R_J` in the distances of x, y and z from the mean, relative to it.
+/// Evaluates the Taylor polynomial of `R_J` in the relative distances of x, y and z from the mean.
 fn third_kind_near_mean<S: Scalar>(x: S, y: S, z: S) -> S {
     let p = -(x + y + z) * S::from_f64(0.5);
     let xyz = x * y * z;

@@ -1,8 +1,8 @@
-//! Jacobi's functions, and Legendre's integrals of the first and the third kind, of one modulus.
+//! Jacobi's functions, and Legendre's integrals of the first and the third kind, for a given modulus.
 //!
-//! Functions by the descending Landen transformation, with arithmetic-geometric means: R. Bulirsch, *Numerical calculation
-//! of elliptic integrals and elliptic functions*, Numer. Math. **7** (1965) 78–90, procedure sncndn; integrals by Carlson's
-//! symmetric ones: NIST Digital Library of Mathematical Functions, section 19.25(i).
+//! Functions by the descending Landen transformation, with arithmetic-geometric means: R. Bulirsch, *Numerical
+//! calculation of elliptic integrals and elliptic functions*, Numer. Math. **7** (1965) 78–90, procedure sncndn.
+//! Integrals by Carlson's symmetric integrals: NIST Digital Library of Mathematical Functions, section 19.25(i).
 
 use super::carlson::{carlson_rc, carlson_rf, carlson_rj};
 use crate::integrate::SingleNumber;
@@ -10,8 +10,8 @@ use crate::limits::elliptic::{MEANS, NEGATIVE_CHARACTERISTIC};
 
 /// The modulus k of elliptic functions, given by the parameter m = k² and its complement 1 − m.
 ///
-/// Both are given, since near m = 1 the complement has digits that 1 − m would lose: motions near a separatrix depend on
-/// its logarithm.
+/// Both are given because, near m = 1, computing 1 − m would lose digits of the complement, and motions near a
+/// separatrix depend on its logarithm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Modulus<S = f64> {
     parameter: S,
@@ -19,7 +19,8 @@ pub struct Modulus<S = f64> {
 }
 
 impl<S: SingleNumber> Modulus<S> {
-    /// The modulus of a parameter m and its complement 1 − m, both in \[0, 1\]. Outside, results are NaN.
+    /// Creates the modulus with a parameter m and its complement 1 − m, both in \[0, 1\]. Outside this range, results
+    /// are NaN.
     #[must_use]
     pub fn new(parameter: S, complement: S) -> Self {
         Self {
@@ -28,25 +29,25 @@ impl<S: SingleNumber> Modulus<S> {
         }
     }
 
-    /// m.
+    /// Returns m.
     #[must_use]
     pub fn parameter(&self) -> S {
         self.parameter
     }
 
-    /// 1 − m.
+    /// Returns 1 − m.
     #[must_use]
     pub fn complement(&self) -> S {
         self.complement
     }
 
-    /// Whether m = 1: the functions are hyperbolic and have no period.
+    /// Returns whether m = 1: the functions are hyperbolic and have no period.
     #[must_use]
     pub fn is_hyperbolic(&self) -> bool {
         self.complement.abs().largest() <= 0.0
     }
 
-    /// The complete integral of the first kind K(m): the quarter period of sn and cn, infinite for m = 1.
+    /// Returns the complete integral of the first kind K(m): the quarter period of sn and cn, infinite for m = 1.
     #[must_use]
     pub fn complete_first(&self) -> S {
         if self.is_hyperbolic() {
@@ -56,10 +57,12 @@ impl<S: SingleNumber> Modulus<S> {
         S::pi() / (means.last + means.last)
     }
 
-    /// The integral of the first kind F(φ|m) = ∫₀^φ dα/√(1 − m sin²α), for |φ| ≤ π, from the sine and the cosine of φ.
+    /// Returns the integral of the first kind F(φ|m) = ∫₀^φ dα/√(1 − m sin²α), for |φ| ≤ π, given the sine and the
+    /// cosine of φ.
     ///
-    /// It is smooth at ½π, where it is odd in the cosine, though the symmetric integral is not in the square of that: with
-    /// the first term, derivative parts of first and second order are right.
+    /// The result is smooth at φ = ½π: its deviation from the complete integral is odd in the cosine. The symmetric
+    /// integral is not smooth in the square of the cosine; with the first term of the expansion, derivative parts of
+    /// first and second order are correct.
     #[must_use]
     pub fn first(&self, sine: S, cosine: S) -> S {
         if cosine.abs().largest() <= 0.0 {
@@ -73,8 +76,8 @@ impl<S: SingleNumber> Modulus<S> {
         sine * carlson_rf(x, y, S::one())
     }
 
-    /// The integral of the third kind Π(n; φ|m) = ∫₀^φ dα/((1 − n sin²α)√(1 − m sin²α)), for |φ| ≤ π and n < 1, from the
-    /// sine and the cosine of φ.
+    /// Returns the integral of the third kind Π(n; φ|m) = ∫₀^φ dα/((1 − n sin²α)√(1 − m sin²α)), for |φ| ≤ π and n < 1,
+    /// given the sine and the cosine of φ.
     #[must_use]
     pub fn third(&self, characteristic: S, sine: S, cosine: S) -> S {
         if cosine.abs().largest() <= 0.0 {
@@ -95,7 +98,7 @@ impl<S: SingleNumber> Modulus<S> {
         self.first(sine, cosine) + square * sine * of_third * S::ratio(1.0, 3.0)
     }
 
-    /// The complete integral of the third kind Π(n|m), for n < 1; infinite for m = 1.
+    /// Returns the complete integral of the third kind Π(n|m), for n < 1; infinite for m = 1.
     #[must_use]
     pub fn complete_third(&self, characteristic: S) -> S {
         if self.is_hyperbolic() {
@@ -109,9 +112,10 @@ impl<S: SingleNumber> Modulus<S> {
         self.complete_first() + characteristic * of_third * S::ratio(1.0, 3.0)
     }
 
-    /// Π(n; φ|m)/sin φ for a negative n and 0 < φ ≤ ½π, a sum of terms of one sign: the integral `R_J` of p = 1 − n sin²φ, by that of
-    /// q = cos²φ + sin²φ (1 − m)/(1 − n) (NIST Digital Library of Mathematical Functions, 19.21.12). `x` and `y` are cos²φ and
-    /// 1 − m sin²φ.
+    /// Returns Π(n; φ|m)/sin φ for a negative n and 0 < φ ≤ ½π, as a sum of terms of one sign.
+    ///
+    /// The integral `R_J` with p = 1 − n sin²φ is expressed by `R_J` with q = cos²φ + sin²φ (1 − m)/(1 − n) (NIST
+    /// Digital Library of Mathematical Functions, 19.21.12). `x` and `y` are cos²φ and 1 − m sin²φ.
     fn third_of_negative(&self, n: S, [x, y]: [S; 2], square: S, cosine: S) -> S {
         let one = S::one();
         let divisor = one - n;
@@ -129,11 +133,13 @@ impl<S: SingleNumber> Modulus<S> {
         (of_first - n * of_third) / divisor
     }
 
-    /// Π(n; am(u + v)|m) − Π(n; am u|m), for n ≤ 0: with all digits however small v is, and for any number of half periods.
+    /// Returns Π(n; am(u + v)|m) − Π(n; am u|m), for n ≤ 0.
+    ///
+    /// The result has full accuracy however small v is, and v may contain any number of half periods.
     ///
     /// By the addition theorem: NIST Digital Library of Mathematical Functions, 19.11(i), with γ and δ multiplied by
-    /// sn²u sn²v sn²(u + v), where γ − δ is the square of 1 − n sn²w + n sn u sn v cn w dn w of w = u + v (P. F. Byrd and
-    /// M. D. Friedman, *Handbook of Elliptic Integrals for Engineers and Scientists*, 1971, 116.03).
+    /// sn²u sn²v sn²(u + v), where γ − δ is the square of 1 − n sn²w + n sn u sn v cn w dn w of w = u + v (P. F. Byrd
+    /// and M. D. Friedman, *Handbook of Elliptic Integrals for Engineers and Scientists*, 1971, 116.03).
     ///
     /// ```
     /// use lagrangian::elliptic::Modulus;
@@ -162,13 +168,13 @@ impl<S: SingleNumber> Modulus<S> {
         }
     }
 
-    /// cos²φ and 1 − m sin²φ, a sum of terms of one sign.
+    /// Returns cos²φ and 1 − m sin²φ, the latter as a sum of terms of one sign.
     fn arguments(&self, sine: S, cosine: S) -> [S; 2] {
         let square = cosine * cosine;
         [square, square + self.complement * sine * sine]
     }
 
-    /// The number j of half periods 2K, and u − 2 j K in \[−K, K\].
+    /// Returns the number j of half periods 2K, and u − 2 j K in \[−K, K\].
     #[must_use]
     pub fn reduced(&self, u: S) -> (f64, S) {
         if self.is_hyperbolic() {
@@ -179,7 +185,7 @@ impl<S: SingleNumber> Modulus<S> {
         (count, u - S::from_f64(count) * half_period)
     }
 
-    /// sn u, cn u and dn u.
+    /// Returns sn u, cn u and dn u.
     #[must_use]
     pub fn jacobi(&self, u: S) -> (S, S, S) {
         if self.is_hyperbolic() {
@@ -188,13 +194,13 @@ impl<S: SingleNumber> Modulus<S> {
         }
         let (half_periods, u) = self.reduced(u);
         let (sn, cn, dn) = Means::of(self).jacobi(u);
-        // Both change sign after a half period.
+        // sn and cn change sign after a half period.
         let odd = libm::fmod(half_periods, 2.0).abs() > 0.5;
         if odd { (-sn, -cn, dn) } else { (sn, cn, dn) }
     }
 }
 
-/// −1 below 0, else 1.
+/// Returns −1 below 0, and 1 otherwise.
 fn sign<S: SingleNumber>(x: S) -> S {
     if x.largest() < 0.0 {
         -S::one()
@@ -205,7 +211,7 @@ fn sign<S: SingleNumber>(x: S) -> S {
 
 /// The arithmetic-geometric means of 1 and √(1 − m).
 struct Means<S> {
-    /// Each pair of which a mean is taken.
+    /// The pairs whose means are taken.
     pairs: [[S; 2]; MEANS],
     count: usize,
     last: S,
@@ -222,7 +228,7 @@ impl<S: SingleNumber> Means<S> {
             count += 1;
             let difference = (a - b).abs().largest();
             (a, b) = ((a + b) * half, (a * b).sqrt());
-            // The next difference is of the order of the square of this one, and derivative parts are a step behind.
+            // The next difference is of the order of the square of this one, and derivative parts lag one step behind.
             if difference <= S::machine_epsilon() * a.abs().largest() {
                 break;
             }
@@ -234,8 +240,10 @@ impl<S: SingleNumber> Means<S> {
         }
     }
 
-    /// sn u, cn u and dn u for |u| ≤ K: from the cotangent of the amplitude of the last modulus, which is 0, to that of
-    /// the first. Nothing cancels, so that cn and dn have their digits where they are small.
+    /// Returns sn u, cn u and dn u for |u| ≤ K.
+    ///
+    /// The recursion proceeds from the cotangent of the amplitude for the last modulus, which is 0, to the cotangent
+    /// for the first. There is no cancellation, so that cn and dn are accurate where they are small.
     fn jacobi(&self, u: S) -> (S, S, S) {
         let (sine, cosine) = (u * self.last).sin_cos();
         if sine.abs().largest() <= 0.0 {

@@ -1,4 +1,4 @@
-//! Why parameters are not identified.
+//! The errors of the identification of parameters.
 
 use core::fmt;
 
@@ -6,26 +6,26 @@ use nalgebra::SVector;
 
 use crate::error_debug::debug_by_message;
 
-/// Why parameters are not identified.
+/// The reason why parameters were not identified.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum IdentificationError<const B: usize> {
-    /// There are not more equations than base parameters.
+    /// There are no more equations than base parameters.
     TooFewEquations {
-        /// How many there are.
+        /// The number of equations.
         equations: usize,
     },
     /// An equation contains a number that is not finite.
     NotFinite {
-        /// Which equation, counted from 0.
+        /// The index of the equation, counted from 0.
         equation: usize,
     },
-    /// The motion does not tell a combination of base parameters: it can change by any multiple of `direction` without a
-    /// change of the forces.
+    /// The motion does not determine a combination of base parameters: they can change by any multiple of `direction`
+    /// without a change of the forces.
     PoorExcitation {
-        /// A change of the base parameters that is not seen, relative to their scales; its largest component is 1.
+        /// A change of the base parameters that has no effect, relative to their scales; its largest component is 1.
         direction: SVector<f64, B>,
-        /// The base parameters.
+        /// The names of the base parameters.
         names: [&'static str; B],
         /// The condition number of the scaled regressor.
         condition_number: f64,

@@ -1,7 +1,8 @@
-//! Linear least squares by orthogonal transformations (Golub, Numerical methods for solving linear least squares problems,
-//! 1965), one equation at a time: the triangular factor R of Y is updated by Givens rotations (Gentleman, Least squares
-//! computations by Givens transformations without square roots, 1973; Bierman, Factorization Methods for Discrete
-//! Sequential Estimation, 1977).
+//! Linear least squares by orthogonal transformations, one equation at a time.
+//!
+//! The triangular factor R of Y (Golub, Numerical methods for solving linear least squares problems, 1965) is updated
+//! by Givens rotations (Gentleman, Least squares computations by Givens transformations without square roots, 1973;
+//! Bierman, Factorization Methods for Discrete Sequential Estimation, 1977).
 
 use nalgebra::{SMatrix, SVector};
 
@@ -12,7 +13,7 @@ use crate::limits::MAX_CONDITION_NUMBER;
 use crate::model::{Lagrangian, Regressor, State};
 use crate::scalar::Scalar;
 
-/// Equations for the base parameters of a model, gathered from measurements.
+/// Equations for the base parameters of a model, accumulated from measurements.
 ///
 /// ```
 /// use lagrangian::identification::Identification;
@@ -51,9 +52,9 @@ pub struct Identification<const B: usize> {
     largest_condition_number: f64,
     /// The upper triangular factor R of Y.
     factor: SMatrix<f64, B, B>,
-    /// Qᵀ (τ − r), of which the first components belong to R.
+    /// Qᵀ (τ − r), whose first components belong to R.
     right: SVector<f64, B>,
-    /// The squares of the others.
+    /// The sum of the squares of the other components.
     residual: f64,
     equations: usize,
     /// The first equation with a number that is not finite.
@@ -61,7 +62,8 @@ pub struct Identification<const B: usize> {
 }
 
 impl<const B: usize> Identification<B> {
-    /// Without equations, for base parameters of these names: [`Regressor::BASE_PARAMETERS`].
+    /// Creates an identification without equations, for base parameters with these names:
+    /// [`Regressor::BASE_PARAMETERS`].
     #[must_use]
     pub fn new(names: [&'static str; B]) -> Self {
         Self {
@@ -75,15 +77,15 @@ impl<const B: usize> Identification<B> {
         }
     }
 
-    /// The same with another condition number above which a combination of parameters counts as not excited, 10⁸ by
-    /// default.
+    /// Sets the condition number above which a combination of parameters counts as not excited; 10⁸ by default.
     #[must_use]
     pub const fn with_largest_condition_number(mut self, number: f64) -> Self {
         self.largest_condition_number = number;
         self
     }
 
-    /// Adds the equations Y π = τ − r of one instant, at which the forces τ act besides those that the model has.
+    /// Adds the equations Y π = τ − r of one instant, where τ are the forces that act in addition to those of the
+    /// model.
     pub fn add<M, const N: usize>(
         &mut self,
         model: &M,
@@ -96,7 +98,7 @@ impl<const B: usize> Identification<B> {
         self.add_weighted(model, state, accelerations, forces, &SVector::repeat(1.0));
     }
 
-    /// The same where the measured forces have these standard deviations: each equation is divided by its own.
+    /// Adds the equations of one instant, each divided by the standard deviation of its measured force.
     pub fn add_weighted<M, const N: usize>(
         &mut self,
         model: &M,
@@ -139,11 +141,11 @@ impl<const B: usize> Identification<B> {
         self.residual += right * right;
     }
 
-    /// The base parameters for which the squares of the residuals are least.
+    /// Returns the base parameters that minimize the sum of the squares of the residuals.
     ///
     /// # Errors
     ///
-    /// There are too few equations, one is not finite, or the motion does not excite all base parameters.
+    /// If there are too few equations, if one is not finite, or if the motion does not excite all base parameters.
     pub fn solve(&self) -> Result<Identified<B>, IdentificationError<B>> {
         if let Some(equation) = self.not_finite {
             return Err(IdentificationError::NotFinite { equation });
@@ -152,7 +154,7 @@ impl<const B: usize> Identification<B> {
         if equations <= B {
             return Err(IdentificationError::TooFewEquations { equations });
         }
-        // Columns of length 1 have nearly the least condition number (van der Sluis 1969).
+        // Columns of length 1 nearly minimize the condition number (van der Sluis 1969).
         let scales = SVector::<f64, B>::from_fn(|j, _| match self.factor.column(j).norm() {
             0.0 => 1.0,
             length => 1.0 / length,
@@ -163,7 +165,7 @@ impl<const B: usize> Identification<B> {
         let smallest = position_of(&values, |one, least| one < least);
         let largest = position_of(&values, |one, most| one > most);
         let condition_number = values[largest] / values[smallest];
-        // A quotient that is not a number is too large, too.
+        // NaN counts as too large.
         if condition_number.is_nan() || condition_number > self.largest_condition_number {
             let direction = decomposition.right.column(smallest).into_owned();
             return Err(IdentificationError::PoorExcitation {
@@ -193,7 +195,7 @@ impl<const B: usize> Identification<B> {
     }
 }
 
-/// √(x² + y²), where the squares may overflow or vanish.
+/// Returns √(x² + y²), even where the squares overflow or underflow.
 fn length(x: f64, y: f64) -> f64 {
     let (most, least) = (x.abs().max(y.abs()), x.abs().min(y.abs()));
     if most == 0.0 {
@@ -203,7 +205,7 @@ fn length(x: f64, y: f64) -> f64 {
     most * Scalar::sqrt(1.0 + ratio * ratio)
 }
 
-/// The position of the component that comes before all others.
+/// Returns the position of the component that comes before all others.
 fn position_of<const B: usize>(vector: &SVector<f64, B>, before: fn(f64, f64) -> bool) -> usize {
     let mut position = 0;
     for (i, component) in vector.iter().enumerate() {

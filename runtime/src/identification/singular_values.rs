@@ -1,13 +1,13 @@
-//! Singular values by one-sided Jacobi rotations (Hestenes, Inversion of matrices by biorthogonalization, 1958; Golub and
-//! Van Loan, Matrix Computations, 4th edition 2013, section 8.6.3), which finds small ones to high relative accuracy
-//! (Demmel and Veselić, Jacobi's method is more accurate than QR, 1992).
+//! Singular values by one-sided Jacobi rotations (Hestenes, Inversion of matrices by biorthogonalization, 1958; Golub
+//! and Van Loan, Matrix Computations, 4th edition 2013, section 8.6.3), which determine small ones with high relative
+//! accuracy (Demmel and Veselić, Jacobi's method is more accurate than QR, 1992).
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::limits::JACOBI_SWEEPS;
 use crate::scalar::Scalar;
 
-/// A V = U Σ of a square matrix A: U Σ column by column, and V.
+/// The decomposition A V = U Σ of a square matrix A: the columns of U Σ, and V.
 pub(super) struct SingularValues<const B: usize> {
     pub(super) products: SMatrix<f64, B, B>,
     pub(super) right: SMatrix<f64, B, B>,
@@ -33,12 +33,12 @@ impl<const B: usize> SingularValues<B> {
         found
     }
 
-    /// The singular values, in no order.
+    /// Returns the singular values, in no particular order.
     pub(super) fn values(&self) -> SVector<f64, B> {
         SVector::from_fn(|i, _| self.products.column(i).norm())
     }
 
-    /// Makes two columns orthogonal, and says whether they were not.
+    /// Makes two columns orthogonal, and returns whether a rotation was necessary.
     fn rotate(&mut self, i: usize, j: usize) -> bool {
         let (first, second) = (self.products.column(i), self.products.column(j));
         let (a, b, c) = (
@@ -77,7 +77,7 @@ mod tests {
         let gram = found.products.transpose() * found.products;
         let values = found.values();
         assert!((gram - SMatrix::from_diagonal(&values.component_mul(&values))).norm() < 1e-13);
-        // The determinant is the product of the singular values, of which one is tiny.
+        // The determinant is the product of the singular values, one of which is tiny.
         assert!((values.product() / 2e-9 - 1.0).abs() < 1e-6, "{values}");
     }
 }

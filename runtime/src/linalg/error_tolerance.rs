@@ -1,21 +1,21 @@
-//! The errors that are allowed in the components of a state.
+//! Error tolerances for the components of a state.
 
 use crate::scalar::Scalar;
 
-/// The tolerances of the error of a step, from which the error that is allowed in each component follows
+/// The error tolerances of a step, which determine the allowed error of each component
 /// ([`Dynamics::allowed_error`](crate::Dynamics::allowed_error)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorTolerance<S = f64> {
     /// The tolerance relative to the size of a component.
     pub relative: f64,
-    /// The tolerance of a coordinate, in its units.
+    /// The absolute tolerance of a coordinate, in its units.
     pub absolute: f64,
-    /// That of a velocity is `absolute` times this, 1 over the time in which the motion goes on.
+    /// The ratio of a velocity's absolute tolerance to `absolute`: 1 over the time scale of the motion.
     pub rate: S,
 }
 
 impl<S> ErrorTolerance<S> {
-    /// The tolerance of derivative parts relative to the tangent vector of which they are components.
+    /// Returns the tolerance of derivative parts, relative to the tangent vector that they belong to.
     pub(crate) fn of_derivatives(&self) -> f64 {
         if self.relative > 0.0 {
             self.relative
@@ -26,14 +26,14 @@ impl<S> ErrorTolerance<S> {
 }
 
 impl<S: Scalar> ErrorTolerance<S> {
-    /// The error that is allowed for a coordinate of a size: absolute + relative · size.
+    /// Returns the allowed error of a coordinate of a given size: absolute + relative · size.
     #[inline]
     #[must_use]
     pub fn of_coordinate(&self, size: S) -> S {
         S::from_f64(self.absolute) + S::from_f64(self.relative) * size
     }
 
-    /// The error that is allowed for a velocity of a size: absolute · rate + relative · size.
+    /// Returns the allowed error of a velocity of a given size: absolute · rate + relative · size.
     #[inline]
     #[must_use]
     pub fn of_velocity(&self, size: S) -> S {

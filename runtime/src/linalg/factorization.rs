@@ -1,10 +1,10 @@
 //! Factorization of the mass matrix, to solve M q̈ = f for the accelerations.
 //!
-//! Input: the symmetric mass matrix. Output: solutions for any number of right-hand sides, and
-//! an estimate of the accuracy. A positive definite M is factored as L D Lᵀ without pivoting, which
-//! is stable (N. J. Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition (2002), chapter 10). An
-//! indefinite regular M, as that of L = ẋ ẏ, takes a cold path with pivoting (`pivoting.rs`). A
-//! singular M gives values that are not finite, and no panic. SIMD lanes do not depend on each other.
+//! The input is the symmetric mass matrix; the output consists of solutions for any number of right-hand sides, and an
+//! estimate of their accuracy. A positive definite M is factored as L D Lᵀ without pivoting, which is stable (N. J.
+//! Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition (2002), chapter 10). An indefinite regular M,
+//! for example of L = ẋ ẏ, takes a cold path with pivoting (`pivoting.rs`). A singular M gives values that are not
+//! finite, but does not panic. SIMD lanes do not depend on each other.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -16,12 +16,11 @@ use crate::scalar::Scalar;
 /// A factored mass matrix.
 #[derive(Clone, Copy, Debug)]
 pub struct Factorization<S: Scalar, const N: usize> {
-    /// Below the diagonal the unit lower triangular factor L; above it U of the cold path.
+    /// The unit lower triangular factor L below the diagonal; above it, U of the cold path.
     factors: SMatrix<S, N, N>,
     /// The reciprocals of the pivots.
     reciprocals: SVector<S, N>,
-    /// In lanes that are positive definite, each pivot over the diagonal entry of M; 0 in
-    /// the others.
+    /// The ratio of each pivot to the diagonal entry of M in positive definite lanes; 0 in the others.
     relative_pivots: SVector<S, N>,
     kind: Kind<S, N>,
 }
@@ -36,7 +35,7 @@ enum Kind<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Factorization<S, N> {
-    /// Factors the symmetric matrix `mass`, of which only the lower triangle is read.
+    /// Factors the symmetric matrix `mass`, whose lower triangle alone is read.
     #[inline]
     #[must_use]
     pub fn new(mass: SMatrix<S, N, N>) -> Self {
@@ -77,7 +76,7 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         }
     }
 
-    /// The cold path, if M is not positive definite in every lane.
+    /// Factors M with pivoting, on the cold path for an M that is not positive definite in every lane.
     #[cold]
     #[inline(never)]
     fn with_pivoting(&self, lower: &SMatrix<S, N, N>) -> Self {
@@ -97,9 +96,11 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         }
     }
 
-    /// For each coordinate, a measure of the conditioning of M: for a positive definite matrix the pivot over the
-    /// diagonal entry, for another one the reciprocal of (|M⁻¹| |M|)ᵢᵢ (Bauer, 1963). NaN
-    /// or 0 if M is singular. Neither depends on the units of the coordinates.
+    /// Returns a measure of the conditioning of M for each coordinate.
+    ///
+    /// For a positive definite matrix it is the ratio of the pivot to the diagonal entry, otherwise the reciprocal of
+    /// (|M⁻¹| |M|)ᵢᵢ (Bauer, 1963). It is NaN or 0 if M is singular. Neither measure depends on the units of the
+    /// coordinates.
     #[inline]
     #[must_use]
     pub fn relative_pivots(&self) -> SVector<S, N> {
@@ -118,7 +119,7 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         self.relative_pivots.select(conditions, definite)
     }
 
-    /// The solutions X of M X = B, column by column.
+    /// Returns the solutions X of M X = B, column by column.
     #[inline]
     #[must_use]
     pub fn solve<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
@@ -143,7 +144,7 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         x
     }
 
-    /// Solves for `W` columns at once, from column `first` on.
+    /// Solves for `W` columns at once, starting at column `first`.
     #[inline]
     fn solve_columns<const K: usize, const W: usize>(
         &self,
@@ -183,7 +184,7 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     }
 }
 
-/// row −= factor · other.
+/// Computes row −= factor · other.
 #[inline]
 fn subtract<S: Scalar, const W: usize>(row: &mut [S; W], factor: S, other: [S; W]) {
     for (entry, other) in row.iter_mut().zip(other) {

@@ -4,7 +4,8 @@ use nalgebra::SVector;
 
 use crate::scalar::Scalar;
 
-/// `K` numbers: an `SVector<S, K>`, an array `[S; K]`, or a number if `K` is 1.
+/// A type that can be converted to a vector of `K` numbers: an `SVector<S, K>`, an array `[S; K]`, or a single number
+/// if `K` is 1.
 ///
 /// ```
 /// use lagrangian::IntoVector;
@@ -26,7 +27,7 @@ use crate::scalar::Scalar;
             as a pair"
 )]
 pub trait IntoVector<S: Scalar, const K: usize> {
-    /// The vector of these numbers.
+    /// Returns the vector of these numbers.
     fn into_vector(self) -> SVector<S, K>;
 }
 

@@ -1,45 +1,45 @@
-//! Branch-free selection, lane by lane, as with the masks of SIMD instructions.
+//! Branch-free selection, lane by lane, like the masks of SIMD instructions.
 //!
-//! The lanes of a [`Scalar`] may need different branches, and a scalar cannot be asked which lane needs which.
-//! A mask is therefore a scalar itself, 1 in the lanes where a condition holds and 0 in the others, and the value
-//! that is not selected is removed by arithmetic, also where it is not finite.
+//! The lanes of a [`Scalar`] may need different branches, but a scalar cannot be asked which lane needs which branch. A
+//! mask is therefore a scalar itself, 1 in the lanes where a condition holds and 0 in the others. The value that is not
+//! selected is removed by arithmetic, even where it is not finite.
 
 use nalgebra::SMatrix;
 
 use crate::scalar::Scalar;
 
-/// The mask of left > right.
+/// Returns the mask of left > right.
 #[inline]
 pub(crate) fn greater<S: Scalar>(left: S, right: S) -> S {
     (left - right).signum().max(S::zero())
 }
 
-/// The mask of x = 0.
+/// Returns the mask of x = 0.
 #[inline]
 pub(crate) fn is_zero<S: Scalar>(x: S) -> S {
     S::one() - x.signum().abs()
 }
 
-/// x, or 1 where it is zero, so that it can be divided by.
+/// Returns x, or 1 where x is zero, so that it can be used as a divisor.
 #[inline]
 pub(crate) fn one_if_zero<S: Scalar>(x: S) -> S {
     x + is_zero(x)
 }
 
-/// An index as a scalar, of which lanes can have different values.
+/// Returns an index as a scalar, whose lanes may later have different values.
 #[inline]
 pub(crate) fn from_index<S: Scalar>(index: usize) -> S {
     (0..index).fold(S::zero(), |number, _| number + S::one())
 }
 
-/// What can be selected lane by lane.
+/// A value that can be selected lane by lane.
 pub trait LaneSelect<S: Scalar>: Sized {
-    /// This value in the lanes where the mask is 1, `other` where it is 0.
+    /// Returns `self` in the lanes where the mask is 1, and `other` where it is 0.
     #[must_use]
     fn select(self, other: Self, mask: S) -> Self;
 }
 
-/// One of two values where all lanes agree; their blend where they do not.
+/// Returns one of two values if all lanes agree, and their blend if they do not.
 #[inline]
 fn select_or_blend<S: Scalar, T>(first: T, other: T, mask: S, blend: impl FnOnce(T, T) -> T) -> T {
     if mask.largest() <= 0.0 {

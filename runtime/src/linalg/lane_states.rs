@@ -20,15 +20,15 @@ pub trait LaneStates<const L: usize>: VectorSpace<Lanes<L>> {
     /// The state of one motion.
     type Lane: VectorSpace<f64>;
 
-    /// The same state in every lane.
+    /// Returns this state in every lane.
     #[must_use]
     fn broadcast(state: &Self::Lane) -> Self;
 
-    /// The state in a lane; NaN if there is no such lane.
+    /// Returns the state in a lane; NaN if there is no such lane.
     #[must_use]
     fn lane(&self, lane: usize) -> Self::Lane;
 
-    /// Sets the state in a lane; nothing if there is no such lane.
+    /// Sets the state in a lane; does nothing if there is no such lane.
     fn set_lane(&mut self, lane: usize, state: &Self::Lane);
 }
 

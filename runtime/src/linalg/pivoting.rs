@@ -1,21 +1,21 @@
 //! LU factorization with scaled partial pivoting, for a mass matrix that is not positive definite.
 //!
-//! P M = L U, with the row interchanges of each SIMD lane on its own: the result of a lane does not depend on the
-//! others. Golub & Van Loan, *Matrix Computations*, 4th edition (2013), 3.4. Rows are compared by their entries over
-//! the largest entry that they had, so that the choice of the pivot does not depend on the units of the rows.
+//! P M = L U, with separate row interchanges for each SIMD lane, so that the result of a lane does not depend on the
+//! others. Golub & Van Loan, *Matrix Computations*, 4th edition (2013), 3.4. Each row is scaled by its largest original
+//! entry in the comparison, so that the choice of the pivot does not depend on the units of the rows.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::lane_select::{from_index, greater, is_zero, one_if_zero, swap_rows};
 use crate::scalar::Scalar;
 
-/// P M = L U.
+/// The factorization P M = L U.
 pub(crate) struct PivotedLu<S: Scalar, const N: usize> {
-    /// Below the diagonal the unit lower factor L, above it U.
+    /// The unit lower triangular factor L below the diagonal; U above it.
     pub(crate) factors: SMatrix<S, N, N>,
     /// The reciprocals of the diagonal of U; infinite where the matrix is singular.
     pub(crate) reciprocals: SVector<S, N>,
-    /// The row with which each row is interchanged, in order: one below it, or itself.
+    /// The index of the row with which each row is interchanged, in order: a row below it, or the row itself.
     pub(crate) interchanges: SVector<S, N>,
 }
 
@@ -57,7 +57,7 @@ impl<S: Scalar, const N: usize> PivotedLu<S, N> {
     }
 }
 
-/// The pivot row: the row from j on with the largest scaled entry in column j.
+/// Returns the index of the pivot row: the row from j on with the largest scaled entry in column j.
 fn pivot_row<S: Scalar, const N: usize>(
     factors: &SMatrix<S, N, N>,
     scales: &SVector<S, N>,
@@ -74,7 +74,7 @@ fn pivot_row<S: Scalar, const N: usize>(
     row
 }
 
-/// The solution of M X = B from the factors.
+/// Returns the solution of M X = B, given the factors.
 pub(crate) fn solve<S: Scalar, const N: usize, const K: usize>(
     factors: &SMatrix<S, N, N>,
     reciprocals: &SVector<S, N>,
@@ -114,13 +114,12 @@ fn substitute<S: Scalar, const N: usize, const K: usize>(
     }
 }
 
-/// For each unknown the reciprocal of (|M⁻¹| |M|)ᵢᵢ, which is between 0 and 1; 0 where M is singular to
-/// working precision.
+/// Returns for each unknown the reciprocal of (|M⁻¹| |M|)ᵢᵢ, which is between 0 and 1; 0 where M is singular to working
+/// precision.
 ///
-/// (|M⁻¹| |M|)ᵢᵢ bounds from below the factor by which relative errors of the entries of M grow, whatever the units of
-/// the coordinates are:
-/// F. L. Bauer, *Optimally scaled matrices*, Numer. Math. **5** (1963) 73–87; N. J. Higham, *Accuracy and Stability of
-/// Numerical Algorithms*, 2nd edition (2002), 7.2. The product does not depend on row interchanges.
+/// (|M⁻¹| |M|)ᵢᵢ is a lower bound for the amplification of relative errors of the entries of M, whatever the units of
+/// the coordinates: F. L. Bauer, *Optimally scaled matrices*, Numer. Math. **5** (1963) 73–87; N. J. Higham, *Accuracy
+/// and Stability of Numerical Algorithms*, 2nd edition (2002), 7.2. The product does not depend on row interchanges.
 pub(crate) fn reciprocal_conditions<S: Scalar, const N: usize>(
     factors: &SMatrix<S, N, N>,
 ) -> SVector<S, N> {
@@ -137,7 +136,7 @@ pub(crate) fn reciprocal_conditions<S: Scalar, const N: usize>(
     let finite = SVector::from_fn(|i, _| {
         let row = product.row(i);
         let scale = row.iter().fold(S::zero(), |most, x| most.max(x.abs()));
-        // A tiny pivot in place of zero, so that the singular unknowns can be identified.
+        // A tiny pivot replaces zero, so that the singular unknowns can be identified.
         let small = epsilon * epsilon * one_if_zero(scale);
         let pivot = factors[(i, i)];
         S::one() / (pivot + is_zero(pivot) * small)
@@ -148,7 +147,7 @@ pub(crate) fn reciprocal_conditions<S: Scalar, const N: usize>(
         let growth = (0..N).fold(S::zero(), |sum, k| {
             sum + (inverse[(i, k)] * product[(k, i)]).abs()
         });
-        // The sum is at least 1 in exact arithmetic; less than ½ means that rounding has replaced the row.
+        // In exact arithmetic the sum is at least 1; a sum below ½ means that the row consists of rounding errors.
         let regular = greater(growth, S::from_f64(0.5)) * greater(S::one(), epsilon * growth);
         regular / one_if_zero(growth)
     })

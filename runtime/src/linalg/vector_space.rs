@@ -1,8 +1,8 @@
 //! The vector space of states.
 //!
-//! An explicit method adds multiples of derivatives to a state, and compares the components with
-//! a tolerance. It needs nothing else, so that coordinates and velocities, Euler's equations with a
-//! quaternion or a plain vector are integrated by the same code.
+//! An explicit method adds multiples of derivatives to a state, and compares the components with a tolerance. It needs
+//! nothing else. One implementation therefore integrates coordinates and velocities, Euler's equations with a
+//! quaternion, or a plain vector.
 
 use nalgebra::SVector;
 
@@ -23,11 +23,12 @@ pub trait VectorSpace<S: Scalar>: Clone {
     /// Adds `factor · other` to this state (axpy).
     fn add_scaled(&mut self, factor: S, other: &Self);
 
-    /// The state whose components are `function` of the components of this one, which is called in their order.
+    /// Returns the state whose components are `function` of the components of this state; `function` is called in their
+    /// order.
     #[must_use]
     fn map(&self, function: impl FnMut(S) -> S) -> Self;
 
-    /// The state whose components are `function` of those of this one and of another one.
+    /// Returns the state whose components are `function` of the components of this state and of another one.
     #[inline]
     #[must_use]
     fn zip_map(&self, other: &Self, mut function: impl FnMut(S, S) -> S) -> Self {
@@ -35,10 +36,10 @@ pub trait VectorSpace<S: Scalar>: Clone {
         self.map(|component| function(component, others.next().unwrap_or(S::zero())))
     }
 
-    /// The components, in an order that never changes.
+    /// Returns the components, in a fixed order.
     fn components(&self) -> impl Iterator<Item = S> + '_;
 
-    /// Adds multiples of this state to sums. Each term is the index of a sum and a factor.
+    /// Adds multiples of this state to sums; each term is the index of a sum and a factor.
     #[inline]
     fn add_multiples(&self, terms: &[(usize, f64)], sums: &mut [Self]) {
         for (index, factor) in terms {
@@ -48,13 +49,13 @@ pub trait VectorSpace<S: Scalar>: Clone {
         }
     }
 
-    /// What comes of a value by `function` of it and of each component in turn.
+    /// Folds the components into a value by `function`, starting from `start`.
     #[inline]
     fn fold<T>(&self, start: T, function: impl FnMut(T, S) -> T) -> T {
         self.components().fold(start, function)
     }
 
-    /// The error of a step that is allowed in each component: absolute + relative · |xᵢ| by default. A state with
+    /// Returns the allowed error of a step in each component: absolute + relative · |xᵢ| by default. A state with
     /// velocities allows absolute · rate + relative · |q̇ᵢ| for them.
     #[inline]
     #[must_use]
@@ -62,8 +63,10 @@ pub trait VectorSpace<S: Scalar>: Clone {
         self.map(|component| tolerance.of_coordinate(component.abs()))
     }
 
-    /// Of a derivative: 1 over the time in which coordinates change by `sizes`, the largest of |q̇ᵢ|/sᵢ and √(|q̈ᵢ|/sᵢ).
-    /// None for a state without velocities, of which the unit of time counts as natural.
+    /// Returns, for a derivative, the inverse of the time in which coordinates change by `sizes`: the largest of
+    /// |q̇ᵢ|/sᵢ and √(|q̈ᵢ|/sᵢ).
+    ///
+    /// Returns `None` for a state without velocities, for which the unit of time counts as its natural scale.
     #[inline]
     #[must_use]
     fn rate(&self, sizes: &Self) -> Option<S> {
@@ -71,18 +74,18 @@ pub trait VectorSpace<S: Scalar>: Clone {
         None
     }
 
-    /// The origin of the space.
+    /// Returns the origin of the space.
     #[inline]
     #[must_use]
     fn zeroed(&self) -> Self {
         self.map(|_| S::zero())
     }
 
-    /// The index and the value of the first component that is not finite.
+    /// Returns the index and the value of the first component that is not finite.
     #[inline]
     #[must_use]
     fn first_non_finite(&self) -> Option<(usize, S)> {
-        // Mostly there is none: a sum without branches tells.
+        // In most cases there is none, which a sum without branches shows.
         let zero = self.fold(S::zero(), |sum, component| {
             component.mul_add(S::zero(), sum)
         });
@@ -119,7 +122,7 @@ impl<S: Scalar, const D: usize> VectorSpace<S> for SVector<S, D> {
     }
 }
 
-/// Nothing: the space of dimension 0.
+/// The vector space of dimension 0.
 impl<S: Scalar> VectorSpace<S> for () {
     #[inline]
     fn add_scaled(&mut self, _: S, (): &Self) {}

@@ -1,10 +1,10 @@
-//! Matrices of models with many coordinates, column by column, so that no code is as long as they are large.
+//! Matrices of models with many coordinates, column by column, so that the code does not grow with the matrices.
 //!
-//! The columns of M are the momenta at unit velocities, as they are the generalized forces at unit accelerations in method 1 of
-//! M. W. Walker and D. E. Orin, Efficient dynamic computer simulation of robotic mechanisms, J. Dyn. Sys. Meas. Control
-//! **104** (1982) 205–211; momenta cost less. The derivatives of q̈ solve M δq̈ = −δ(M q̈ − f) at fixed q̈ (J. Carpentier and N.
-//! Mansard, Analytical derivatives of rigid body dynamics algorithms, RSS 2018), with the inverse dynamics on
-//! [dual numbers](Dual).
+//! The columns of M are the momenta at unit velocities. Method 1 of M. W. Walker and D. E. Orin, Efficient dynamic
+//! computer simulation of robotic mechanisms, J. Dyn. Sys. Meas. Control **104** (1982) 205–211 takes the generalized
+//! forces at unit accelerations instead, but momenta cost less. The derivatives of q̈ solve M δq̈ = −δ(M q̈ − f) at
+//! fixed q̈ (J. Carpentier and N. Mansard, Analytical derivatives of rigid body dynamics algorithms, RSS 2018), with
+//! the inverse dynamics evaluated on [dual numbers](Dual).
 
 use nalgebra::{SMatrix, SVector};
 
@@ -13,7 +13,7 @@ use super::state::State;
 use crate::linalg::Factorization;
 use crate::scalar::{Dual, Scalar};
 
-/// M at a state, from the momenta, which are of first degree in the velocities.
+/// Returns M at a state, given the momenta, which are of first degree in the velocities.
 pub fn mass_matrix_by_columns<S: Scalar, const N: usize>(
     state: &State<S, N>,
     momenta: impl Fn(&State<S, N>) -> SVector<S, N>,
@@ -33,7 +33,7 @@ pub fn mass_matrix_by_columns<S: Scalar, const N: usize>(
     mass
 }
 
-/// The derivatives of q̈ by q, by q̇ and by t, from M q̈ − f on dual numbers and the factors of M.
+/// Returns the derivatives of q̈ by q, q̇ and t, given M q̈ − f on dual numbers and the factors of M.
 pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
     state: &State<S, N>,
     accelerations: &SVector<S, N>,
@@ -71,7 +71,7 @@ pub fn linearization_by_columns<S: Scalar, const N: usize, const D: usize>(
     }
 }
 
-/// The derivatives of q̈ by the inputs, from M q̈ − f on dual numbers and the factors of M.
+/// Returns the derivatives of q̈ by the inputs, given M q̈ − f on dual numbers and the factors of M.
 pub fn input_jacobian_by_columns<S: Scalar, const N: usize, const U: usize, const D: usize>(
     inputs: &SVector<S, U>,
     factors: &Factorization<S, N>,
@@ -90,14 +90,14 @@ pub fn input_jacobian_by_columns<S: Scalar, const N: usize, const U: usize, cons
     factors.solve(&found)
 }
 
-/// A vector that does not vary, on dual numbers.
+/// Returns a constant vector on dual numbers.
 pub fn constants<S: Scalar, const K: usize, const D: usize>(
     values: &SVector<S, K>,
 ) -> SVector<Dual<S, D>, K> {
     values.map(Dual::constant)
 }
 
-/// A state that does not vary, on dual numbers.
+/// Returns a constant state on dual numbers.
 pub fn constant_state<S: Scalar, const N: usize, const D: usize>(
     state: &State<S, N>,
 ) -> State<Dual<S, D>, N> {

@@ -1,4 +1,4 @@
-//! Hamilton's equations of a model, as an integrator sees them.
+//! Hamilton's equations of a model, in the form that an integrator uses.
 
 use nalgebra::SVector;
 
@@ -11,10 +11,11 @@ use crate::integrate::{At, ComponentName, Dynamics, Singularity};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
-/// Hamilton's equations q̇ = ∂H/∂p, ṗ = −∂H/∂q + Q of a model, made by
-/// [`canonical_equations`](crate::Lagrangian::canonical_equations). Every method that needs derivatives alone integrates them.
+/// Hamilton's equations q̇ = ∂H/∂p, ṗ = −∂H/∂q + Q of a model, constructed by
+/// [`canonical_equations`](crate::Lagrangian::canonical_equations).
 ///
-/// Where there are no velocities for the momenta, derivatives are not numbers, and the integration ends with an error.
+/// Every method that needs only derivatives integrates them. Where no velocities belong to the momenta, the derivatives
+/// are NaN, and the integration ends with an error.
 #[derive(Debug)]
 pub struct CanonicalEquations<'a, M, S, const N: usize>
 where
@@ -39,11 +40,11 @@ where
         }
     }
 
-    /// The coordinates and momenta of a state, at its time: an initial value.
+    /// Returns the coordinates and momenta of a state, at its time: an initial value.
     pub fn canonical(&self, state: &State<S, N>) -> At<f64, CanonicalPhase<S, N>> {
         let (least, most) = (state.t.smallest(), state.t.largest());
         At {
-            // The time is that of all lanes, and NaN if they differ.
+            // All lanes have one time; it is NaN if they differ.
             t: if least < most { f64::NAN } else { least },
             x: CanonicalPhase {
                 q: state.q,
@@ -52,11 +53,11 @@ where
         }
     }
 
-    /// The state with the velocities that belong to the momenta.
+    /// Returns the state with the velocities that belong to the momenta.
     ///
     /// # Errors
     ///
-    /// [`NoVelocities`] where there are none.
+    /// [`NoVelocities`], if there are no such velocities.
     pub fn state(&self, t: f64, phase: &CanonicalPhase<S, N>) -> Result<State<S, N>, NoVelocities> {
         let t = S::from_f64(t);
         let v = legendre::velocities(self.model, &self.prepared, t, phase)?;
@@ -83,7 +84,7 @@ where
         }
     }
 
-    /// That of an angle is relative to 1: whole turns do not matter.
+    /// Returns the allowed errors; for an angle, the size is 1, since whole turns do not matter.
     fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
         let mut sizes = *x;
         for (size, is_angle) in sizes.q.iter_mut().zip(M::ANGLES) {

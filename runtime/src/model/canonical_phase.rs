@@ -5,10 +5,10 @@ use nalgebra::SVector;
 use crate::linalg::{IntoVector, LaneStates, VectorSpace};
 use crate::scalar::{Lanes, Scalar};
 
-/// Coordinates q and momenta p of a system with `N` degrees of freedom: the state of
-/// [Hamilton's equations](crate::CanonicalEquations).
+/// Coordinates q and momenta p of a system with `N` degrees of freedom: the state of [Hamilton's
+/// equations](crate::CanonicalEquations).
 ///
-/// As a derivative, `q` holds q̇ and `p` holds ṗ. Its components are the coordinates, then the momenta.
+/// In a derivative, `q` holds q̇ and `p` holds ṗ. The components are the coordinates, then the momenta.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -26,7 +26,7 @@ pub struct CanonicalPhase<S: Scalar, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> CanonicalPhase<S, N> {
-    /// The phase of these coordinates and momenta, arrays or vectors.
+    /// Creates a phase from coordinates and momenta, given as arrays or vectors.
     pub fn new(q: impl IntoVector<S, N>, p: impl IntoVector<S, N>) -> Self {
         Self {
             q: q.into_vector(),

@@ -1,5 +1,6 @@
-//! Constants of motion that follow from the declaration (Goldstein, Poole and Safko, Classical Mechanics, 3rd edition
-//! 2002, sections 2.6 and 2.7), and their changes along a motion.
+//! Constants of motion that follow from the declaration, and their changes along a motion.
+//!
+//! Goldstein, Poole and Safko, Classical Mechanics, 3rd edition 2002, sections 2.6 and 2.7.
 
 use nalgebra::SVector;
 
@@ -9,13 +10,15 @@ use super::state::State;
 use crate::integrate::Progress;
 use crate::scalar::Scalar;
 
-/// A model of which `C` constants of motion are known at compile time: the momenta pᵢ = ∂L/∂q̇ᵢ of its ignorable
-/// coordinates (4.8), in their order, and then the energy function h, if that is constant.
+/// A model with `C` constants of motion that are known at compile time.
 ///
-/// A coordinate is ignorable (cyclic) if ∂L/∂qᵢ vanishes identically and no generalized force acts on it: neither `force`
-/// nor `dissipation` nor an input. h is constant if L depends neither on the time nor on inputs, and the generalized
-/// forces do no work. Both are decided exactly when the model is derived, so that a coordinate may be written in L and
-/// cancel. Only models that have such constants implement the trait.
+/// The constants are the momenta pᵢ = ∂L/∂q̇ᵢ of the ignorable coordinates (4.8), in their order, and then the energy
+/// function h, if it is constant.
+///
+/// A coordinate is ignorable (cyclic) if ∂L/∂qᵢ vanishes identically and no generalized force acts on it: no `force`,
+/// no `dissipation` and no input. h is constant if L depends neither on time nor on inputs, and the generalized forces
+/// do no work. Both conditions are decided exactly when the model is derived, so that a coordinate may appear in L and
+/// cancel. Only models with such constants implement the trait.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -51,19 +54,19 @@ use crate::scalar::Scalar;
 pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
     Lagrangian<N, S>
 {
-    /// Their names: `p_phi` for the momentum of the coordinate `phi`, and `energy`.
+    /// The names of the constants: `p_phi` for the momentum of the coordinate `phi`, and `energy`.
     const CONSTANTS_OF_MOTION: [&'static str; C];
 
     /// The indices of the ignorable coordinates, in order.
     const IGNORABLE_COORDINATES: &'static [usize];
 
-    /// Whether the energy function is one of the constants: then it is the last one.
+    /// Whether the energy function is one of the constants, and then the last one.
     const CONSERVES_ENERGY: bool;
 
-    /// Their values at a state.
+    /// Returns the values of the constants at a state.
     fn constants_of_motion(&self, state: &State<S, N>) -> SVector<S, C>;
 
-    /// The changes of the constants since this state, to be observed in the course of an integration by any method.
+    /// Returns a watch for the changes of the constants since a state, which observes an integration by any method.
     fn watch_constants(&self, start: &State<S, N>) -> ConstantsWatch<'_, Self, S, N, C>
     where
         Self: Sized,
@@ -82,30 +85,31 @@ pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
     }
 }
 
-/// How constants of motion change in the course of an integration, at the ends of steps, samples and events:
-/// `problem.each_step(|progress| watch.observe(progress))`. A reaction that changes the state, such as an impact, changes
-/// constants, too.
+/// A watch for the changes of constants of motion in the course of an integration, at the ends of steps, at samples and
+/// at events: `problem.each_step(|progress| watch.observe(progress))`.
+///
+/// A reaction that changes the state, such as an impact, may change constants, too.
 #[derive(Clone, Debug)]
 pub struct ConstantsWatch<'a, M, S: Scalar, const N: usize, const C: usize> {
     model: &'a M,
     largest: [LargestChange<S>; C],
 }
 
-/// The largest change of a constant of motion that was observed.
+/// The largest observed change of a constant of motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LargestChange<S = f64> {
     /// The name of the constant.
     pub name: &'static str,
     /// Its initial value.
     pub initial: S,
-    /// The change of largest magnitude, in the lane in which it is largest; NaN once a value has been.
+    /// The change of the largest magnitude, in the lane in which it is largest; NaN once a value is NaN.
     pub change: S,
     /// The time at which it was observed.
     pub t: f64,
 }
 
 impl<M, S: Scalar, const N: usize, const C: usize> ConstantsWatch<'_, M, S, N, C> {
-    /// The largest change of each constant so far.
+    /// Returns the largest change of each constant so far.
     #[must_use]
     pub fn largest_changes(&self) -> [LargestChange<S>; C] {
         self.largest
@@ -124,7 +128,7 @@ where
         for (largest, value) in self.largest.iter_mut().zip(constants.iter()) {
             let change = *value - largest.initial;
             let [known, found] = [largest.change, change].map(|change| change.abs().largest());
-            // Not a number counts as larger than any.
+            // NaN counts as larger than any number.
             if !(found <= known || known.is_nan()) {
                 largest.change = change;
                 largest.t = progress.t;

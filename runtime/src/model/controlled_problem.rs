@@ -1,4 +1,4 @@
-//! Problems of models whose inputs follow a law.
+//! Problems for models whose inputs follow a law.
 
 #![allow(clippy::type_complexity)] // The law of a problem is in its type, as its settings are.
 
@@ -15,16 +15,17 @@ use crate::integrate::{At, NothingWatched, Problem};
 use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
-/// The law of the inputs comes directly behind `Problem::new`, before events, conditions and observers: it may add components to the
-/// state.
+/// The law of the inputs is given directly after `Problem::new`, before events, conditions and observers, since it may
+/// add components to the state.
 impl<M, S, K, C, R, O, const N: usize> Problem<S, EquationsOfMotion<M, S, N>, K, C, R, O>
 where
     M: Lagrangian<N, S>,
     S: Scalar,
 {
-    /// Static state feedback: the inputs are a function of time, coordinates and velocities.
+    /// Sets static state feedback: the inputs are a function of time, coordinates and velocities.
     ///
-    /// The function returns one number for a model with one input, or as many as there are, in an array or a vector.
+    /// The function returns a number for a model with one input, or as many numbers as there are inputs, as an array or
+    /// a vector.
     ///
     /// ```
     /// use lagrangian::prelude::*;
@@ -59,7 +60,8 @@ where
         self.under(Feedback(law))
     }
 
-    /// Dynamic feedback: a controller with states z of its own, from `initial` on. The function returns the inputs and ż.
+    /// Sets dynamic feedback by a controller with states z of its own, starting from `initial`. The function returns
+    /// the inputs and ż.
     ///
     /// ```
     /// use lagrangian::prelude::*;
@@ -73,7 +75,7 @@ where
     /// # struct Slider { m: f64, k: f64, #[lagrangian(input)] push: f64 }
     ///
     /// let slider = Slider { m: 1.0, k: 4.0, push: 0.0 };
-    /// // The integral of the error leaves none, whatever the stiffness of the spring is.
+    /// // Integrating the error removes it, whatever the stiffness of the spring is.
     /// let end = Problem::new(&slider, State::new(0.0, [0.0], [0.0]))
     ///     .feedback_with_states([0.0], |x, z| {
     ///         let error = 1.0 - x.q[0];
@@ -100,12 +102,13 @@ where
         self.under_law_with_states(|_| law, initial.into_vector())
     }
 
-    /// Sampled feedback: a controller with a memory, from `initial` on, that is evaluated at the start and once each `period` from
-    /// there. Its inputs are held in between (zero-order hold), and steps end where it is evaluated.
+    /// Sets sampled feedback by a controller with a memory, starting from `initial`.
     ///
-    /// It is evaluated forwards in time: backwards, the inputs stay what they are.
+    /// The controller is evaluated at the start and then once per `period`. In between, its inputs are held (zero-order
+    /// hold), and steps end where it is evaluated. It is evaluated only forwards in time: backwards, the inputs keep
+    /// their values.
     ///
-    /// Inputs and memory are part of the state, in [`z`](Phase::z): samples and checkpoints have them.
+    /// Inputs and memory are part of the state, in [`z`](Phase::z), and hence of samples and checkpoints.
     ///
     /// ```
     /// use lagrangian::prelude::*;
@@ -136,7 +139,7 @@ where
     ///
     /// # Errors
     ///
-    /// A period that is not a positive finite number is an error of the integration,
+    /// If the period is not a positive finite number, the integration fails with
     /// [`InvalidPeriod`](crate::IntegrationError::InvalidPeriod).
     pub fn sampled_feedback<I, F, A, const U: usize, const J: usize>(
         self,
@@ -155,7 +158,7 @@ where
         self.under_law_with_states(begin, Sampled::before(initial.into_vector()))
     }
 
-    /// The inputs are functions of time, with their Taylor series: an array of [signals](crate::signals), or a tuple of
+    /// Sets the inputs to functions of time with Taylor series: an array of [signals](crate::signals), or a tuple of
     /// different ones.
     ///
     /// ```
@@ -191,7 +194,7 @@ where
         self.under(Driven(signals))
     }
 
-    /// The inputs follow a [`Law`] without states.
+    /// Lets the inputs follow a [`Law`] without states.
     pub fn under<L>(self, law: L) -> Problem<S, EquationsOfMotion<M, S, N, L>, K, C, R, O>
     where
         (C, R, O): NothingWatched,
@@ -200,7 +203,7 @@ where
         self.under_law_with_states(|_| law, ())
     }
 
-    /// The inputs follow a law from these states on, made for the time of the start.
+    /// Lets the inputs follow a law that is made for the start time, with these initial states.
     fn under_law_with_states<L>(
         self,
         law: impl FnOnce(f64) -> L,
@@ -223,8 +226,10 @@ where
     S: Scalar,
     L: Law<N, InputsOf<M, S, N>, S>,
 {
-    /// Actuators follow the law with first-order lags: u̇ = (asked − u)/τ with these time constants τ > 0, from the inputs of the
-    /// model on. The lagged inputs are states, `z.1` behind those of the law.
+    /// Lets actuators follow the law with first-order lags u̇ = (a − u)/τ, where a is the output of the law.
+    ///
+    /// The time constants τ must be positive; the inputs start at the values of the model. The lagged inputs are
+    /// states, `z.1`, after the states of the law.
     ///
     /// ```
     /// use lagrangian::prelude::*;
@@ -238,7 +243,7 @@ where
     /// )]
     /// struct Cart { m: f64, #[lagrangian(input)] push: f64 }
     ///
-    /// // The force 1 is asked for at once, and comes with a time constant of 0.5 s: v = t − (1 − e^(−2t))/2.
+    /// // The force 1 is commanded at once, and follows with a time constant of 0.5 s: v = t − (1 − e^(−2t))/2.
     /// let cart = Cart { m: 1.0, push: 0.0 };
     /// let end = Problem::new(&cart, State::new(0.0, [0.0], [0.0]))
     ///     .driven_by([lagrangian::signals::Constant(1.0)])
@@ -251,7 +256,7 @@ where
     ///
     /// # Errors
     ///
-    /// A time constant that is not a positive finite number is an error of the integration,
+    /// If a time constant is not a positive finite number, the integration fails with
     /// [`InvalidTimeConstant`](crate::IntegrationError::InvalidTimeConstant).
     pub fn lagged<const U: usize>(
         self,

@@ -25,9 +25,9 @@ use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
 
-/// A type of a field that is converted to a scalar.
+/// A field type that is converted to a scalar.
 pub trait Parameter {
-    /// The value on a scalar.
+    /// Converts the value to a scalar.
     fn on<S: Scalar>(self) -> S;
 }
 
@@ -45,19 +45,19 @@ impl Parameter for f32 {
     }
 }
 
-/// The value of a field, converted to the scalar of the evaluation.
+/// Converts the value of a field to the scalar of the evaluation.
 #[inline]
 pub fn parameter<S: Scalar>(field: impl Parameter) -> S {
     field.on()
 }
 
-/// The values of some elements, all of which there are.
+/// Returns the values of some elements, all of which exist.
 #[inline]
 pub fn gather<S: Scalar, const K: usize>(values: &[S], elements: [usize; K]) -> [S; K] {
     elements.map(|element| values.get(element).copied().unwrap_or_else(S::zero))
 }
 
-/// Gives some elements new values.
+/// Sets some elements to new values.
 #[inline]
 pub fn scatter<S: Scalar, const K: usize>(values: &mut [S], elements: [usize; K], new: [S; K]) {
     for (element, new) in elements.into_iter().zip(new) {
@@ -67,14 +67,14 @@ pub fn scatter<S: Scalar, const K: usize>(values: &mut [S], elements: [usize; K]
     }
 }
 
-/// Velocities that are not numbers: what emitted code has where it does not solve for them.
+/// Returns NaN velocities, for models whose emitted code does not solve for velocities.
 #[must_use]
 pub fn no_velocities<S: Scalar, const N: usize>() -> SVector<S, N> {
     SVector::repeat(S::from_f64(f64::NAN))
 }
 
-/// `computed`, in each lane in which all pivots are positive; the value of `otherwise` in
-/// the others, where M is indefinite or singular.
+/// Returns `computed` in each lane in which all pivots are positive, and the value of `otherwise` in the others, where
+/// M is indefinite or singular.
 #[inline]
 pub fn if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
     pivots: [S; K],
@@ -89,8 +89,8 @@ pub fn if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
     }
 }
 
-/// The value of `otherwise`, and the mask of lanes in which all pivots are positive. The computed value is not passed here,
-/// so that it stays in registers.
+/// Returns the value of `otherwise`, and the mask of the lanes in which all pivots are positive. The computed value is
+/// not passed to this function, so that it stays in registers.
 #[cold]
 #[inline(never)]
 fn without_positive<S: Scalar, T, const K: usize>(
@@ -102,7 +102,7 @@ fn without_positive<S: Scalar, T, const K: usize>(
     (otherwise(), definite)
 }
 
-/// The derivatives −M⁻¹ ∂(M q̈ − f)/∂x from columns by q, by q̇ and, if there is one more, by t.
+/// Returns the derivatives −M⁻¹ ∂(M q̈ − f)/∂x, given columns by q, by q̇ and, if there is one more, by t.
 #[inline]
 pub fn linearization<S: Scalar, const N: usize, const K: usize>(
     factors: &Factorization<S, N>,
@@ -121,7 +121,7 @@ pub fn linearization<S: Scalar, const N: usize, const K: usize>(
     }
 }
 
-/// The same from the column along a variation of q, q̇ and t.
+/// Returns the derivatives of q̈ from a function that computes the residual along a variation of q, q̇ and t.
 #[inline]
 pub fn linearization_along<S: Scalar, const N: usize, const K: usize>(
     factors: &Factorization<S, N>,
@@ -135,21 +135,22 @@ pub fn linearization_along<S: Scalar, const N: usize, const K: usize>(
     linearization(factors, &columns)
 }
 
-/// A pivot over the magnitude of the terms whose rounding errors it has; NaN where both are 0.
+/// Returns a pivot relative to the magnitude of the terms that determine its rounding errors; NaN where both are 0.
 #[inline]
 pub fn relative_pivot<S: Scalar>(pivot: S, magnitude: S) -> S {
     pivot.abs() / magnitude
 }
 
-/// The same for a pivot of M, and 0 where M is singular to working precision: where elimination leaves less than the machine
-/// epsilon times the diagonal entry.
+/// Returns a relative pivot of M, or 0 where M is singular to working precision: where elimination leaves less than the
+/// machine epsilon times the diagonal entry.
 #[inline]
 pub fn eliminated_pivot<S: Scalar>(pivot: S, magnitude: S, diagonal: S) -> S {
     let left = (pivot / diagonal).abs();
     greater(left, S::from_f64(S::machine_epsilon())) * relative_pivot(pivot, magnitude)
 }
 
-/// For each coordinate the product of the relative pivots at these positions, through which its acceleration is solved for.
+/// Returns for each coordinate the product of the relative pivots at the positions through which its acceleration is
+/// solved for.
 #[inline]
 pub fn by_coordinate<S: Scalar, const PIVOTS: usize, const N: usize>(
     pivots: [S; PIVOTS],
@@ -163,7 +164,7 @@ pub fn by_coordinate<S: Scalar, const PIVOTS: usize, const N: usize>(
     }))
 }
 
-/// The relative pivots of a numerical factorization of M, and 0 where M is singular to working precision.
+/// Returns the relative pivots of a numerical factorization of M, and 0 where M is singular to working precision.
 pub fn factored_pivots<S: Scalar, const N: usize>(factors: &Factorization<S, N>) -> SVector<S, N> {
     let epsilon = S::from_f64(S::machine_epsilon());
     let found = factors.relative_pivots();

@@ -1,28 +1,28 @@
-//! How well a motion keeps the balance of its energy.
+//! The accuracy to which a motion satisfies its energy balance.
 //!
-//! Integrals are by Gauss's formula with ten points (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964,
-//! table 25.4), step by step.
+//! Integrals are computed step by step by Gauss's formula with ten points (Abramowitz and Stegun, Handbook of
+//! Mathematical Functions, 1964, table 25.4).
 
 #[cfg(feature = "alloc")]
 use super::{energy_balance::EnergyBalance, lagrangian::Lagrangian, phase::Phase};
 #[cfg(feature = "alloc")]
 use crate::integrate::{DenseSolution, IntegrationError, Interpolant, Solution};
 
-/// The residual of the balance of energy along a motion, h(t) − h(0) − ∫ (Q·q̇ − ∂L/∂t) dt: 0 but for the errors of the
-/// method.
+/// The residual of the energy balance along a motion, h(t) − h(0) − ∫ (Q·q̇ − ∂L/∂t) dt, which vanishes except for the
+/// errors of the method.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct EnergyResidual {
-    /// That of the largest magnitude at the end of a step.
+    /// The residual of the largest magnitude at the end of a step.
     pub largest: f64,
-    /// When it was reached.
+    /// The time at which it was reached.
     pub time: f64,
-    /// That at the end.
+    /// The residual at the end.
     pub last: f64,
-    /// ∫ |Q·q̇ − ∂L/∂t| dt, to which it may be compared.
+    /// ∫ |Q·q̇ − ∂L/∂t| dt, with which the residual may be compared.
     pub exchanged: f64,
 }
 
-/// The nodes and weights on one side of the middle.
+/// The nodes and weights on one side of the midpoint.
 const GAUSS: [(f64, f64); 5] = [
     (0.148_874_338_981_631_21, 0.295_524_224_714_752_87),
     (0.433_395_394_129_247_2, 0.269_266_719_309_996_35),
@@ -32,12 +32,12 @@ const GAUSS: [(f64, f64); 5] = [
 ];
 
 impl EnergyResidual {
-    /// Adds a step from `start` to `end`, over which the energy changes by `change`; `rate` is what it should change by, as a
-    /// function of time.
+    /// Adds a step from `start` to `end`, over which the energy changes by `change`; `rate` is the expected rate of
+    /// change as a function of time.
     ///
     /// # Errors
     ///
-    /// Those of `rate`.
+    /// The errors of `rate`.
     pub fn add_step<E>(
         &mut self,
         (start, end): (f64, f64),
@@ -55,19 +55,19 @@ impl EnergyResidual {
         }
         self.last += change - half * total;
         self.exchanged += half.abs() * exchanged;
-        // What is not a number is larger than anything.
+        // NaN counts as larger than any number.
         if self.last.is_nan() || self.last.abs() > self.largest.abs() {
             (self.largest, self.time) = (self.last, end);
         }
         Ok(())
     }
 
-    /// The residual along a solution, by any method. Where a reaction to an event changes the state, what the energy jumps
-    /// by is no part of it.
+    /// Computes the residual along a solution by any method. If a reaction to an event changes the state, the jump of
+    /// the energy is not part of the residual.
     ///
     /// # Errors
     ///
-    /// None for the times of the solution itself.
+    /// There are none for the times of the solution itself.
     #[cfg(feature = "alloc")]
     pub fn along<M, P, const N: usize>(
         model: &M,

@@ -18,21 +18,21 @@ use crate::scalar::Scalar;
 pub(super) type InputsOf<M, S, const N: usize> =
     <<M as Lagrangian<N, S>>::Model as Quantities<N, S>>::Inputs;
 
-/// What depends on the parameters of a model alone.
+/// The quantities that depend only on the parameters of a model.
 type PreparedOf<M, S, const N: usize> =
     <<M as Lagrangian<N, S>>::Model as Quantities<N, S>>::Prepared;
 
-/// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); made by
+/// Lagrange's equations as first-order equations (q, q̇)˙ = (q̇, q̈); constructed by
 /// [`Lagrangian::dynamics`](crate::Lagrangian::dynamics).
 ///
-/// The model is owned or a reference, and a law `L` sets its inputs. The quantities that depend on parameters alone are computed when
-/// it is made: a controller that evaluates the model in its
-/// loop asks it for [`accelerations`](Self::accelerations) and [`inverse_dynamics`](Self::inverse_dynamics).
+/// The model is owned or a reference, and a law `L` sets its inputs. Quantities that depend only on parameters are
+/// computed once, at construction. A controller that evaluates the model in its loop calls
+/// [`accelerations`](Self::accelerations) and [`inverse_dynamics`](Self::inverse_dynamics).
 ///
 /// # A model that changes
 ///
-/// Of an owned model a reaction to an event can change the parameters: a crane drops its load, and the pendulum goes on with less mass and
-/// on a shorter rope.
+/// A reaction to an event can change the parameters of an owned model: a crane drops its load, and the pendulum
+/// continues with less mass and on a shorter rope.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -59,8 +59,8 @@ type PreparedOf<M, S, const N: usize> =
 ///
 /// # Parallel integrations
 ///
-/// Integrations do not change it, so that threads can share it. A parallel iterator, such as rayon's
-/// `amplitudes.par_iter().map(|amplitude| …)`, does the same as the threads here:
+/// Integrations do not change the equations, so that threads can share them. A parallel iterator, such as rayon's
+/// `amplitudes.par_iter().map(|amplitude| …)`, does what the threads do here:
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -90,8 +90,8 @@ type PreparedOf<M, S, const N: usize> =
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
-/// A model on a scalar of several SIMD lanes integrates several motions in one thread, with the steps of the
-/// most demanding one.
+/// A model on a scalar with several SIMD lanes integrates several motions in one thread, with the steps of the most
+/// demanding motion.
 #[derive(Clone, Debug)]
 pub struct EquationsOfMotion<M, S, const N: usize, L = Held>
 where
@@ -113,7 +113,7 @@ where
         Self::under(model, Held)
     }
 
-    /// The accelerations q̈: [`Lagrangian::accelerations`](crate::Lagrangian::accelerations).
+    /// Returns the accelerations q̈; see [`Lagrangian::accelerations`](crate::Lagrangian::accelerations).
     #[inline]
     pub fn accelerations(&self, state: &State<S, N>) -> SVector<S, N> {
         self.model
@@ -121,7 +121,7 @@ where
             .accelerations(state, &self.inputs, &self.prepared)
     }
 
-    /// The forces M q̈ − f: [`Lagrangian::inverse_dynamics`](crate::Lagrangian::inverse_dynamics).
+    /// Returns the forces M q̈ − f; see [`Lagrangian::inverse_dynamics`](crate::Lagrangian::inverse_dynamics).
     #[inline]
     pub fn inverse_dynamics(
         &self,
@@ -139,7 +139,7 @@ where
     M: Lagrangian<N, S>,
     S: Scalar,
 {
-    /// The equations of motion under a law.
+    /// Creates the equations of motion under a law.
     pub(crate) fn under(model: M, law: L) -> Self {
         Self {
             inputs: Lagrangian::inputs(&model),
@@ -149,9 +149,10 @@ where
         }
     }
 
-    /// Changes the model, and prepares it again. [`then_with`](crate::problem::When::then_with) and
-    /// [`Run::change`](crate::problem::Run::change) restart the method afterwards; whoever drives a [`Stepper`](crate::Stepper)
-    /// restarts it.
+    /// Changes the model and prepares it again.
+    ///
+    /// [`then_with`](crate::problem::When::then_with) and [`Run::change`](crate::problem::Run::change) restart the
+    /// method afterwards; code that drives a [`Stepper`](crate::Stepper) has to restart it.
     pub fn change<R>(&mut self, change: impl FnOnce(&mut M) -> R) -> R
     where
         M: Quantities<N, S>,
@@ -162,17 +163,17 @@ where
         result
     }
 
-    /// The model.
+    /// Returns the model.
     pub fn model(&self) -> &M {
         &self.model
     }
 
-    /// The model, back.
+    /// Returns the model and drops the equations.
     pub fn into_model(self) -> M {
         self.model
     }
 
-    /// The law of the inputs.
+    /// Returns the law of the inputs.
     pub fn law(&self) -> &L {
         &self.law
     }
@@ -184,7 +185,7 @@ where
     S: Scalar,
     L: Law<N, InputsOf<M, S, N>, S>,
 {
-    /// The inputs at a state.
+    /// Returns the inputs at a state.
     pub fn inputs(&self, state: &State<S, N, L::States>) -> InputsOf<M, S, N> {
         self.law.evaluate(&self.inputs, state.t, &state.x).0
     }
@@ -209,8 +210,8 @@ where
         }
     }
 
-    /// The size of an angle, which is periodic, is 1, and that of another ignorable coordinate, whose value does not matter,
-    /// |q̇ᵢ| over the rate.
+    /// The size of an angle, which is periodic, is 1. The size of another ignorable coordinate, whose value does not
+    /// matter, is |q̇ᵢ| over the rate.
     #[inline]
     fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
         let time = S::one() / tolerance.rate;
@@ -230,7 +231,7 @@ where
         }
     }
 
-    /// Angles less whole periods, where no law reads them.
+    /// Subtracts whole periods from angles, unless a law reads them.
     #[inline]
     fn reduced(&self, x: &Self::State, compensation: &Self::State) -> Self::State {
         let mut reduced = x.clone();
@@ -305,7 +306,7 @@ where
     }
 }
 
-/// The name of a component of a phase.
+/// Returns the name of a component of a phase.
 fn component_name<M: GeneralizedCoordinates<N> + ?Sized, const N: usize>(
     index: usize,
 ) -> ComponentName {

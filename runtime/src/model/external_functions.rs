@@ -1,4 +1,4 @@
-//! External functions: those that a declaration uses and Rust code computes.
+//! External functions, which a declaration uses and Rust code computes.
 
 use crate::scalar::Scalar;
 
@@ -13,8 +13,8 @@ pub struct FunctionSignature {
 
 /// A model whose declaration has `function(name(argument, …) = …)`.
 ///
-/// `#[derive(Lagrangian)]` implements it. The feature `derivative-checks` adds a test that the declared derivatives are
-/// those of the functions, `CheckDerivatives`.
+/// `#[derive(Lagrangian)]` implements this trait. The feature `derivative-checks` adds a check of the declared
+/// derivatives against the functions, `CheckDerivatives`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no external functions",
     note = "write the clause `function(f(x) = …, derivative(x) = …)` in its declaration"
@@ -26,11 +26,11 @@ pub trait ExternalFunctions {
     /// The functions, in the order of declaration.
     const FUNCTIONS: &'static [FunctionSignature];
 
-    /// The value of the function at a position; NaN unless there is one with that number of arguments.
+    /// Returns the value of the function at a position; NaN unless there is one with this number of arguments.
     fn function(&self, function: usize, arguments: &[Self::Scalar]) -> Self::Scalar;
 
-    /// The declared derivative of a function by one of its arguments, by their positions; `None` if none
-    /// is declared.
+    /// Returns the declared derivative of a function by one of its arguments, given by their positions; `None` if it is
+    /// not declared.
     fn derivative(
         &self,
         function: usize,

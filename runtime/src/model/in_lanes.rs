@@ -1,4 +1,4 @@
-//! Equations of motion of several members at once, one in each SIMD lane.
+//! Equations of motion of several members of an ensemble, one in each SIMD lane.
 
 use nalgebra::SVector;
 
@@ -13,17 +13,19 @@ use crate::integrate::InLanes;
 use crate::linalg::LaneStates as _;
 use crate::scalar::Lanes;
 
-/// What the equations of all lanes read: inputs, what [`Quantities::prepare`] computes of each member's parameters, and laws.
+/// The quantities that the equations of all lanes read: inputs, the results of [`Quantities::prepare`] for each member,
+/// and laws.
 #[derive(Clone, Debug)]
 pub struct ParametersInLanes<M, V, P, W, const L: usize> {
-    /// What is made once for all members.
+    /// The value that is made once for all members.
     made: M,
     inputs: V,
     prepared: P,
     laws: [W; L],
 }
 
-/// What depends on parameters alone is computed on `f64`, so that a lane has the bits that its member has alone.
+/// Quantities that depend only on parameters are computed on `f64`, so that a lane agrees bit for bit with its member
+/// integrated alone.
 impl<M, W, const N: usize, const U: usize, const L: usize> InLanes<L>
     for EquationsOfMotion<M, f64, N, W>
 where

@@ -1,4 +1,4 @@
-//! Laws: what sets the inputs of a model along its motions.
+//! Laws, which set the inputs of a model along its motion.
 
 mod driven;
 mod dynamic_feedback;
@@ -22,10 +22,11 @@ use super::phase::Phase;
 use crate::integrate::IntegrationError;
 use crate::scalar::Scalar;
 
-/// A law for the inputs, of type `V`, of a model with `N` coordinates: an `SVector<S, U>` for `U` inputs.
+/// A law for the inputs of a model with `N` coordinates. The inputs have the type `V`: an `SVector<S, U>` for `U`
+/// inputs.
 ///
-/// Problems make laws of closures and signals ([`Problem::feedback`](crate::Problem::feedback) and its neighbours), and take any other by
-/// [`Problem::under`](crate::Problem::under):
+/// Problems construct laws from closures and signals ([`Problem::feedback`](crate::Problem::feedback) and related
+/// methods), and accept any other law by [`Problem::under`](crate::Problem::under):
 ///
 /// ```
 /// use lagrangian::laws::Law;
@@ -55,44 +56,46 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 pub trait Law<const N: usize, V, S: Scalar = f64> {
-    /// The states z of the law, which are integrated beside coordinates and velocities: `()` without any, an `SVector<S, K>`
-    /// for the `K` states of a controller.
+    /// The states z of the law, which are integrated together with coordinates and velocities: `()` for none, an
+    /// `SVector<S, K>` for the `K` states of a controller.
     type States: LawStates<S>;
 
-    /// Whether the inputs depend on coordinates and velocities, other than where the law is [updated](Self::update). Then
-    /// angles keep their whole turns, which a law may count.
+    /// Whether the inputs depend on coordinates and velocities other than where the law is [updated](Self::update). If
+    /// so, angles keep their whole turns, which the law may count.
     const READS_MOTION: bool = true;
 
-    /// Whether the inputs are those that the model has, at any time.
+    /// Whether the inputs always have the values stored in the model.
     #[doc(hidden)]
     const IS_HELD: bool = false;
 
-    /// The inputs u and the derivative ż, where the model has the inputs `given` without the law.
+    /// Returns the inputs u and the derivative ż; `given` are the inputs that the model has without the law.
     fn evaluate(&self, given: &V, t: S, x: &Phase<S, N, Self::States>) -> (V, Self::States);
 
-    /// An error if a parameter of the law has no meaning.
+    /// Checks the parameters of the law.
     ///
     /// # Errors
     ///
-    /// None by default.
+    /// There are none by default.
     fn check(&self) -> Result<(), IntegrationError> {
         Ok(())
     }
 
-    /// The next time at which the law is updated, as far as its states tell; none by default.
+    /// Returns the next time at which the law is updated, according to its states; `None` by default.
     fn next_update(&self, z: &Self::States) -> Option<f64> {
         let _ = z;
         None
     }
 
-    /// Updates the states at the time that [`next_update`](Self::next_update) told, which is a later one from then on.
+    /// Updates the states at the time given by [`next_update`](Self::next_update), which returns a later time
+    /// afterwards.
     fn update(&self, t: S, x: &mut Phase<S, N, Self::States>) {
         let _ = (t, x);
     }
 
-    /// What comes of the Taylor coefficients of the inputs, from order 0 on, and those of the states, from order 1 on, about a
-    /// time in this unit of it; there are at most 2·`HALF` of each, and those that are not given are 0. `None` by default: where
-    /// the law depends on the motion.
+    /// Calls `then` with the Taylor coefficients of the inputs, from order 0 on, and of the states, from order 1 on.
+    ///
+    /// The expansion is about a time, in the given unit of time. There are at most 2·`HALF` coefficients of each;
+    /// missing ones are 0. Returns `None` by default, if the law depends on the motion.
     fn series<const HALF: usize, R>(
         &self,
         given: &V,
@@ -105,8 +108,8 @@ pub trait Law<const N: usize, V, S: Scalar = f64> {
     }
 }
 
-/// A law whose [`series`](Law::series) are known, so that [`Taylor`](crate::Taylor) integrates a model under it: held inputs,
-/// signals, a sampled controller, and an actuator's lag behind one of them.
+/// A law whose [`series`](Law::series) is known, so that [`Taylor`](crate::Taylor) integrates a model under it: held
+/// inputs, signals, a sampled controller, or the lag of an actuator that follows one of them.
 #[diagnostic::on_unimplemented(
     message = "the Taylor series of the law `{Self}` is not known",
     note = "integrate by `Dop853`, or sample the law: `sampled_feedback(period, [], |x, _| …)`; inputs that are functions of time \

@@ -1,10 +1,11 @@
-//! The Legendre transformation: the velocities that have given momenta.
+//! The Legendre transformation: the velocities that belong to given momenta.
 //!
-//! Where L is convex in the velocities they minimize L − p q̇ (R. T. Rockafellar, *Convex Analysis*, 1970, section 26). Newton's method
-//! with steps that are halved finds them where M is regular and finite on its way. It is neither at rest for
-//! L = |q̇|^(3/2) or q̇⁴: the velocities are then changed one after another, each to the zero of its own momentum, which increases with
-//! it (P. Tseng, *Convergence of a block coordinate descent method for nondifferentiable minimization*, J. Optim. Theory
-//! Appl. **109** (2001) 475–494), and Newton's directions followed to where L − p q̇ is least along them.
+//! Where L is convex in the velocities, these velocities minimize L − p q̇ (R. T. Rockafellar, *Convex Analysis*, 1970,
+//! section 26). Newton's method with step halving finds them if M is regular and finite along its path. At rest this
+//! does not hold for L = |q̇|^(3/2) or q̇⁴. In such cases the velocities are changed one after another, each to the
+//! zero of its own momentum equation, which increases with the velocity (P. Tseng, *Convergence of a block coordinate
+//! descent method for nondifferentiable minimization*, J. Optim. Theory Appl. **109** (2001) 475–494). Then Newton's
+//! directions are followed to the minimum of L − p q̇ along them.
 
 use nalgebra::{Matrix1, SMatrix, SVector};
 
@@ -20,7 +21,7 @@ use crate::linalg::Factorization;
 use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
 
-/// The velocities that have the momenta of a phase at a time.
+/// Returns the velocities that belong to the momenta of a phase at a time.
 pub(super) fn velocities<M, S, const N: usize>(
     model: &M,
     prepared: &M::Prepared,
@@ -39,7 +40,7 @@ where
     searched(model, prepared, &state, &phase.p)
 }
 
-/// The velocities with which the state has these momenta; those of `state` are where the search begins.
+/// Searches for the velocities with which the state has these momenta, starting from the velocities of `state`.
 fn searched<M, S, const N: usize>(
     model: &M,
     prepared: &M::Prepared,
@@ -83,7 +84,7 @@ where
         };
         match next {
             Err(NoVelocities::NotConvex) if missing == 0.0 => break,
-            // The first one says how it failed.
+            // The first error shows why the search failed.
             Err(NoVelocities::NotFound { .. }) => {}
             next => found = next,
         }
@@ -91,7 +92,7 @@ where
     found
 }
 
-/// Newton's method from the velocities of a state, which go where it leads.
+/// Runs Newton's method from the velocities of a state, and updates them.
 fn newton<M, S, const N: usize>(
     model: &M,
     prepared: &M::Prepared,
@@ -125,14 +126,14 @@ where
             }
         };
         if !reached {
-            // Derivative parts are a step behind.
+            // Derivative parts lag one step behind.
             state.v = if S::DERIVATIVES > 0 {
                 before + step
             } else {
                 before
             };
         }
-        // What is left are rounding errors.
+        // Only rounding errors are left.
         let size = largest(&state.v);
         let is_still = change <= LEGENDRE_ROUNDING * S::machine_epsilon() * size;
         let is_small = !reached && change <= S::machine_epsilon().sqrt() * size;
@@ -148,8 +149,10 @@ where
     Err(NoVelocities::NotFound { change })
 }
 
-/// Newton's directions, each as far as L − p q̇ decreases along it: by bisection of its slope, which increases with the distance where L
-/// is convex, in each lane apart.
+/// Follows Newton's directions as far as L − p q̇ decreases along them.
+///
+/// In each lane separately, the distance is found by bisection of the slope, which increases with the distance where L
+/// is convex.
 fn descend<M, S, const N: usize>(
     model: &M,
     prepared: &M::Prepared,
@@ -186,8 +189,9 @@ fn descend<M, S, const N: usize>(
     }
 }
 
-/// The mass matrix without the rows and columns of velocities at which it is not finite, as at rest for L = |q̇|^(3/2): these are
-/// held by ones; and which velocities are not.
+/// Returns the mass matrix without the rows and columns of velocities at which it is not finite, such as at rest for
+/// L = |q̇|^(3/2), and which velocities are regular. The removed rows and columns are replaced by those of the identity
+/// matrix.
 fn without_infinite<S: Scalar, const N: usize>(
     mass: &SMatrix<S, N, N>,
 ) -> (SMatrix<S, N, N>, SVector<S, N>) {
@@ -195,7 +199,7 @@ fn without_infinite<S: Scalar, const N: usize>(
     if mass.iter().all(|x| x.is_finite()) {
         return (*mass, SVector::repeat(one));
     }
-    // Where a number is not finite, zero times it is not a number, which `max` ignores.
+    // For a number that is not finite, its product with zero is NaN, which `max` ignores.
     let is_regular = SVector::<S, N>::from_fn(|i, _| {
         let entry = mass[(i, i)];
         zero.max(one + entry * zero)
@@ -208,8 +212,10 @@ fn without_infinite<S: Scalar, const N: usize>(
     (regular, is_regular)
 }
 
-/// The velocity of a coordinate at which its momentum is the given one, the other velocities being held: by bisection of the exponent,
-/// in each lane apart. Where there is no momentum, the velocity is too large.
+/// Returns the velocity of a coordinate at which its momentum has the given value, while the other velocities are held.
+///
+/// In each lane separately, the exponent is found by bisection. A velocity for which the momentum is not defined counts
+/// as too large.
 fn zero_of_momentum<M, S, const N: usize>(
     model: &M,
     prepared: &M::Prepared,
@@ -240,7 +246,7 @@ where
     sign * least
 }
 
-/// The velocities of a state, unless L is not quadratic in the velocities and not convex there.
+/// Returns the velocities of a state, unless L is neither quadratic in the velocities nor convex there.
 fn unique<M, S, const N: usize>(
     model: &M,
     prepared: &M::Prepared,
@@ -251,7 +257,7 @@ where
     S: Scalar,
 {
     let mass = model.mass_matrix(state, prepared);
-    // Of all velocities other ones, also where some or all of these are zero.
+    // These velocities all differ from the given ones, even where some or all of those are zero.
     let v = state.v.map(|v| S::from_f64(0.5) * v + S::from_f64(0.618));
     let is_quadratic = mass == model.mass_matrix(&State::new(state.t, state.q, v), prepared);
     if is_quadratic || is_positive_definite(mass) || is_convex_beside(model, prepared, state) {
@@ -261,7 +267,8 @@ where
     }
 }
 
-/// Whether M is positive definite at other velocities on all sides: L = q̇⁴ is convex at q̇ = 0 though M vanishes there.
+/// Returns whether M is positive definite at nearby velocities on all sides: L = q̇⁴ is convex at q̇ = 0 though M
+/// vanishes there.
 fn is_convex_beside<M, S, const N: usize>(
     model: &M,
     prepared: &M::Prepared,
@@ -285,7 +292,7 @@ where
     })
 }
 
-/// Whether all pivots are positive.
+/// Returns whether all pivots are positive.
 fn is_positive_definite<S: Scalar, const N: usize>(mut matrix: SMatrix<S, N, N>) -> bool {
     for j in 0..N {
         let pivot = matrix[(j, j)];
@@ -304,9 +311,9 @@ fn is_positive_definite<S: Scalar, const N: usize>(mut matrix: SMatrix<S, N, N>)
     true
 }
 
-/// The largest magnitude of a component, in any lane.
+/// Returns the largest magnitude of a component, in any lane.
 fn largest<S: Scalar, const N: usize>(vector: &SVector<S, N>) -> f64 {
     let sizes = vector.iter().map(|component| component.abs().largest());
-    // What is not a number stays so.
+    // NaN is preserved.
     sizes.fold(0.0, |most, size| if size <= most { most } else { size })
 }

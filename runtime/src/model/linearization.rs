@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use crate::linalg::lane_select::LaneSelect;
 use crate::scalar::Scalar;
 
-/// The derivatives of the accelerations q̈(q, q̇, t) of a system with `N` degrees of freedom; given by
+/// The derivatives of the accelerations q̈(q, q̇, t) of a system with `N` degrees of freedom; see
 /// [`linearize`](crate::Lagrangian::linearize).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Linearization<S: Scalar, const N: usize> {
@@ -18,12 +18,14 @@ pub struct Linearization<S: Scalar, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Linearization<S, N> {
-    /// The state matrix A = (0, 1; ∂q̈/∂q, ∂q̈/∂q̇) of the first-order system ẋ = A x + B u, where
-    /// x = (q, q̇) and u are deviations from the point of linearization; B = (0; ∂q̈/∂u) is
-    /// that of [`StateSpace::of`](crate::analysis::StateSpace::of). It has `D` = 2 `N` rows and columns.
+    /// Returns the state matrix A = (0, 1; ∂q̈/∂q, ∂q̈/∂q̇) of the first-order system ẋ = A x + B u.
     ///
-    /// About an equilibrium A and B are constant. About a motion x is the deviation
-    /// from it, and A and B vary along it.
+    /// x = (q, q̇) and u are deviations from the point of linearization;
+    /// [`StateSpace::of`](crate::analysis::StateSpace::of) also computes B = (0; ∂q̈/∂u). A has `D` = 2 `N` rows and
+    /// columns.
+    ///
+    /// About an equilibrium, A and B are constant. About a motion, x is the deviation from the motion, and A and B vary
+    /// along it.
     ///
     /// ```
     /// use lagrangian::analysis::StateSpace;

@@ -1,6 +1,7 @@
-//! Models of which members with different parameters share SIMD lanes.
+//! Models whose members with different parameters share SIMD lanes.
 
-/// The message where members do not share lanes: of the trait, and of the one through which models on every scalar have it.
+/// Adds the message for members that do not share lanes, to the trait and to the marker trait for models on every
+/// scalar.
 macro_rules! with_message {
     ($item:item) => {
         #[diagnostic::on_unimplemented(
@@ -14,12 +15,15 @@ macro_rules! with_message {
 }
 
 with_message! {
-/// A model of which members with different parameters share `L` SIMD lanes: the methods of an integration's loop read parameters
-/// nowhere but in the [prepared](crate::quantities::Quantities::Prepared) array, whatever model they are called on.
+/// A model whose members with different parameters share `L` SIMD lanes.
 ///
-/// `#[derive(Lagrangian)]` implements it for structs of plain numbers, and for those with a type parameter that stands for `f64`,
-/// unless the value of an external function mentions `self`: the function is evaluated on
-/// all lanes at once, for one member. A model that is written by hand may implement it if it keeps this promise.
+/// In the loop of an integration, its methods read parameters only from the
+/// [prepared](crate::quantities::Quantities::Prepared) array, whatever model they are called on.
+///
+/// `#[derive(Lagrangian)]` implements this trait for structs of plain numbers, and for structs with a type parameter
+/// that stands for `f64`. The exception are external functions whose value mentions `self`: such a function is
+/// evaluated on all lanes at once, for one member. A handwritten model may implement the trait if it keeps this
+/// promise.
 ///
 /// ```compile_fail,E0277
 /// use lagrangian::prelude::*;
@@ -41,22 +45,24 @@ with_message! {
 /// let found = Ensemble::new(motions).solve(1.0, Taylor::new());
 /// ```
 pub trait MembersInLanes<const L: usize> {
-    /// The model on which lanes are evaluated: the struct itself, or, if it has a type parameter for its scalar, the struct with lanes.
+    /// The model on which lanes are evaluated: the struct itself or, if it has a type parameter for its scalar, the
+    /// struct with lanes.
     type InLanes;
 
-    /// What is made once for all members: nothing where each of them may serve as that model, or the model.
+    /// The value that is made once for all members: `()` if each member may itself serve as the model of the lanes,
+    /// otherwise that model.
     type Made;
 
-    /// Makes it.
+    /// Makes this value.
     fn make(&self) -> Self::Made;
 
-    /// The model on which lanes are evaluated. An integration reads no parameter of it.
+    /// Returns the model on which lanes are evaluated. An integration does not read its parameters.
     fn in_lanes<'a>(&'a self, made: &'a Self::Made) -> &'a Self::InLanes;
 }
 }
 
 with_message! {
-/// Models on every scalar, which have [`MembersInLanes`] through it.
+/// A marker for models on every scalar, for which [`MembersInLanes`] is implemented.
 pub trait SharesLanes {}
 }
 

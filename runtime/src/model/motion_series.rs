@@ -9,17 +9,19 @@ use super::state::State;
 use crate::integrate::{BranchVisitor, Series, SwitchingFunction, TaylorCoefficients};
 use crate::scalar::Scalar;
 
-/// A model whose declaration has the clause `taylor`: recurrences for the Taylor coefficients of its motions.
+/// A model whose declaration has the clause `taylor`, with recurrences for the Taylor coefficients of its motions.
 ///
-/// They solve for the accelerations as [`accelerations`](crate::Lagrangian::accelerations) does where all pivots are positive;
-/// where a pivot is 0 there is no series, though M may be regular.
+/// The recurrences solve for the accelerations like [`accelerations`](crate::Lagrangian::accelerations) if all pivots
+/// are positive. If a pivot is 0, there is no series, even if M is regular.
 #[diagnostic::on_unimplemented(
     message = "the Taylor series of the motions of `{Self}` is not known",
     note = "write the clause `taylor` in its declaration, `#[lagrangian(taylor, …)]`, or integrate by `Dop853`"
 )]
 pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
-    /// The Taylor polynomial of the motion through a state, in this unit of time, under the inputs u(t + τ·unit) = Σ uₖ τᵏ, of
-    /// which `inputs` has the coefficients of order 0, 1, …. Those that it does not have are 0: a single one is held.
+    /// Computes the Taylor polynomial of the motion through a state, in the given unit of time.
+    ///
+    /// The inputs are u(t + τ·unit) = Σ uₖ τᵏ; `inputs` holds the coefficients of order 0, 1, …, and missing ones are
+    /// 0, so that a single coefficient is a held input.
     fn taylor_series<const HALF: usize>(
         &self,
         state: &State<S, N>,
@@ -29,11 +31,13 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
         coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     );
 
-    /// The switching functions of [`branch_series`](Self::branch_series), in order.
+    /// The descriptions of the switching functions of [`branch_series`](Self::branch_series), in order.
     const SWITCHING_FUNCTIONS: &'static [SwitchingFunction] = &[];
 
-    /// The Taylor coefficients of each switching function, an argument whose sign distinguishes branches of the equations of
-    /// motion, along a motion through a state ([`Series::branches`]) under inputs with these coefficients.
+    /// Visits the Taylor coefficients of each switching function along a motion through a state, under inputs with the
+    /// given coefficients.
+    ///
+    /// The sign of a switching function distinguishes branches of the equations of motion; see [`Series::branches`].
     fn branch_series<const HALF: usize>(
         &self,
         state: &State<S, N>,

@@ -7,7 +7,8 @@ use super::state::State;
 use crate::integrate::Singularity;
 use crate::scalar::Scalar;
 
-/// The report of a coordinate, with those that make its block of the mass matrix singular.
+/// Returns the report of a coordinate, with the coordinates on which the singularity of its block of the mass matrix
+/// depends.
 pub(super) fn named<M, S, const N: usize>(
     coordinate: usize,
     relative_pivot: f64,

@@ -1,7 +1,6 @@
 //! Operation counts of the emitted methods.
 
-/// The operations of one emitted method, by kind, with those of a numerical factorization of the mass
-/// matrix.
+/// The operations of one emitted method by kind, including a numerical factorization of the mass matrix.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {
     /// Additions, subtractions and changes of sign.
@@ -21,25 +20,25 @@ pub struct OperationCount {
 /// The operation counts of a model's methods.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
-    /// Of `lagrangian`.
+    /// The count of `lagrangian`.
     pub lagrangian: OperationCount,
-    /// Of `energy`.
+    /// The count of `energy`.
     pub energy: OperationCount,
-    /// Of `momenta`.
+    /// The count of `momenta`.
     pub momenta: OperationCount,
-    /// Of `mass_matrix`.
+    /// The count of `mass_matrix`.
     pub mass_matrix: OperationCount,
-    /// Of `forcing`.
+    /// The count of `forcing`.
     pub forcing: OperationCount,
-    /// Of `generalized_forces`.
+    /// The count of `generalized_forces`.
     pub generalized_forces: OperationCount,
-    /// Of `prepare`, which computes the quantities that depend on parameters only.
+    /// The count of `prepare`, which computes the quantities that depend only on parameters.
     pub prepare: OperationCount,
-    /// Of `accelerations`, behind `prepare`.
+    /// The count of `accelerations`, after `prepare`.
     pub accelerations: OperationCount,
-    /// Of `inverse_dynamics`, behind `prepare`.
+    /// The count of `inverse_dynamics`, after `prepare`.
     pub inverse_dynamics: OperationCount,
-    /// Of `linearize`.
+    /// The count of `linearize`.
     pub linearize: OperationCount,
 }
 
@@ -70,7 +69,7 @@ impl OperationCount {
         functions: 0,
     };
 
-    /// The sum of all operations, each function counted as one.
+    /// Returns the sum of all operations; each function counts as one.
     #[must_use]
     pub const fn total(&self) -> usize {
         self.additions
@@ -82,7 +81,7 @@ impl OperationCount {
     }
 }
 
-/// Additions, multiplications, divisions, square roots, sines and cosines, functions.
+/// Returns the counts of additions, multiplications, divisions, square roots, sines and cosines, and functions.
 #[doc(hidden)]
 #[must_use]
 const fn operation_count(counts: [usize; 6]) -> OperationCount {
@@ -104,7 +103,7 @@ const fn operation_count(counts: [usize; 6]) -> OperationCount {
     }
 }
 
-/// The counts of all methods, in the order of the fields.
+/// Returns the counts of all methods, in the order of the fields.
 #[must_use]
 pub const fn operations(counts: [[usize; 6]; 10]) -> Operations {
     let [

@@ -8,14 +8,15 @@ use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
 use crate::scalar::{Lanes, Scalar};
 
-/// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and what is integrated beside them: the state that an
-/// integrator steps. With a time it is a [`State`].
+/// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and additional states z: the state that an
+/// integrator advances. Together with a time it is a [`State`].
 ///
-/// A model by itself has nothing beside them, `z` is `()`. Under a controller with `K` states `z` is an `SVector<S, K>`, under a sampled
-/// one [`Sampled`](crate::laws::Sampled), and the [ignorable coordinates](crate::Reconstruction) of a reduced model stand there, too.
+/// A model by itself has no additional states; `z` is `()`. Under a controller with `K` states `z` is an
+/// `SVector<S, K>`, under a sampled controller it is [`Sampled`](crate::laws::Sampled), and it also holds the
+/// [ignorable coordinates](crate::Reconstruction) of a reduced model.
 ///
-/// As the derivative of a phase, `q` holds the velocities and `v` the accelerations. Its components are the coordinates, the
-/// velocities, then those of `z`.
+/// In the derivative of a phase, `q` holds the velocities and `v` the accelerations. The components are the
+/// coordinates, the velocities, then the components of `z`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -30,12 +31,12 @@ pub struct Phase<S: Scalar, const N: usize, Z = ()> {
     pub q: SVector<S, N>,
     /// Velocities q̇.
     pub v: SVector<S, N>,
-    /// What is integrated beside them.
+    /// Additional states that are integrated together with them.
     pub z: Z,
 }
 
 impl<S: Scalar, const N: usize> Phase<S, N> {
-    /// The phase of these coordinates and velocities, arrays or vectors.
+    /// Creates a phase from coordinates and velocities, given as arrays or vectors.
     pub fn new(q: impl IntoVector<S, N>, v: impl IntoVector<S, N>) -> Self {
         Self {
             q: q.into_vector(),
@@ -44,7 +45,7 @@ impl<S: Scalar, const N: usize> Phase<S, N> {
         }
     }
 
-    /// The coordinates and velocities with more beside them.
+    /// Returns the coordinates and velocities with additional states.
     #[inline]
     pub(crate) fn with<Z>(self, z: Z) -> Phase<S, N, Z> {
         let Self { q, v, z: () } = self;
@@ -53,7 +54,7 @@ impl<S: Scalar, const N: usize> Phase<S, N> {
 }
 
 impl<S: Scalar, const N: usize, Z> Phase<S, N, Z> {
-    /// Coordinates and velocities alone.
+    /// Returns the coordinates and velocities alone.
     #[inline]
     #[must_use]
     pub fn motion(&self) -> Phase<S, N> {
@@ -64,7 +65,7 @@ impl<S: Scalar, const N: usize, Z> Phase<S, N, Z> {
         }
     }
 
-    /// The state of the mechanical system at time `t`.
+    /// Returns the state of the mechanical system at time `t`.
     #[inline]
     #[must_use]
     pub(crate) fn at_time(&self, t: S) -> State<S, N> {
@@ -114,7 +115,8 @@ impl<S: Scalar, const N: usize, Z: VectorSpace<S>> VectorSpace<S> for Phase<S, N
         motion.chain(self.z.components())
     }
 
-    /// First to all coordinates, then to all velocities: as vectors of both, coordinates would wait for accelerations.
+    /// Updates first all coordinates, then all velocities: in vectors of both, coordinates would wait for
+    /// accelerations.
     #[inline]
     fn add_multiples(&self, terms: &[(usize, f64)], sums: &mut [Self]) {
         for (index, factor) in terms {
@@ -154,7 +156,7 @@ impl<S: Scalar, const N: usize, Z: VectorSpace<S>> VectorSpace<S> for Phase<S, N
     }
 }
 
-/// The largest of |q̇ᵢ|/sᵢ and √(|q̈ᵢ|/sᵢ), where sᵢ is the size of a coordinate, as far as it is not zero.
+/// Returns the largest of |q̇ᵢ|/sᵢ and √(|q̈ᵢ|/sᵢ) over all coordinates with a nonzero size sᵢ.
 fn rate<S: Scalar, const N: usize, Z>(derivative: &Phase<S, N, Z>, sizes: &Phase<S, N, Z>) -> S {
     let largest = |slopes: &SVector<S, N>| {
         let pairs = slopes.iter().zip(sizes.q.iter());
@@ -202,7 +204,7 @@ impl<S: Scalar, const N: usize> TypicalSizes<Phase<S, N>> for [f64; N] {
     }
 }
 
-/// Of the coordinates, and of the components beside them.
+/// The sizes of the coordinates, and of the additional components.
 impl<S: Scalar, const N: usize, const K: usize> TypicalSizes<Phase<S, N, SVector<S, K>>>
     for ([f64; N], [f64; K])
 {

@@ -1,7 +1,7 @@
-//! Poles of the angles of reduced models, where the equations have no value as they are written.
+//! Poles of the angles of reduced models, where the equations, as written, have no value.
 //!
-//! Quotients by sin²θ whose numerators vanish with them lose as many digits as 1/sin²θ has, and none are left at the pole. A
-//! step of an integration can lead from one side of a pole to the other without coming near it.
+//! In quotients by sin²θ whose numerators vanish at the pole, the relative error grows like 1/sin²θ, and no digits are
+//! left at the pole. A step of an integration can lead from one side of a pole to the other without coming near it.
 
 use core::f64::consts::{FRAC_1_PI, PI};
 
@@ -13,7 +13,8 @@ use super::state::State;
 use crate::integrate::Singularity;
 use crate::scalar::Scalar;
 
-/// The pole of a reduced model near which its accelerations have lost their digits: where sin²θ is below `min_pivot`.
+/// Returns the pole of a reduced model near which its accelerations have no correct digits: where sin²θ is below
+/// `min_pivot`.
 #[inline]
 pub(super) fn at_pole<M, S, const N: usize>(
     state: &State<S, N>,
@@ -34,7 +35,7 @@ where
     None
 }
 
-/// The pole that lies between the coordinates before and after a step, in any lane.
+/// Returns the pole that lies between the coordinates before and after a step, in any lane.
 #[inline]
 pub(super) fn pole_between<M, S, const N: usize>(
     before: &SVector<S, N>,
@@ -54,12 +55,12 @@ where
     None
 }
 
-/// How many half turns an angle has behind it: the poles are at whole numbers of them.
+/// Returns the number of half turns below an angle; the poles are at whole numbers of half turns.
 fn half_turns<S: Scalar>(angle: S) -> S {
     (angle * S::from_f64(FRAC_1_PI)).floor()
 }
 
-/// The whole number of half turns that is nearest to an angle.
+/// Returns the multiple of a half turn that is nearest to an angle.
 fn nearest_pole<S: Scalar>(angle: S) -> S {
     half_turns(angle + S::pi() * S::from_f64(0.5)) * S::pi()
 }

@@ -1,4 +1,4 @@
-//! A reduced model with its ignorable coordinates, by quadrature of their velocities along the motion.
+//! A reduced model together with its ignorable coordinates, found by quadrature of their velocities along the motion.
 
 use nalgebra::SVector;
 
@@ -16,11 +16,12 @@ use crate::linalg::ErrorTolerance;
 use crate::model::law::LawStates as _;
 use crate::scalar::Scalar;
 
-/// The equations of motion of a reduced model with `N` coordinates, and the velocities of the `K` ignorable ones, on which
-/// nothing depends; made by [`Routhian::reconstruction`].
+/// The equations of motion of a reduced model with `N` coordinates, together with the velocities of the `K` ignorable
+/// coordinates, on which nothing depends; constructed by [`Routhian::reconstruction`].
 ///
-/// Its states have the ignorable coordinates in [`z`](Phase::z). The quadratures take part in the control of errors, and in the
-/// dense output of every method. Under [`Taylor`](crate::Taylor) the series of the velocities are integrated term by term.
+/// Its states hold the ignorable coordinates in [`z`](Phase::z). The quadratures take part in the error control and in
+/// the dense output of every method. Under [`Taylor`](crate::Taylor), the series of the velocities are integrated term
+/// by term.
 #[derive(Clone, Debug)]
 pub struct Reconstruction<'a, M, S, const N: usize, const K: usize>
 where
@@ -41,7 +42,7 @@ where
         }
     }
 
-    /// The state of the full model.
+    /// Returns the state of the full model.
     pub fn full_state(&self, state: &State<S, N, SVector<S, K>>) -> M::FullState {
         self.reduced.model.full_state(&state.state(), &state.z)
     }
@@ -61,7 +62,7 @@ where
         self.reduced.derivative(t, &x.motion()).with(velocities)
     }
 
-    /// The size of an ignorable coordinate is at least 1, since that of an angle does not matter.
+    /// The size of an ignorable coordinate is at least 1, since the size of an angle does not matter.
     #[inline]
     fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
         let size = |z: S| tolerance.of_coordinate(z.abs().max(S::one()));
@@ -161,7 +162,7 @@ where
     }
 }
 
-/// The events of the reduced model: they depend on its state alone.
+/// The events of the reduced model, which depend only on its state.
 impl<M, S, const N: usize, const K: usize> EventDynamics<S> for Reconstruction<'_, M, S, N, K>
 where
     M: Routhian<N, K, S, Model: Events<N, S>>,

@@ -4,10 +4,11 @@ use nalgebra::SVector;
 
 use crate::scalar::Scalar;
 
-/// A function of time s(t) with its Taylor series, such as an input of a model ([`Problem::driven_by`](crate::Problem::driven_by)).
+/// A function of time s(t) with its Taylor series, such as an input of a model
+/// ([`Problem::driven_by`](crate::Problem::driven_by)).
 ///
-/// [`Constant`], [`Polynomial`], [`Sinusoid`] and [`Sum`]s of them are signals. Any other is written with the building
-/// blocks of [`recurrences`](crate::recurrences): a chirp a sin(½ r t²) here.
+/// [`Constant`], [`Polynomial`], [`Sinusoid`] and [`Sum`]s of these are signals. Other signals are written with the
+/// building blocks of [`recurrences`](crate::recurrences), such as this chirp a sin(½ r t²):
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -43,11 +44,11 @@ use crate::scalar::Scalar;
             closure as an input is a control law, `feedback`, which `Dop853` integrates"
 )]
 pub trait Signal<S: Scalar = f64> {
-    /// Adds the Taylor coefficients of order 0, 1, … about a time, in this unit of time, to `coefficients`:
-    /// s(t + τ·unit) = Σ sₖ τᵏ. There are at most 2·`HALF`.
+    /// Adds the Taylor coefficients of order 0, 1, … about a time, in the given unit of time, to `coefficients`: s(t +
+    /// τ·unit) = Σ sₖ τᵏ. There are at most 2·`HALF` coefficients.
     fn add_series<const HALF: usize>(&self, t: S, unit: S, coefficients: &mut [S]);
 
-    /// s(t).
+    /// Returns s(t).
     fn value(&self, t: S) -> S {
         let mut value = [S::zero()];
         self.add_series::<1>(t, S::one(), &mut value);
@@ -55,31 +56,31 @@ pub trait Signal<S: Scalar = f64> {
     }
 }
 
-/// A signal that does not change.
+/// A constant signal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constant(pub f64);
 
-/// The polynomial Σ cᵢ tⁱ, whose coefficients c₀, c₁, … are given.
+/// The polynomial Σ cᵢ tⁱ with the given coefficients c₀, c₁, ….
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polynomial<const K: usize>(pub [f64; K]);
 
-/// amplitude · sin(angular frequency · t + phase).
+/// The signal amplitude · sin(angular frequency · t + phase).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sinusoid {
     /// The amplitude, in the unit of the input.
     pub amplitude: f64,
-    /// The angular frequency, in radians by the unit of time.
+    /// The angular frequency, in radians per unit of time.
     pub angular_frequency: f64,
     /// The angle at t = 0, in radians.
     pub phase: f64,
 }
 
-/// The sum of signals: an array of one type, such as the harmonics of a periodic function, or a pair.
+/// The sum of signals: an array of signals of one type, such as the harmonics of a periodic function, or a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sum<T>(pub T);
 
 impl Sinusoid {
-    /// The signal A sin(ω t), of this amplitude A and angular frequency ω; its phase is a field.
+    /// Creates the signal A sin(ω t) with amplitude A and angular frequency ω; its phase can be set as a field.
     #[must_use]
     pub const fn new(amplitude: f64, angular_frequency: f64) -> Self {
         Self {
@@ -121,7 +122,7 @@ impl<S: Scalar> Signal<S> for Sinusoid {
         let angle = rate.mul_add(t, S::from_f64(self.phase));
         let (sine, cosine) = angle.sin_cos();
         let amplitude = S::from_f64(self.amplitude);
-        // s⁽ᵏ⁾ is s, its quarter period, and their opposites in turn.
+        // The derivatives s⁽ᵏ⁾ are in turn s, s shifted by a quarter period, and their opposites.
         let (mut here, mut next) = (amplitude * sine, amplitude * cosine);
         let mut order = S::zero();
         for coefficient in coefficients {
@@ -163,10 +164,11 @@ impl<S: Scalar, G: Signal<S> + ?Sized> Signal<S> for &G {
             a closure is a control law, `feedback(|x| …)`, which `Dop853` integrates"
 )]
 pub trait Signals<S: Scalar, const U: usize> {
-    /// u(t).
+    /// Returns u(t).
     fn values(&self, t: S) -> SVector<S, U>;
 
-    /// The Taylor coefficients u₀, u₁, … about a time, in this unit of time. There are at most 2·`HALF`.
+    /// Sets the Taylor coefficients u₀, u₁, … about a time, in the given unit of time. There are at most 2·`HALF`
+    /// coefficients.
     fn series<const HALF: usize>(&self, t: S, unit: S, coefficients: &mut [SVector<S, U>]);
 }
 

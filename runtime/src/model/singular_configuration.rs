@@ -1,4 +1,4 @@
-//! States at which the mass matrix is singular, and what is said of them.
+//! States at which the mass matrix is singular, and the reports about them.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -12,7 +12,7 @@ use crate::limits::{REFERENCE_OFFSETS, VANISHING_INERTIA};
 use crate::linalg::Factorization;
 use crate::scalar::Scalar;
 
-/// The coordinate with the smallest relative pivot, if that is below `min_pivot`.
+/// Returns the coordinate with the smallest relative pivot, if it is below `min_pivot`.
 #[inline]
 pub(crate) fn singularity<M, S, const N: usize>(
     model: &M,
@@ -42,7 +42,7 @@ where
     }
 }
 
-/// The same in the course of a motion.
+/// Tests for a singularity in the course of a motion.
 #[inline]
 pub(crate) fn singularity_in_motion<M, S, const N: usize>(
     model: &M,
@@ -61,7 +61,7 @@ where
     }
 }
 
-/// A pole between the coordinates before a step and the state after it, in any lane.
+/// Returns a pole between the coordinates before a step and the state after it, in any lane.
 #[inline]
 pub(crate) fn singularity_between<M, S, const N: usize>(
     before: &SVector<S, N>,
@@ -74,14 +74,14 @@ where
     pole_between::<M, S, N>(before, after)
 }
 
-/// The report of the smallest relative pivot.
+/// Returns the report of the smallest relative pivot.
 #[cold]
 fn report<M, S, const N: usize>(pivots: &SVector<S, N>, state: &State<S, N>) -> Singularity
 where
     M: GeneralizedCoordinates<N> + ?Sized,
     S: Scalar,
 {
-    // A pivot that is NaN comes from a division by zero and counts as zero.
+    // A NaN pivot results from a division by zero and counts as zero.
     let sizes = pivots.iter().map(|pivot| {
         let size = pivot.abs().smallest();
         if size.is_nan() { 0.0 } else { size }
@@ -94,7 +94,8 @@ where
     named::<M, S, N>(coordinate, least, state)
 }
 
-/// The coordinate whose inertia is the smallest relative to that elsewhere, if it has nearly vanished.
+/// Returns the coordinate whose inertia is the smallest relative to its inertia at other configurations, if it has
+/// nearly vanished.
 #[cold]
 pub(crate) fn vanishing_inertia<M, S, const N: usize>(
     model: &M,
@@ -109,7 +110,7 @@ where
     Some(named::<M, S, N>(coordinate, ratio, state))
 }
 
-/// The same in one lane.
+/// Returns the coordinate whose inertia has nearly vanished in one lane.
 #[cold]
 pub(super) fn vanishing_inertia_in_lane<M, S, const N: usize>(
     model: &M,
@@ -126,7 +127,7 @@ where
     Some(named::<M, f64, N>(coordinate, ratio, &in_lane(lane, state)))
 }
 
-/// That coordinate, and its inertia relative to that elsewhere.
+/// Returns the coordinate with the smallest relative inertia, and its inertia relative to other configurations.
 fn least_inertia<M, S, const N: usize>(
     model: &M,
     prepared: &M::Prepared,
@@ -155,7 +156,7 @@ where
     (least.1 < VANISHING_INERTIA).then_some(least)
 }
 
-/// The state in a lane.
+/// Returns the state in a lane.
 fn in_lane<S: Scalar, const N: usize>(lane: usize, state: &State<S, N>) -> State<f64, N> {
     State::new(
         state.t.in_lane(lane),
@@ -164,7 +165,7 @@ fn in_lane<S: Scalar, const N: usize>(lane: usize, state: &State<S, N>) -> State
     )
 }
 
-/// The magnitude of the effective inertia of each coordinate, with the others free: 1 / (M⁻¹)ᵢᵢ.
+/// Returns the magnitude of the effective inertia of each coordinate while the others are free: 1 / (M⁻¹)ᵢᵢ.
 fn inertias<M, S, const N: usize>(
     model: &M,
     prepared: &M::Prepared,

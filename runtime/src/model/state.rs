@@ -7,8 +7,7 @@ use crate::integrate::At;
 use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
-/// Time, coordinates q and velocities q̇ of a system with `N` degrees of freedom, and what is integrated beside them
-/// ([`Phase`]).
+/// Time, coordinates q and velocities q̇ of a system with `N` degrees of freedom, and additional states ([`Phase`]).
 ///
 /// ```
 /// use lagrangian::State;
@@ -26,7 +25,7 @@ use crate::scalar::Scalar;
 pub type State<S, const N: usize, Z = ()> = At<S, Phase<S, N, Z>>;
 
 impl<S: Scalar, const N: usize> State<S, N> {
-    /// The state at time `t` with coordinates `q` and velocities `v`, from arrays or vectors.
+    /// Creates the state at time `t` with coordinates `q` and velocities `v`, given as arrays or vectors.
     pub fn new(t: S, q: impl IntoVector<S, N>, v: impl IntoVector<S, N>) -> Self {
         Self {
             t,
@@ -36,7 +35,7 @@ impl<S: Scalar, const N: usize> State<S, N> {
 }
 
 impl<S: Scalar, const N: usize, Z> State<S, N, Z> {
-    /// The state of the mechanical system alone.
+    /// Returns the state of the mechanical system alone.
     #[inline]
     #[must_use]
     pub fn state(&self) -> State<S, N> {
@@ -44,7 +43,7 @@ impl<S: Scalar, const N: usize, Z> State<S, N, Z> {
     }
 }
 
-/// The state of the mechanical system, and what is integrated beside it.
+/// Combines the state of the mechanical system with additional states.
 impl<S, C, const N: usize, const K: usize> From<(State<S, N>, C)> for State<S, N, SVector<S, K>>
 where
     S: Scalar,

@@ -7,12 +7,14 @@ use super::state::State;
 use crate::integrate::{Dynamics, IntegrationError, Integrator, Problem};
 use crate::scalar::Dual;
 
-/// The derivatives of a motion at a time by the `K` variables of its [dual numbers](Dual): by the initial coordinates and
-/// velocities, variables 0 to 2 `N` − 1, and by whatever else is given the ones from 2 `N` on, such as parameters.
+/// The derivatives of a motion at a time by the `K` variables of its [dual numbers](Dual).
 ///
-/// The steps of the integration are differentiated: the variational equations, solved by the same method (E. Hairer, S. P.
-/// Nørsett & G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., 1993, section I.14). Over a period the matrix is
-/// the monodromy matrix, whose eigenvalues are Floquet's multipliers.
+/// Variables 0 to 2 `N` − 1 are the initial coordinates and velocities; variables from 2 `N` on are other given
+/// quantities, such as parameters.
+///
+/// The steps of the integration are differentiated, so that the variational equations are solved by the method of the
+/// integration (E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., 1993,
+/// section I.14). Over a period, the matrix is the monodromy matrix, whose eigenvalues are the Floquet multipliers.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -27,7 +29,7 @@ use crate::scalar::Dual;
 /// )]
 /// struct Oscillator<T: Scalar> { m: T, k: T }
 ///
-/// // By x(0), ẋ(0) and, as the third, the stiffness.
+/// // By x(0), ẋ(0) and, third, the stiffness.
 /// let oscillator = Oscillator { m: Dual::<f64, 3>::constant(1.0), k: Dual::variable(4.0, 2) };
 /// let start = State::new(0.0, [1.0], [0.0]);
 /// let transition = StateTransition::over(&Taylor::new(), &oscillator.dynamics(), &start, 10.0)?;
@@ -41,21 +43,21 @@ use crate::scalar::Dual;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 ///
-/// For several times, [`initial`](Self::initial) is the initial value of a sampled motion, and [`of`](Self::of) takes its
-/// samples.
+/// For several times, use [`initial`](Self::initial) as the initial value of a sampled motion, and [`of`](Self::of) on
+/// its samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StateTransition<const N: usize, const K: usize> {
-    /// The state at that time.
+    /// The state at this time.
     pub state: State<f64, N>,
-    /// ∂qᵢ/∂(number j) in row i, column j.
+    /// ∂qᵢ/∂(variable j) in row i, column j.
     pub q: SMatrix<f64, N, K>,
-    /// ∂q̇ᵢ/∂(number j) in row i, column j.
+    /// ∂q̇ᵢ/∂(variable j) in row i, column j.
     pub v: SMatrix<f64, N, K>,
 }
 
 impl<const N: usize, const K: usize> StateTransition<N, K> {
-    /// The derivatives over the motion from `initial` to the time `end`, which may lie before it. The final time is not
-    /// moved with the numbers.
+    /// Computes the derivatives over the motion from `initial` to the time `end`, which may lie before it. The final
+    /// time does not depend on the variables.
     ///
     /// # Errors
     ///
@@ -74,9 +76,9 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
         Ok(Self::of(&end))
     }
 
-    /// An initial value whose numbers 0 to 2 `N` − 1 are its coordinates and velocities.
+    /// Returns an initial value in which variables 0 to 2 `N` − 1 are the coordinates and velocities.
     ///
-    /// `K` is 2 `N`, and more with parameters:
+    /// `K` is 2 `N`, or more with parameters:
     ///
     /// ```compile_fail,E0080
     /// # use lagrangian::{State, StateTransition};
@@ -95,7 +97,7 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
         State::new(Dual::constant(state.t), q, v)
     }
 
-    /// The derivatives at a sample.
+    /// Returns the derivatives at a sample.
     #[must_use]
     pub fn of(sample: &State<Dual<f64, K>, N>) -> Self {
         let Phase { q, v, z: () } = sample.x;
@@ -112,10 +114,10 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
         }
     }
 
-    /// The state-transition matrix Φ = ∂x(t)/∂x(0), where x = (q, q̇). It has `D` = 2 `N` rows and columns.
+    /// Returns the state-transition matrix Φ = ∂x(t)/∂x(0), where x = (q, q̇). It has `D` = 2 `N` rows and columns.
     ///
-    /// In canonical variables it is symplectic, Φᵀ J Φ = J; with the momenta p = M q̇ + … these are found by the
-    /// derivatives of p at both ends.
+    /// In canonical variables the matrix is symplectic, Φᵀ J Φ = J. To obtain it with the momenta p = M q̇ + …,
+    /// multiply by the derivatives of p at both ends.
     #[must_use]
     pub fn matrix<const D: usize>(&self) -> SMatrix<f64, D, D> {
         const {
@@ -131,8 +133,8 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
         })
     }
 
-    /// The derivatives of the state by the `P` = `K` − 2 `N` parameters, a phase for each, `q` and `v` in the columns of
-    /// two matrices.
+    /// Returns the derivatives of the state by the `P` = `K` − 2 `N` parameters: for each parameter, a column of `q`
+    /// and of `v`.
     #[must_use]
     pub fn by_parameters<const P: usize>(&self) -> ByParameters<N, P> {
         const {
@@ -148,7 +150,7 @@ impl<const N: usize, const K: usize> StateTransition<N, K> {
     }
 }
 
-/// The derivatives of a state by parameters; given by [`StateTransition::by_parameters`].
+/// The derivatives of a state by parameters; see [`StateTransition::by_parameters`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ByParameters<const N: usize, const P: usize> {
     /// ∂qᵢ/∂pⱼ in row i, column j.

@@ -1,4 +1,4 @@
-//! Models as what a problem is made of.
+//! Models as systems from which problems are constructed.
 
 use super::equations_of_motion::EquationsOfMotion;
 use super::lagrangian::Lagrangian;
@@ -6,7 +6,7 @@ use super::phase::Phase;
 use crate::integrate::System;
 use crate::scalar::Scalar;
 
-/// The kind of systems that are models, owned or by reference.
+/// The marker for systems that are models, owned or by reference.
 #[derive(Clone, Copy, Debug)]
 pub struct ByModel<const N: usize>;
 

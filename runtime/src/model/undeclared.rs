@@ -1,53 +1,54 @@
-//! What the compiler says where a constant or a method needs a clause that the declaration lacks.
+//! Compiler messages for constants or methods that need a clause that the declaration lacks.
 //!
-//! Where the trait of an item is not implemented, the compiler does not read the trait's `on_unimplemented`: that speaks of
-//! unmet bounds alone, such as those of the methods of `Lagrangian`. Each other item therefore has a namesake in a trait that is
-//! implemented for every type under a bound that none meets. The compiler passes the namesake over, and reports the bound where it finds nothing else. Namesakes take
-//! `&mut self`, which the compiler tries last, and are never called. The prelude imports their traits without names.
+//! If the trait of an item is not implemented, the compiler does not use the trait's `on_unimplemented` message, which
+//! applies only to unmet bounds, such as those on the methods of `Lagrangian`. Each other item therefore has a namesake
+//! in a trait that is implemented for every type under a bound that no type meets. The compiler skips the namesake if
+//! it finds another item, and otherwise reports the bound. Namesakes take `&mut self`, which the compiler tries last,
+//! and are never called. The prelude imports their traits without names.
 //!
-//! `reduce` has none: the types of other crates have methods of that name.
+//! `reduce` has no namesake, because types of other crates have methods of this name.
 
-/// What a model with a field `#[lagrangian(input)]` has.
+/// A bound met by models with a field `#[lagrangian(input)]`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no inputs: mark the fields that a control law or a signal sets `#[lagrangian(input)]`"
 )]
 pub trait DeclaresInputs {}
 
-/// What a model with the clause `event` has.
+/// A bound met by models with the clause `event`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no events: write the clause `event(name = expression)` in its declaration"
 )]
 pub trait DeclaresEvents {}
 
-/// What a model with the clause `regressor` has.
+/// A bound met by models with the clause `regressor`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no regressor: write the clause `regressor`, or `regressor(m, inertia)` with the unknown \
                parameters, in its declaration"
 )]
 pub trait DeclaresRegressor {}
 
-/// What a model with the clause `sensitivities` has.
+/// A bound met by models with the clause `sensitivities`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no derivatives by parameters: write the clause `sensitivities`, or `sensitivities(m, l)` with \
                some parameters, in its declaration"
 )]
 pub trait DeclaresSensitivities {}
 
-/// What the reduced model of a clause `routhian` has.
+/// A bound met by the reduced model of a clause `routhian`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a reduced model: write the clause `routhian(Name)` in its declaration, and \
                `let (reduced, start) = model.reduce(&start)`"
 )]
 pub trait IsReduced {}
 
-/// What a model with an ignorable coordinate or a constant energy has.
+/// A bound met by models with an ignorable coordinate or a constant energy.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no constants of motion: a force, dissipation or an input acts on each coordinate, or the \
                Lagrangian depends on it; and the energy changes"
 )]
 pub trait HasConstantsOfMotion {}
 
-/// The traits of namesakes, each under its bound.
+/// Defines the traits of namesakes, each under its bound.
 macro_rules! namesakes {
     ($($name:ident: $bound:ident {
         $(fn $($method:ident),+;)?

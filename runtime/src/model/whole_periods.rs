@@ -1,9 +1,9 @@
-//! Angles less whole periods.
+//! Angles reduced by whole periods.
 //!
-//! The state of an integration counts turns, and the rounding error of an angle grows with them. A stepper also has
-//! what rounding has removed from the state, its compensation: with that, the angle less whole periods has all digits.
-//! The turns are subtracted with 2π in several parts (W. J. Cody & W. Waite, *Software Manual for the Elementary
-//! Functions*, 1980).
+//! The state of an integration counts turns, and the rounding error of an angle grows with them. A stepper also stores
+//! the compensation, the part that rounding has removed from the state. With it, the reduced angle is accurate to all
+//! digits. The turns are subtracted with 2π in several parts (W. J. Cody & W. Waite, *Software Manual for the
+//! Elementary Functions*, 1980).
 
 use core::f64::consts::TAU;
 
@@ -13,19 +13,19 @@ use crate::limits::SMALL_ANGLE;
 use crate::linalg::lane_select::{LaneSelect, greater};
 use crate::scalar::Scalar;
 
-/// 2π, the sum of four parts. The first two have so few bits that their products with a number of turns are exact, up
-/// to a number of turns of 2 to the power `digits`.
+/// 2π as the sum of four parts.
 ///
-/// What they leave is of the size of the rounding error of 2π in a format of twice the digits, so that a scalar of more
-/// digits than `f64` gains as many.
+/// The first two parts have so few bits that their products with a number of turns are exact, up to 2 to the power
+/// `digits` turns. The error of the sum is about the rounding error of 2π in a format with twice the digits, so that
+/// scalars with more digits than `f64` benefit, too.
 struct FullTurn {
     parts: [f64; 4],
-    /// The third part and the fourth as three, the first of which has few bits, too: for more turns.
+    /// The third and the fourth part as three parts, the first of which has few bits, too: for larger numbers of turns.
     later_parts: [f64; 3],
     digits: i32,
 }
 
-/// For scalars of at least the digits of `f64`; `runtime/scripts/full_turn_constants.py` computes the parts.
+/// For scalars with at least the precision of `f64`; `runtime/scripts/full_turn_constants.py` computes the parts.
 const BINARY64: FullTurn = FullTurn {
     parts: [
         6.283_185_482_025_146_5,
@@ -41,7 +41,7 @@ const BINARY64: FullTurn = FullTurn {
     digits: 29,
 };
 
-/// For scalars of at least the digits of `f32`.
+/// For scalars with at least the precision of `f32`.
 const BINARY32: FullTurn = FullTurn {
     parts: [
         6.283_203_125,
@@ -69,7 +69,8 @@ impl FullTurn {
         }
     }
 
-    /// The turns in the whole periods nearest to an angle, without derivative parts; 0 if they are too many.
+    /// Returns the number of turns in the whole periods nearest to an angle, without derivative parts; 0 if there are
+    /// too many.
     fn turns_in<S: Scalar>(&self, angle: S, period: f64) -> S {
         let inverse = 1.0 / (period * TAU);
         let most_turns = libm::ldexp(1.0, self.digits);
@@ -82,11 +83,11 @@ impl FullTurn {
         S::from_f64(if few { turns.copysign(most) } else { 0.0 })
     }
 
-    /// The same in lanes that differ: in each it is that of the lane alone.
+    /// Returns the turns in lanes that differ; the result of each lane is independent of the others.
     fn turns_in_lanes<S: Scalar>(angle: S, period: f64, inverse: f64, most_turns: f64) -> S {
         let size = angle.abs();
         let periods = size * S::from_f64(inverse) + S::from_f64(0.5);
-        // A larger number is too many, whatever it is.
+        // A larger number is too many in any case.
         let periods = periods.min(S::from_f64(2.0 * most_turns)).floor();
         let turns = periods * S::from_f64(period);
         let too_many = greater(turns, S::from_f64(most_turns));
@@ -94,9 +95,12 @@ impl FullTurn {
         turns * large * (S::one() - too_many) * angle.signum()
     }
 
-    /// The angle and its compensation less whole blocks of periods, where there are more turns than two to the power
-    /// `digits`; as they are in the lanes in which there are not, or in which there are more than the square of that. A block is as
-    /// many periods as a power of two, of at most those turns: its products with a number of blocks are exact.
+    /// Returns the angle and its compensation reduced by whole blocks of periods, if there are more turns than 2 to the
+    /// power `digits`.
+    ///
+    /// Lanes with fewer turns, or with more turns than the square of this number, are unchanged. A block consists of a
+    /// power of two of periods, at most as many turns as this number, so that its products with a number of blocks are
+    /// exact.
     fn less_blocks<S: Scalar>(&self, angle: S, compensation: S, period: f64) -> (S, S) {
         let most_turns = libm::ldexp(1.0, self.digits);
         let (_, bits) = libm::frexp(period - 0.5);
@@ -107,7 +111,7 @@ impl FullTurn {
             return (angle, compensation);
         }
         let blocks = size * S::from_f64(1.0 / (block * period * TAU)) + S::from_f64(0.5);
-        // A larger number is too many, whatever it is; the number has no derivative parts.
+        // A larger number is too many in any case; the number has no derivative parts.
         let blocks = blocks.min(S::from_f64(2.0 * most_turns)).floor();
         let count = blocks * S::from_f64(period);
         let is_too_many = greater(count, S::from_f64(most_turns));
@@ -126,8 +130,8 @@ impl FullTurn {
     }
 }
 
-/// x − y and its rounding error (T. J. Dekker, *A floating-point technique for extending the available precision*, Numer. Math. **18**
-/// (1971) 224–242).
+/// Returns x − y and its rounding error (T. J. Dekker, *A floating-point technique for extending the available
+/// precision*, Numer. Math. **18** (1971) 224–242).
 fn difference<S: Scalar>(x: S, y: S) -> (S, S) {
     let difference = x - y;
     let of_y = x - difference;
@@ -135,15 +139,17 @@ fn difference<S: Scalar>(x: S, y: S) -> (S, S) {
     (difference, (x - of_x) - (y - of_y))
 }
 
-/// Whether an angle is so large that subtracting periods gains digits.
+/// Returns whether an angle is so large that subtracting periods increases its accuracy.
 #[inline]
 pub(crate) fn is_large<S: Scalar>(angle: S) -> bool {
     angle.abs().largest() > SMALL_ANGLE
 }
 
-/// The angle `angle` + `compensation` less whole periods, each of so many full turns: nearest to zero, and unchanged in
-/// the lanes in which it is not large, or too large for the digits of 2π: of `f64`, after some 10¹⁵ turns, where the distance of two
-/// numbers is a radian.
+/// Returns the angle `angle` + `compensation` reduced by whole periods to the value nearest to zero; `period` is in
+/// full turns.
+///
+/// Lanes are unchanged if their angle is not large, or too large for the digits of 2π. In `f64` this happens after some
+/// 10¹⁵ turns, where neighbouring numbers are a radian apart.
 #[inline(never)]
 #[cold]
 pub(crate) fn less_whole_periods<S: Scalar>(angle: S, compensation: S, period: u32) -> S {
@@ -153,7 +159,7 @@ pub(crate) fn less_whole_periods<S: Scalar>(angle: S, compensation: S, period: u
     let (angle, compensation) = full_turn.less_blocks(angle, compensation, f64::from(period));
     let turns = full_turn.turns_in(angle, f64::from(period));
     let [first, second, third, fourth] = full_turn.parts.map(S::from_f64);
-    // The differences are exact in `f64`: they have the last bit of the angle, or that of the product, and are small.
+    // The differences are exact in `f64`: they are small multiples of the last bit of the angle or of the product.
     let rest = (angle - turns * first) - turns * second;
     let compensation = compensation * turns.signum().abs();
     rest - (turns * third - (compensation - turns * fourth))
@@ -168,7 +174,7 @@ mod tests {
         DoubleDouble::from(x)
     }
 
-    /// The angle less `turns` full turns, with the digits of a double-double.
+    /// Returns the angle minus `turns` full turns, in double-double arithmetic.
     fn exact(angle: f64, compensation: f64, turns: f64) -> DoubleDouble {
         let [first, second, third, fourth] =
             BINARY64.parts.map(|part| double(part) * double(turns));
@@ -198,7 +204,7 @@ mod tests {
             let later = later.fold(double(0.0), |sum, part| sum + double(*part));
             let rest = double(parts[2]) + double(parts[3]);
             assert!((later - rest).to_f64().abs() < bound);
-            // The product with the most turns is exact.
+            // The product with the largest number of turns is exact.
             let most = libm::ldexp(1.0, digits) - 1.0;
             for part in parts[..2].iter().chain(&later_parts[..1]) {
                 let product = double(*part) * double(most);
@@ -238,7 +244,7 @@ mod tests {
         }
     }
 
-    /// Beyond 5·10⁸ turns: the angle is a whole number of turns, in numbers of more digits, and a rest.
+    /// Beyond 5·10⁸ turns, the angle is a whole number of turns and a remainder, in extended precision.
     #[test]
     fn many_turns_are_removed_to_the_last_digit() {
         let tau = DoubleDouble::pi() * double(2.0);
@@ -253,7 +259,7 @@ mod tests {
                         let angle = exact.to_f64();
                         let compensation = (exact - double(angle)).to_f64();
                         let found = less_whole_periods(angle, compensation, period);
-                        // Of the product with 2π in double-doubles.
+                        // The error of the product with 2π in double-doubles.
                         let tolerance = 1e-15 * f64::from(period) + 1e-31 * turns;
                         let error = found - sign * rest;
                         assert!(

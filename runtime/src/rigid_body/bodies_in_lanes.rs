@@ -15,10 +15,10 @@ pub trait MomentInLanes<const L: usize>: MomentSeries<f64> {
     /// The moments on the bodies of all lanes.
     type InLanes: MomentSeries<Lanes<L>>;
 
-    /// This moment in every lane.
+    /// Returns this moment in every lane.
     fn in_lanes(&self) -> Self::InLanes;
 
-    /// Sets the moment of a lane to this one; nothing if there is no such lane.
+    /// Sets the moment of a lane to this moment; does nothing if there is no such lane.
     fn set_lane(&self, moments: &mut Self::InLanes, lane: usize);
 }
 
@@ -74,7 +74,7 @@ impl<const L: usize> MomentInLanes<L> for ConstantForce {
     }
 }
 
-/// Each lane has a body and a moment of its own.
+/// Each lane has its own body and moment.
 impl<M: MomentInLanes<L>, const L: usize> InLanes<L> for EulerEquations<f64, M> {
     type States = RotationState<Lanes<L>>;
     type Parameters = EulerEquations<Lanes<L>, M::InLanes>;
@@ -98,7 +98,7 @@ impl<M: MomentInLanes<L>, const L: usize> InLanes<L> for EulerEquations<f64, M> 
     }
 }
 
-/// The tensors with another one in a lane.
+/// Returns the tensors with the tensor of one lane replaced.
 fn with_lane<const L: usize>(
     tensors: &InertiaTensor<Lanes<L>>,
     lane: usize,

@@ -12,9 +12,9 @@ use crate::scalar::Scalar;
 
 /// The ten numbers of a rigid body: mass, centre of gravity (1.1), and inertia tensor (2.1).
 ///
-/// They are in axes fixed to the body, whose origin is any of its points. Bodies are made of [solids](super::Solid),
-/// [particles](Self::particle), reports of other programs, or [numbers](Self::new); moved, turned, composed and
-/// subtracted.
+/// They refer to axes fixed to the body, whose origin is any of its points. Bodies are constructed from
+/// [solids](super::Solid), [particles](Self::particle), reports of other programs, or [numbers](Self::new); they can be
+/// moved, turned, composed and subtracted.
 ///
 /// ```
 /// use lagrangian::rigid_body::{RigidBody, Solid};
@@ -37,13 +37,13 @@ use crate::scalar::Scalar;
 pub struct RigidBody<S: Scalar = f64> {
     mass: S,
     center: Vector3<S>,
-    /// About the centre of gravity.
+    /// The inertia tensor about the centre of gravity.
     inertia: InertiaTensor<S>,
 }
 
 impl<S: SingleNumber> RigidBody<S> {
-    /// The body of a mass, a centre of gravity in the axes of the body, and an inertia tensor about the **centre of
-    /// gravity**.
+    /// Creates a body with a mass, a centre of gravity in the axes of the body, and an inertia tensor about the
+    /// **centre of gravity**.
     ///
     /// # Errors
     /// [`BodyError`] unless the mass is positive, all numbers are finite, no principal moment is negative, and none
@@ -52,11 +52,11 @@ impl<S: SingleNumber> RigidBody<S> {
         Self::within(mass, center, inertia, allowance::<S>(&inertia))
     }
 
-    /// The same with an inertia tensor about the **origin** of the body's axes.
+    /// Creates a body with an inertia tensor about the **origin** of the body's axes.
     ///
     /// # Errors
-    /// As those of [`new`](Self::new). The parallel axis theorem (2.2) subtracts, and what rounding leaves of a body far
-    /// from its origin is allowed.
+    /// The errors of [`new`](Self::new). The parallel axis theorem (2.2) subtracts, and the rounding errors of a body
+    /// far from its origin are allowed.
     pub fn with_inertia_about_origin(
         mass: S,
         center: Vector3<S>,
@@ -66,7 +66,7 @@ impl<S: SingleNumber> RigidBody<S> {
         Self::within(mass, center, about_center, allowance::<S>(&inertia))
     }
 
-    /// The same with principal moments that may be negative by `allowed`, or so much larger than the sum of the others.
+    /// Creates a body whose principal moments may be negative by `allowed`, or exceed the sum of the others by it.
     pub(super) fn within(
         mass: S,
         center: Vector3<S>,
@@ -85,7 +85,7 @@ impl<S: SingleNumber> RigidBody<S> {
         })
     }
 
-    /// A particle at a point: no inertia about itself.
+    /// Creates a particle at a point, without inertia about itself.
     ///
     /// # Errors
     /// [`BodyError`] if the mass is not positive or a number is not finite.
@@ -93,27 +93,28 @@ impl<S: SingleNumber> RigidBody<S> {
         Self::new(mass, position, InertiaTensor::principal([S::zero(); 3]))
     }
 
-    /// The body that bodies make together, such as one of particles: its mass is their sum, its centre of gravity (1.1),
-    /// its inertia by the parallel axis theorem (2.2).
+    /// Composes a body from others, such as particles: its mass is the sum, its centre of gravity follows from (1.1),
+    /// and its inertia from the parallel axis theorem (2.2).
     ///
     /// # Errors
-    /// [`BodyError::NoParts`] if there are none.
+    /// [`BodyError::NoParts`], if there are no parts.
     pub fn composed(parts: impl IntoIterator<Item = Self>) -> Result<Self, BodyError> {
         let mut parts = parts.into_iter();
         let first = parts.next().ok_or(BodyError::NoParts)?;
         Ok(parts.fold(first, |whole, part| whole.plus(&part)))
     }
 
-    /// This body together with another one.
+    /// Returns this body together with another one.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         self.combined(other, S::one())
     }
 
-    /// This body without another one, such as a hole of the same density, that is a part of it.
+    /// Returns this body without another body that is a part of it, such as a hole of equal density.
     ///
     /// # Errors
-    /// [`BodyError`] if nothing is left, or something that no body is: then the other one is not a part of it.
+    /// [`BodyError`], if nothing is left, or if the result is not a physical body: then the other body is not a part of
+    /// this one.
     pub fn minus(&self, other: &Self) -> Result<Self, BodyError> {
         positive("the mass of the difference", self.mass - other.mass)?;
         let Self {
@@ -125,21 +126,21 @@ impl<S: SingleNumber> RigidBody<S> {
         Self::within(mass, center, inertia, allowed)
     }
 
-    /// The principal moments and axes of the inertia about the centre of gravity (2.5).
+    /// Returns the principal moments and axes of the inertia about the centre of gravity (2.5).
     #[must_use]
     pub fn principal_axes(&self) -> PrincipalAxes<S> {
         self.inertia.principal_axes()
     }
 }
 
-/// What rounding leaves of a tensor of which a part was subtracted.
+/// Returns a bound on the rounding errors of a tensor from which a part was subtracted.
 fn allowance<S: Scalar>(inertia: &InertiaTensor<S>) -> f64 {
     let moments = inertia.moments().map(|moment| moment.abs().largest());
     UNPHYSICAL_ROUNDING * S::machine_epsilon() * moments.into_iter().fold(0.0, f64::max)
 }
 
 impl<S: Scalar> RigidBody<S> {
-    /// The body of numbers that are known to be those of a body.
+    /// Creates a body from numbers that are known to be valid.
     pub(super) fn of_valid(mass: S, center: Vector3<S>, inertia: InertiaTensor<S>) -> Self {
         Self {
             mass,
@@ -148,36 +149,39 @@ impl<S: Scalar> RigidBody<S> {
         }
     }
 
-    /// The mass m.
+    /// Returns the mass m.
     #[must_use]
     pub fn mass(&self) -> S {
         self.mass
     }
 
-    /// The centre of gravity `r_C` (1.1), in the axes of the body from their origin. (It is the centre of mass; the
-    /// two differ only where gravity does over the size of the body.)
+    /// Returns the centre of gravity `r_C` (1.1), in the axes of the body, from their origin. (It is the centre of
+    /// mass; the two differ only if gravity varies over the size of the body.)
     #[must_use]
     pub fn center(&self) -> Vector3<S> {
         self.center
     }
 
-    /// The inertia tensor `[I_C]` about the centre of gravity (2.1), in the axes of the body.
+    /// Returns the inertia tensor `[I_C]` about the centre of gravity (2.1), in the axes of the body.
     #[must_use]
     pub fn inertia(&self) -> InertiaTensor<S> {
         self.inertia
     }
 
-    /// The inertia tensor `[I_O]` about a point O, in the axes of the body: `[I_C]` + m (|**d**|² 1 − **d** **d**ᵀ), the
-    /// parallel axis theorem (2.2) for all entries at once, where **d** leads from the point to the centre of gravity.
+    /// Returns the inertia tensor `[I_O]` about a point O, in the axes of the body.
+    ///
+    /// It is `[I_C]` + m (|**d**|² 1 − **d** **d**ᵀ), the parallel axis theorem (2.2) for all entries at once, where
+    /// **d** leads from the point to the centre of gravity.
     #[must_use]
     pub fn inertia_about(&self, point: &Vector3<S>) -> InertiaTensor<S> {
         self.inertia + InertiaTensor::of_particle(self.mass, &(self.center - point))
     }
 
-    /// The moment of inertia about the line through a point with a direction, of any length (2.3), (2.4).
+    /// Returns the moment of inertia about the line through a point along a direction vector of any length (2.3),
+    /// (2.4).
     ///
     /// # Errors
-    /// [`BodyError::NoDirection`] if the vector along the line is zero.
+    /// [`BodyError::NoDirection`], if the vector along the line is zero.
     pub fn inertia_about_line(
         &self,
         point: &Vector3<S>,
@@ -186,7 +190,7 @@ impl<S: Scalar> RigidBody<S> {
         self.inertia_about(point).about_line(direction)
     }
 
-    /// The body after a displacement, in the same axes.
+    /// Returns the body after a displacement, in unchanged axes.
     #[must_use]
     pub fn moved(&self, displacement: Vector3<S>) -> Self {
         Self {
@@ -195,8 +199,8 @@ impl<S: Scalar> RigidBody<S> {
         }
     }
 
-    /// The body after a rotation about the origin of the axes. The same body in axes of which the rotation gives the old
-    /// components from the new ones is that turned by its inverse.
+    /// Returns the body after a rotation about the origin of the axes. To express a body in new axes, turn it by the
+    /// inverse of the rotation that takes the new components to the old ones.
     #[must_use]
     pub fn turned(&self, rotation: &Rotation3<S>) -> Self {
         Self {
@@ -206,7 +210,7 @@ impl<S: Scalar> RigidBody<S> {
         }
     }
 
-    /// The same numbers on another scalar, such as dual numbers, of which one is then given a derivative part.
+    /// Converts the numbers to another scalar, such as dual numbers, one of which may then be given a derivative part.
     #[must_use]
     pub fn map<T: Scalar>(&self, mut convert: impl FnMut(S) -> T) -> RigidBody<T> {
         RigidBody {
@@ -216,8 +220,8 @@ impl<S: Scalar> RigidBody<S> {
         }
     }
 
-    /// This body with `sign` times another one: of the masses m and m′ whose centres are **d** apart, the inertia
-    /// about their common centre has the term m m′/(m + m′) (|**d**|² 1 − **d** **d**ᵀ).
+    /// Returns this body plus `sign` times another one. For masses m and m′ whose centres are **d** apart, the inertia
+    /// about the common centre has the term m m′/(m + m′) (|**d**|² 1 − **d** **d**ᵀ).
     fn combined(&self, other: &Self, sign: S) -> Self {
         let other_mass = sign * other.mass;
         let mass = self.mass + other_mass;

@@ -1,48 +1,48 @@
-//! What no rigid body has.
+//! The errors of rigid bodies.
 
 use core::fmt;
 
 use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
-/// Why there is no such body.
+/// The reason why a body does not exist.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum BodyError {
-    /// A number is infinite or not a number.
+    /// A number is infinite or NaN.
     NotFinite {
-        /// What it is, such as "the mass".
+        /// The name of the quantity, such as "the mass".
         quantity: &'static str,
-        /// Its value.
+        /// The value of the quantity.
         value: f64,
     },
     /// A mass, a size or a density is zero or negative.
     NotPositive {
-        /// What it is, such as "the radius".
+        /// The name of the quantity, such as "the radius".
         quantity: &'static str,
-        /// Its value.
+        /// The value of the quantity.
         value: f64,
     },
-    /// One size of a solid has to be less than another one.
+    /// A size of a solid has to be less than another one.
     TooLarge {
-        /// What it is, such as "the inner radius".
+        /// The name of the size, such as "the inner radius".
         quantity: &'static str,
         /// Its value.
         value: f64,
-        /// What it has to be less than.
+        /// The name of the size that it has to be less than.
         limit: &'static str,
-        /// The value of that.
+        /// The value of that size.
         limit_value: f64,
     },
     /// An inertia tensor is not symmetric.
     NotSymmetric {
-        /// The row of the first of two entries that should be equal, from 0.
+        /// The row, counted from 0, of the first of two entries that should be equal.
         row: usize,
         /// Its column.
         column: usize,
         /// Its value.
         entry: f64,
-        /// The value of the other one.
+        /// The value of the other entry.
         opposite: f64,
     },
     /// A principal moment of inertia about the centre of gravity is negative.
@@ -57,9 +57,9 @@ pub enum BodyError {
         /// I₃ − (I₁ + I₂).
         excess: f64,
     },
-    /// The third axis of a body is no axis of symmetry.
+    /// The third axis of a body is not an axis of symmetry.
     NotSymmetricAboutAxis {
-        /// What has to be zero, such as "the product of inertia xz".
+        /// The name of the quantity that has to be zero, such as "the product of inertia xz".
         quantity: &'static str,
         /// Its value.
         value: f64,
@@ -76,14 +76,14 @@ pub enum BodyError {
         /// The principal moments, ascending; the first is zero or nearly so.
         moments: [f64; 3],
     },
-    /// Derivative parts of dual numbers perturb a steady rotation: its closed form is another one beside it.
+    /// Derivative parts of dual numbers perturb a steady rotation, so that its closed form does not apply to them.
     NotDifferentiable {
-        /// The derivative of the moment **ω** × \[I\] **ω**, which is zero itself.
+        /// The derivative of the moment **ω** × \[I\] **ω**, which itself is zero.
         value: f64,
     },
 }
 
-/// Why the moments of a real body may look wrong.
+/// The reason why the moments of a real body may look wrong.
 const CAUSES: &str =
     "the signs of the products of inertia or the point to which the tensor refers may be wrong";
 

@@ -1,7 +1,7 @@
 //! Euler's equations of motion (3.5)–(3.7), with the orientation as a unit quaternion.
 //!
-//! \[I\] dω/dt + **ω** × \[I\] **ω** = **N** in axes of the body, which need not be principal axes; where they are, the products
-//! of inertia vanish and the equations are those of the text. The quaternion follows by q̇ = ½ q ∘ (0, **ω**).
+//! \[I\] dω/dt + **ω** × \[I\] **ω** = **N** in axes of the body, which need not be principal axes; if they are, the
+//! products of inertia vanish and the equations agree with the text. The quaternion follows from q̇ = ½ q ∘ (0, **ω**).
 
 use nalgebra::Vector3;
 
@@ -19,11 +19,12 @@ use crate::linalg::Factorization;
 use crate::rotation::{components, quaternion_rate};
 use crate::scalar::Scalar;
 
-/// The rotation of a rigid body about its centre of gravity or a point that is fixed in space, by Euler's equations
+/// The rotation of a rigid body about its centre of gravity or a point fixed in space, by Euler's equations
 /// (3.5)–(3.7).
 ///
-/// Every method steps it; [`Taylor`](crate::Taylor), too, where the moment has a [`MomentSeries`], and several bodies at once in an
-/// [`Ensemble`](crate::Ensemble), where it is a [`MomentInLanes`](super::MomentInLanes).
+/// Every method integrates it: [`Taylor`](crate::Taylor) if the moment has a [`MomentSeries`]; an
+/// [`Ensemble`](crate::Ensemble) integrates several bodies at once if the moment is a
+/// [`MomentInLanes`](super::MomentInLanes).
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -51,8 +52,8 @@ pub struct EulerEquations<S: Scalar = f64, M = NoMoment> {
 }
 
 impl<S: SingleNumber> EulerEquations<S> {
-    /// The free rotation of a body with this inertia tensor, about its centre of gravity or a fixed point, in axes of the
-    /// body.
+    /// Creates the free rotation of a body with an inertia tensor about its centre of gravity or a fixed point, in axes
+    /// of the body.
     ///
     /// # Errors
     /// [`BodyError::NoInertia`] unless all principal moments are positive.
@@ -65,15 +66,16 @@ impl<S: SingleNumber> EulerEquations<S> {
         })
     }
 
-    /// The same from the principal moments I₁, I₂, I₃ in any order: the axes of the body are the principal axes.
+    /// Creates the free rotation with the principal moments I₁, I₂, I₃ in any order; the axes of the body are the
+    /// principal axes.
     ///
     /// # Errors
-    /// [`BodyError::NoInertia`] unless all are positive.
+    /// [`BodyError::NoInertia`] unless all moments are positive.
     pub fn principal(moments: [S; 3]) -> Result<Self, BodyError> {
         Self::new(InertiaTensor::principal(moments))
     }
 
-    /// The rotation of a body about its centre of gravity.
+    /// Creates the free rotation of a body about its centre of gravity.
     ///
     /// # Errors
     /// [`BodyError::NoInertia`] if a principal moment is zero, as for a thin rod.
@@ -81,16 +83,16 @@ impl<S: SingleNumber> EulerEquations<S> {
         Self::new(body.inertia())
     }
 
-    /// The rotation of a body about one of its points that is fixed in space.
+    /// Creates the free rotation of a body about one of its points, which is fixed in space.
     ///
     /// # Errors
-    /// [`BodyError::NoInertia`] if a principal moment about that point is zero.
+    /// [`BodyError::NoInertia`] if a principal moment about this point is zero.
     pub fn about_fixed_point(body: &RigidBody<S>, point: &Vector3<S>) -> Result<Self, BodyError> {
         Self::new(body.inertia_about(point))
     }
 }
 
-/// Fails unless three ascending principal moments are positive.
+/// Returns an error unless three ascending principal moments are positive.
 pub(super) fn check_moments<S: SingleNumber>(moments: [S; 3]) -> Result<(), BodyError> {
     let moments = moments.map(Scalar::largest);
     let least = NO_INERTIA * S::machine_epsilon() * moments[2];
@@ -101,7 +103,7 @@ pub(super) fn check_moments<S: SingleNumber>(moments: [S; 3]) -> Result<(), Body
 }
 
 impl<S: Scalar, M> EulerEquations<S, M> {
-    /// The same body under a moment about the point of reference, in axes of the body.
+    /// Returns the body under a moment about the point of reference, in axes of the body.
     ///
     /// ```
     /// use lagrangian::prelude::*;
@@ -123,7 +125,7 @@ impl<S: Scalar, M> EulerEquations<S, M> {
         }
     }
 
-    /// The same body on another scalar, such as one with as many lanes as there are motions, with a moment on that.
+    /// Converts the body to another scalar, such as one with a lane for each motion, with a moment on this scalar.
     #[must_use]
     pub fn map<T: Scalar, N>(
         &self,
@@ -138,32 +140,32 @@ impl<S: Scalar, M> EulerEquations<S, M> {
         }
     }
 
-    /// The inertia tensor about the point of reference.
+    /// Returns the inertia tensor about the point of reference.
     #[must_use]
     pub fn inertia(&self) -> InertiaTensor<S> {
         self.inertia
     }
 
-    /// The kinetic energy ½ **ω**ᵀ\[I\]**ω** of the rotation (4.2).
+    /// Returns the kinetic energy ½ **ω**ᵀ\[I\]**ω** of the rotation (4.2).
     #[must_use]
     pub fn kinetic_energy(&self, state: &RotationState<S>) -> S {
         let omega = state.angular_velocity;
         S::from_f64(0.5) * omega.dot(&self.angular_momentum(state))
     }
 
-    /// The angular momentum \[I\] **ω** in axes of the body (3.2).
+    /// Returns the angular momentum \[I\] **ω** in axes of the body (3.2).
     #[must_use]
     pub fn angular_momentum(&self, state: &RotationState<S>) -> Vector3<S> {
         self.inertia * state.angular_velocity
     }
 
-    /// The angular momentum in axes of space, which is constant where there is no moment.
+    /// Returns the angular momentum in axes of space, which is constant if there is no moment.
     #[must_use]
     pub fn angular_momentum_in_space(&self, state: &RotationState<S>) -> Vector3<S> {
         state.to_space(&self.angular_momentum(state))
     }
 
-    /// The angular acceleration under a moment, from the products of components of **ω**.
+    /// Returns the angular acceleration under a moment, given the products of components of **ω**.
     fn acceleration(&self, moment: Vector3<S>, products: &VelocityProducts<S>) -> Vector3<S> {
         self.factored
             .solve(&(moment - products.gyroscopic(&self.inertia)))
@@ -187,7 +189,7 @@ impl<S: Scalar> VelocityProducts<S> {
         }
     }
 
-    /// **ω** × \[I\] **ω**: with products of inertia 0, (I₃ − I₂) ω₂ω₃ and so on.
+    /// Returns **ω** × \[I\] **ω**: without products of inertia, (I₃ − I₂) ω₂ω₃ and so on.
     fn gyroscopic(&self, inertia: &InertiaTensor<S>) -> Vector3<S> {
         let [a, b, c] = inertia.moments();
         let ProductsOfInertia { xy, xz, yz } = inertia.products();
@@ -201,7 +203,7 @@ impl<S: Scalar> VelocityProducts<S> {
     }
 }
 
-/// **ω** × \[I\] **ω**.
+/// Returns **ω** × \[I\] **ω**.
 pub(super) fn gyroscopic<S: Scalar>(inertia: &InertiaTensor<S>, omega: &Vector3<S>) -> Vector3<S> {
     VelocityProducts::of(omega).gyroscopic(inertia)
 }
@@ -219,7 +221,7 @@ impl<S: Scalar, M: Moment<S>> Dynamics<S> for EulerEquations<S, M> {
         }
     }
 
-    /// The quaternion divided by its norm.
+    /// Divides the quaternion by its norm.
     fn project(&self, _: S, x: &RotationState<S>) -> Option<Projection<S, RotationState<S>>> {
         Some(Projection::new(RotationState {
             quaternion: components(&x.orientation()).into(),
@@ -238,11 +240,11 @@ impl<S: Scalar, M: Moment<S>> Dynamics<S> for EulerEquations<S, M> {
     }
 }
 
-/// The series of the products of which the equations consist.
+/// The series of the products that occur in the equations.
 struct Recurrence<S, const HALF: usize> {
     mixed: [Product<S, HALF>; 3],
     squares: [Square<S, HALF>; 3],
-    /// The components of the quaternion times those of **ω**.
+    /// The products of the components of the quaternion and the components of **ω**.
     rates: [[Product<S, HALF>; 3]; 4],
 }
 
@@ -267,7 +269,7 @@ impl<S: Scalar, const HALF: usize> Recurrence<S, HALF> {
         }
     }
 
-    /// ½ q ∘ (0, **ω**).
+    /// Returns ½ q ∘ (0, **ω**).
     fn quaternion_rate(&mut self, quaternion: &[S; 4], omega: &Vector3<S>) -> [S; 4] {
         let half = S::from_f64(0.5);
         let omega: [S; 3] = (omega * half).into();

@@ -1,9 +1,9 @@
 //! The free rotation of a rigid body in closed form.
 //!
-//! C. G. J. Jacobi, *Sur la rotation d'un corps*, J. reine angew. Math. **39** (1849) 293–350; L. D. Landau & E. M. Lifshitz,
-//! *Mechanics*, 3rd edition (1976), § 37, for the angular velocity. The angle about the angular momentum is an elliptic
-//! integral of the third kind. All differences are of moments of inertia alone, so that motions near a steady rotation
-//! or a separatrix keep their digits.
+//! C. G. J. Jacobi, *Sur la rotation d'un corps*, J. reine angew. Math. **39** (1849) 293–350; L. D. Landau & E. M.
+//! Lifshitz, *Mechanics*, 3rd edition (1976), § 37, for the angular velocity. The angle about the angular momentum is
+//! an elliptic integral of the third kind. Differences are taken only of moments of inertia, so that motions near a
+//! steady rotation or a separatrix keep their accuracy.
 
 mod jacobi_motion;
 
@@ -20,10 +20,11 @@ use crate::scalar::Scalar;
 
 use jacobi_motion::JacobiMotion;
 
-/// The rotation of a body without a moment, about its centre of gravity or a fixed point: Euler's equations (3.5)–(3.7)
-/// with **N** = 0, and the orientation, solved by Jacobi's elliptic functions.
+/// The rotation of a body without a moment, about its centre of gravity or a fixed point, in closed form.
 ///
-/// Any time is reached in one evaluation, with an error of some rounding errors of the number of turns.
+/// Euler's equations (3.5)–(3.7) with **N** = 0 and the equations of the orientation are solved by Jacobi's elliptic
+/// functions. The state at any time takes one evaluation, with an error of a few rounding errors of the number of
+/// turns.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -51,9 +52,10 @@ pub struct FreeRotation<S: Scalar = f64> {
 /// The kinds of free rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind<S: Scalar> {
-    /// With this constant angular velocity.
+    /// A rotation with this constant angular velocity.
     Steady(Vector3<S>),
-    /// By elliptic functions, in principal axes whose components the rotation takes to those in axes of the body.
+    /// A rotation by elliptic functions, in principal axes. The rotation `axes` takes components in these axes to
+    /// components in axes of the body.
     Jacobi {
         motion: JacobiMotion<S>,
         axes: Rotation3<S>,
@@ -61,7 +63,7 @@ enum Kind<S: Scalar> {
 }
 
 impl<S: SingleNumber> FreeRotation<S> {
-    /// The motion of a body with this inertia tensor from a state at time 0.
+    /// Creates the motion of a body with an inertia tensor, starting from a state at time 0.
     ///
     /// # Errors
     /// [`BodyError::NoInertia`] unless all principal moments are positive, [`BodyError::NotFinite`] if the state is
@@ -99,7 +101,7 @@ impl<S: SingleNumber> FreeRotation<S> {
         })
     }
 
-    /// The state at a time after, or before, the start.
+    /// Returns the state at a time after the start, or before it if the time is negative.
     #[must_use]
     pub fn at(&self, time: S) -> RotationState<S> {
         match &self.kind {
@@ -108,7 +110,7 @@ impl<S: SingleNumber> FreeRotation<S> {
                 RotationState::new(&normalized(turned), *omega)
             }
             Kind::Jacobi { motion, axes } => {
-                // From the axes of the body to those of space at the start, by way of principal axes.
+                // From axes of the body to axes of space at the start, by way of principal axes.
                 let axis = components(&quaternion_of(axes));
                 let since = product(&product(&axis, &motion.turned(time)), &conjugate(&axis));
                 let orientation = normalized(product(&self.start, &since));
@@ -117,15 +119,17 @@ impl<S: SingleNumber> FreeRotation<S> {
         }
     }
 
-    /// The time after which the angular velocity has the same components in axes of the body: the orientation mostly has
-    /// not. None for a steady rotation, and for the one motion that approaches the middle axis for ever.
+    /// Returns the period of the components of the angular velocity in axes of the body; the orientation is usually not
+    /// periodic.
+    ///
+    /// Returns `None` for a steady rotation, and for the motion that approaches the middle axis forever.
     #[must_use]
     pub fn period(&self) -> Option<S> {
         self.half_period().map(|half| half + half)
     }
 
-    /// Half of the period, after which the components along two principal axes have changed their signs, that along the
-    /// middle axis among them. A tennis racket that rotates about it turns over once in this time.
+    /// Returns half of the period, after which two components along principal axes have changed their signs, including
+    /// the component along the middle axis. A tennis racket that rotates about this axis turns over once in this time.
     #[must_use]
     pub fn half_period(&self) -> Option<S> {
         match &self.kind {
@@ -135,7 +139,7 @@ impl<S: SingleNumber> FreeRotation<S> {
     }
 }
 
-/// The largest magnitude of the derivative parts.
+/// Returns the largest magnitude of the derivative parts.
 fn largest_derivative<S: Scalar>(x: S) -> f64 {
     let parts = (0..S::DERIVATIVES).map(|index| x.derivative_part(index).abs());
     parts.fold(0.0, f64::max)
@@ -145,7 +149,7 @@ fn conjugate<S: Scalar>([w, x, y, z]: &[S; 4]) -> [S; 4] {
     [*w, -*x, -*y, -*z]
 }
 
-/// The quaternion of a rotation with a constant angular velocity.
+/// Returns the quaternion of a rotation with a constant angular velocity.
 fn turn<S: SingleNumber>(omega: &Vector3<S>, time: S) -> [S; 4] {
     let speed = length(omega);
     if speed.largest() <= 0.0 {

@@ -10,10 +10,11 @@ use crate::integrate::SingleNumber;
 use crate::limits::rigid_bodies::ASYMMETRY;
 use crate::scalar::Scalar;
 
-/// The products of inertia of (2.1), Ixy = +∫ xy dm: the entries of the tensor are their **negatives**.
+/// The products of inertia of (2.1), Ixy = +∫ xy dm; the entries of the tensor are their **negatives**.
 ///
-/// A body with more mass where x and y have the same sign has a positive `xy`. Much software reports the entries of the
-/// tensor under the same names; [`CadReport`](super::CadReport) and [`UrdfInertial`](super::UrdfInertial) say which.
+/// A body with more mass where x and y have equal signs has a positive `xy`. Much software reports the entries of the
+/// tensor under the names of the products; [`CadReport`](super::CadReport) and [`UrdfInertial`](super::UrdfInertial)
+/// state which are meant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProductsOfInertia<S = f64> {
     /// +∫ xy dm.
@@ -25,7 +26,7 @@ pub struct ProductsOfInertia<S = f64> {
 }
 
 impl<S: Scalar> ProductsOfInertia<S> {
-    /// The products of inertia of a body with three planes of symmetry along the axes: none.
+    /// Returns the zero products of inertia of a body with three planes of symmetry along the axes.
     #[must_use]
     pub fn zero() -> Self {
         let [xy, xz, yz] = [S::zero(); 3];
@@ -53,9 +54,9 @@ impl<S: Scalar> Neg for ProductsOfInertia<S> {
 ///       −Ixz  −Iyz   Izz        Izz = ∫ (x² + y²) dm      Iyz = ∫ yz dm
 /// ```
 ///
-/// [`matrix`](Self::matrix) is the tensor with its negative products, [`products`](Self::products) are the integrals
-/// themselves. It is symmetric by construction; whether a body can have it is checked by
-/// [`RigidBody::new`](super::RigidBody::new).
+/// [`matrix`](Self::matrix) is the tensor with the negative products, [`products`](Self::products) are the integrals
+/// themselves. The tensor is symmetric by construction; [`RigidBody::new`](super::RigidBody::new) checks whether a body
+/// can have it.
 ///
 /// ```
 /// use lagrangian::rigid_body::{InertiaTensor, ProductsOfInertia};
@@ -72,7 +73,7 @@ pub struct InertiaTensor<S: Scalar = f64> {
 }
 
 impl<S: Scalar> InertiaTensor<S> {
-    /// The tensor with moments of inertia Ixx, Iyy, Izz and products of inertia +∫ xy dm, +∫ xz dm, +∫ yz dm.
+    /// Creates the tensor with moments of inertia Ixx, Iyy, Izz and products of inertia +∫ xy dm, +∫ xz dm, +∫ yz dm.
     #[must_use]
     pub fn from_moments_and_products(moments: [S; 3], products: ProductsOfInertia<S>) -> Self {
         Self {
@@ -81,14 +82,14 @@ impl<S: Scalar> InertiaTensor<S> {
         }
     }
 
-    /// The tensor in principal axes (2.5): I₁, I₂, I₃ and no products of inertia.
+    /// Creates the tensor in principal axes (2.5): I₁, I₂, I₃ and no products of inertia.
     #[must_use]
     pub fn principal(moments: [S; 3]) -> Self {
         Self::from_moments_and_products(moments, ProductsOfInertia::zero())
     }
 
-    /// The tensor from the second moments ∫ **r** **r**ᵀ dm of which the upper triangle is read: ∫ x² dm on the diagonal,
-    /// +∫ xy dm beside it.
+    /// Creates the tensor from the second moments ∫ **r** **r**ᵀ dm, whose upper triangle is read: ∫ x² dm on the
+    /// diagonal, +∫ xy dm beside it.
     #[must_use]
     pub fn from_second_moments(second: &Matrix3<S>) -> Self {
         let [x, y, z] = [second[(0, 0)], second[(1, 1)], second[(2, 2)]];
@@ -100,27 +101,27 @@ impl<S: Scalar> InertiaTensor<S> {
         Self::from_moments_and_products([y + z, x + z, x + y], products)
     }
 
-    /// The tensor of a mass at a point **d** from that to which it refers: m (|**d**|² 1 − **d** **d**ᵀ), the term of
-    /// the parallel axis theorem (2.2).
+    /// Creates the tensor of a mass at a point **d** from the point of reference: m (|**d**|² 1 − **d** **d**ᵀ), the
+    /// term of the parallel axis theorem (2.2).
     #[must_use]
     pub fn of_particle(mass: S, d: &Vector3<S>) -> Self {
         let scaled = d * mass;
         Self::from_second_moments(&(scaled * d.transpose()))
     }
 
-    /// Ixx, Iyy and Izz.
+    /// Returns Ixx, Iyy and Izz.
     #[must_use]
     pub fn moments(&self) -> [S; 3] {
         self.moments.into()
     }
 
-    /// The products of inertia +∫ xy dm, +∫ xz dm, +∫ yz dm.
+    /// Returns the products of inertia +∫ xy dm, +∫ xz dm, +∫ yz dm.
     #[must_use]
     pub fn products(&self) -> ProductsOfInertia<S> {
         self.products
     }
 
-    /// The tensor (2.1) as a matrix, whose other entries are the negatives of the products of inertia.
+    /// Returns the tensor (2.1) as a matrix, whose off-diagonal entries are the negatives of the products of inertia.
     #[must_use]
     pub fn matrix(&self) -> Matrix3<S> {
         let [xx, yy, zz] = self.moments();
@@ -128,7 +129,7 @@ impl<S: Scalar> InertiaTensor<S> {
         Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
     }
 
-    /// ∫ **r** **r**ᵀ dm = ½ tr\[I\] 1 − \[I\].
+    /// Returns the second moments ∫ **r** **r**ᵀ dm = ½ tr\[I\] 1 − \[I\].
     #[must_use]
     pub fn second_moments(&self) -> Matrix3<S> {
         let [xx, yy, zz] = self.moments();
@@ -142,8 +143,8 @@ impl<S: Scalar> InertiaTensor<S> {
         Matrix3::new(x, xy, xz, xy, y, yz, xz, yz, z)
     }
 
-    /// The moment of inertia about the line through the point of reference with this direction, of any length:
-    /// êᵀ\[I\]ê (2.4), which is ∫ h² dm (2.3) with the distance h from the line.
+    /// Returns the moment of inertia about the line through the point of reference along a direction vector of any
+    /// length: êᵀ\[I\]ê (2.4), which is ∫ h² dm (2.3) with the distance h from the line.
     ///
     /// # Errors
     /// [`BodyError::NoDirection`] if the vector is zero or not finite.
@@ -157,8 +158,8 @@ impl<S: Scalar> InertiaTensor<S> {
         Ok(unit.dot(&(*self * unit)))
     }
 
-    /// The same tensor in other axes: R \[I\] Rᵀ, where R takes components in the present axes to those in the new ones.
-    /// As well that of the body after it was rotated by R.
+    /// Returns the tensor in other axes: R \[I\] Rᵀ, where R takes components in the present axes to components in the
+    /// new axes. This is also the tensor of the body after a rotation by R.
     #[must_use]
     pub fn rotated(&self, rotation: &Rotation3<S>) -> Self {
         let r = rotation.matrix();
@@ -167,7 +168,7 @@ impl<S: Scalar> InertiaTensor<S> {
         Self::from_lists(matrix.diagonal().into(), products)
     }
 
-    /// All entries times a factor.
+    /// Returns the tensor with all entries multiplied by a factor.
     #[must_use]
     pub fn scaled(&self, factor: S) -> Self {
         let [moments, products] = [self.moments * factor, Vector3::from(self.list()) * factor];
@@ -182,18 +183,18 @@ impl<S: Scalar> InertiaTensor<S> {
         Self::from_moments_and_products(moments, ProductsOfInertia { xy, xz, yz })
     }
 
-    /// The nine entries on another scalar.
+    /// Converts the nine entries to another scalar.
     pub(super) fn map<T: Scalar>(&self, mut convert: impl FnMut(S) -> T) -> InertiaTensor<T> {
         InertiaTensor::from_lists(self.moments().map(&mut convert), self.list().map(convert))
     }
 }
 
 impl<S: SingleNumber> InertiaTensor<S> {
-    /// The tensor as a matrix, with the negative products of inertia beside its diagonal.
+    /// Creates the tensor from its matrix, with the negative products of inertia beside the diagonal.
     ///
     /// # Errors
-    /// [`BodyError::NotFinite`], and [`BodyError::NotSymmetric`] if two entries that should be equal differ by more than
-    /// rounding; else their mean is taken.
+    /// [`BodyError::NotFinite`], or [`BodyError::NotSymmetric`] if two entries that should be equal differ by more than
+    /// rounding; otherwise their mean is used.
     pub fn from_matrix(matrix: &Matrix3<S>) -> Result<Self, BodyError> {
         let half = S::from_f64(0.5);
         let largest = matrix
@@ -226,7 +227,7 @@ impl<S: SingleNumber> InertiaTensor<S> {
 impl<S: Scalar> Mul<Vector3<S>> for InertiaTensor<S> {
     type Output = Vector3<S>;
 
-    /// \[I\] **ω**.
+    /// Returns \[I\] **ω**.
     fn mul(self, vector: Vector3<S>) -> Vector3<S> {
         self.matrix() * vector
     }
@@ -235,7 +236,7 @@ impl<S: Scalar> Mul<Vector3<S>> for InertiaTensor<S> {
 impl<S: Scalar> Add for InertiaTensor<S> {
     type Output = Self;
 
-    /// The tensor of two mass distributions about the same point.
+    /// Returns the tensor of two mass distributions about one point.
     fn add(self, other: Self) -> Self {
         let products = Vector3::from(self.list()) + Vector3::from(other.list());
         Self::from_lists((self.moments + other.moments).into(), products.into())

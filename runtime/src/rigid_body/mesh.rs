@@ -1,10 +1,11 @@
 //! Solids bounded by closed triangle meshes.
 //!
-//! The integrals of 1, **r** and **r** **r**ᵀ over a polyhedron are exact: B. Mirtich, *Fast and Accurate Computation of
-//! Polyhedral Mass Properties*, J. Graphics Tools **1** (1996) 31–50; D. Eberly, *Polyhedral Mass Properties (Revisited)*
-//! (2002). They are summed here over the tetrahedra between each triangle and one point, with the closed forms of
-//! F. Tonon, *Explicit Exact Formulas for the 3-D Tetrahedron Inertia Tensor in Terms of its Vertex Coordinates*,
-//! J. Math. Stat. **1** (2005) 8–11. That point is amid the vertices, so that a body far from the origin loses no digits.
+//! The integrals of 1, **r** and **r** **r**ᵀ over a polyhedron are exact: B. Mirtich, *Fast and Accurate Computation
+//! of Polyhedral Mass Properties*, J. Graphics Tools **1** (1996) 31–50; D. Eberly, *Polyhedral Mass Properties
+//! (Revisited)* (2002). They are summed over the tetrahedra between each triangle and a reference point, with the
+//! closed forms of F. Tonon, *Explicit Exact Formulas for the 3-D Tetrahedron Inertia Tensor in Terms of its Vertex
+//! Coordinates*, J. Math. Stat. **1** (2005) 8–11. The reference point lies amid the vertices, so that a body far from
+//! the origin does not lose accuracy.
 
 mod closed;
 mod error;
@@ -30,9 +31,10 @@ use crate::scalar::Scalar;
 
 /// A surface made of triangles.
 ///
-/// The vertices of each triangle are in counterclockwise order seen from outside, as in STL and OBJ files. Nothing is
-/// checked before [`solid`](Self::solid), which fails where the surface is open or a part of it inside out. Meshes may have
-/// several parts and cavities, whose triangles then are seen from inside the cavity. Vertices that no triangle has do not matter.
+/// The vertices of each triangle are in counterclockwise order when seen from outside, as in STL and OBJ files. Nothing
+/// is checked before [`solid`](Self::solid), which fails if the surface is open or a part of it is inside out. Meshes
+/// may have several parts and cavities; the triangles of a cavity are seen from inside the cavity. Vertices that do not
+/// belong to a triangle are ignored.
 ///
 /// ```
 /// use lagrangian::rigid_body::TriangleMesh;
@@ -59,12 +61,12 @@ pub struct TriangleMesh<S: Scalar = f64> {
 }
 
 impl<S: SingleNumber> TriangleMesh<S> {
-    /// The solid inside the surface.
+    /// Returns the solid inside the surface.
     ///
     /// # Errors
-    /// [`MeshError`] if an index has no vertex, a coordinate is not finite, the surface is open, neighbours are seen from
-    /// different sides, it or a part of it is inside out, parts are within each other without being cavities, or it encloses nothing.
-    /// That it does not cut itself is not checked.
+    /// [`MeshError`] if a vertex index is out of range, a coordinate is not finite, the surface is open, neighbouring
+    /// triangles are oriented inconsistently, the surface or a part of it is inside out, parts overlap without being
+    /// cavities, or the volume is zero. Self-intersection of the surface is not checked.
     pub fn solid(&self) -> Result<Solid<S>, MeshError> {
         self.check_vertices()?;
         let edges = self.closed_edges()?;
@@ -81,7 +83,7 @@ impl<S: SingleNumber> TriangleMesh<S> {
             scale += volume.abs().largest();
         }
         let volume = integrals.volume.largest();
-        // Rounding errors of the sum, of which the volume of a flat surface consists.
+        // The rounding errors of the sum; the computed volume of a flat surface consists of nothing else.
         if volume.abs() <= FLAT_MESH * S::machine_epsilon() * scale {
             return Err(MeshError::Flat { volume });
         }
@@ -96,7 +98,7 @@ impl<S: SingleNumber> TriangleMesh<S> {
         Ok(Solid::from_integrals(volume, first, &second).moved(reference))
     }
 
-    /// The mesh with all lengths times a factor, such as from millimetres to metres.
+    /// Returns the mesh with all lengths multiplied by a factor, for example to convert millimetres to metres.
     #[must_use]
     pub fn scaled(&self, factor: S) -> Self {
         let vertices = self.vertices.iter().map(|vertex| vertex * factor);
@@ -126,7 +128,7 @@ impl<S: SingleNumber> TriangleMesh<S> {
         Ok(())
     }
 
-    /// The mean of the vertices that triangles have.
+    /// Returns the mean of the vertices that belong to triangles.
     fn middle(&self) -> Vector3<S> {
         let mut is_used = vec![false; self.vertices.len()];
         for index in self.triangles.as_flattened() {
@@ -144,7 +146,7 @@ impl<S: SingleNumber> TriangleMesh<S> {
         mean
     }
 
-    /// The positions of the vertices of each triangle.
+    /// Returns the positions of the vertices of each triangle.
     fn corners(&self) -> impl Iterator<Item = [Vector3<S>; 3]> + '_ {
         self.triangles.iter().filter_map(|indices| {
             let [a, b, c] = indices.map(|index| self.vertices.get(index).copied());
@@ -169,8 +171,10 @@ impl<S: Scalar> Integrals<S> {
         }
     }
 
-    /// Adds those over the tetrahedron between a triangle and the origin, negative if the triangle is seen from inside,
-    /// and returns its volume V: ∫ **r** dV = V s/4 and ∫ **r** **r**ᵀ dV = V (Σ vᵢ vᵢᵀ + s sᵀ)/20 with s = Σ vᵢ.
+    /// Adds the integrals over the tetrahedron between a triangle and the origin, with a negative sign if the triangle
+    /// is seen from inside, and returns the volume V of the tetrahedron.
+    ///
+    /// ∫ **r** dV = V s/4 and ∫ **r** **r**ᵀ dV = V (Σ vᵢ vᵢᵀ + s sᵀ)/20 with s = Σ vᵢ.
     fn add_tetrahedron(&mut self, corners: &[Vector3<S>; 3]) -> S {
         let [a, b, c] = corners;
         let volume = a.dot(&b.cross(c)) / S::from_f64(6.0);

@@ -8,9 +8,9 @@ use crate::scalar::Scalar;
 
 /// The moment **N** about the fixed point or the centre of gravity, in axes of the body.
 ///
-/// A closure `|t, state: &RotationState| …` is one.
+/// Closures `|t, state: &RotationState| …` implement this trait.
 pub trait Moment<S: Scalar = f64> {
-    /// The moment at a time and a state.
+    /// Returns the moment at a time and a state.
     fn moment(&self, t: S, state: &RotationState<S>) -> Vector3<S>;
 }
 
@@ -20,16 +20,16 @@ impl<S: Scalar, F: Fn(S, &RotationState<S>) -> Vector3<S>> Moment<S> for F {
     }
 }
 
-/// A moment whose Taylor series is known, so that the Taylor method steps the body.
+/// A moment whose Taylor series is known, so that the Taylor method can integrate the motion of the body.
 pub trait MomentSeries<S: Scalar = f64>: Moment<S> {
-    /// What is known of the series at the orders below the present one, from the blocks of
+    /// The state of the recurrence for the lower orders, made of building blocks from
     /// [`recurrences`](crate::recurrences).
     type Recurrence<const HALF: usize>;
 
-    /// The recurrence before order 0.
+    /// Returns the recurrence before order 0.
     fn recurrence<const HALF: usize>(&self) -> Self::Recurrence<HALF>;
 
-    /// The next coefficient, given that of the state.
+    /// Returns the next coefficient, given the coefficient of the state.
     fn next<const HALF: usize>(
         &self,
         recurrence: &mut Self::Recurrence<HALF>,
@@ -38,7 +38,7 @@ pub trait MomentSeries<S: Scalar = f64>: Moment<S> {
     ) -> Vector3<S>;
 }
 
-/// No moment: a free body, or one that is held at its centre of gravity.
+/// The absence of a moment: a free body, or a body held at its centre of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoMoment;
 
@@ -63,7 +63,7 @@ impl<S: Scalar> MomentSeries<S> for NoMoment {
     }
 }
 
-/// A moment that is constant in axes of the body, such as that of thrusters.
+/// A moment that is constant in axes of the body, such as the moment of thrusters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantMoment<S: Scalar = f64>(pub Vector3<S>);
 
@@ -88,7 +88,7 @@ impl<S: Scalar> MomentSeries<S> for ConstantMoment<S> {
     }
 }
 
-/// A moment that is proportional to the angular velocity, −C **ω**, such as that of viscous friction.
+/// A moment that is proportional to the angular velocity, −C **ω**, such as viscous friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Damping<S: Scalar = f64>(pub nalgebra::Matrix3<S>);
 
@@ -113,18 +113,18 @@ impl<S: Scalar> MomentSeries<S> for Damping<S> {
     }
 }
 
-/// The moment of a force that is constant in space and acts at a point of the body, such as the weight of a top:
-/// **N** = **r** × R⁻¹**F**.
+/// The moment **N** = **r** × R⁻¹**F** of a force that is constant in space and acts at a point of the body, such as
+/// the weight of a top.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantForce<S: Scalar = f64> {
-    /// The point at which it acts, in axes of the body, from the fixed point or the centre of gravity.
+    /// The point at which the force acts, in axes of the body, from the fixed point or the centre of gravity.
     pub point: Vector3<S>,
     /// The force in axes of space, such as (0, 0, −m g).
     pub force: Vector3<S>,
 }
 
 impl<S: Scalar> ConstantForce<S> {
-    /// The moment from the products of components of the quaternion.
+    /// Returns the moment, given the products of components of the quaternion.
     fn by_products(&self, products: &Products<S>) -> Vector3<S> {
         self.point.cross(&products.to_body(&self.force))
     }
@@ -152,8 +152,8 @@ struct Products<S> {
 }
 
 impl<S: Scalar> Products<S> {
-    /// The components in axes of the body of a vector that is given in axes of space, times the square of the norm of
-    /// the quaternion: (w² − **q**²) **v** + 2 **q** (**q** · **v**) − 2 w **q** × **v**.
+    /// Returns the components in axes of the body of a vector in axes of space, times the squared norm of the
+    /// quaternion: (w² − **q**²) **v** + 2 **q** (**q** · **v**) − 2 w **q** × **v**.
     fn to_body(&self, vector: &Vector3<S>) -> Vector3<S> {
         let two = S::from_f64(2.0);
         let [w, x, y, z] = self.squares;
@@ -214,7 +214,7 @@ impl<S: Scalar> MomentSeries<S> for ConstantForce<S> {
     }
 }
 
-/// Two moments at once.
+/// The sum of two moments.
 impl<S: Scalar, A: Moment<S>, B: Moment<S>> Moment<S> for (A, B) {
     fn moment(&self, t: S, state: &RotationState<S>) -> Vector3<S> {
         self.0.moment(t, state) + self.1.moment(t, state)

@@ -1,7 +1,7 @@
-//! Momenta (3.1), (3.2), kinetic energies (4.1)–(4.3), and how forces and moments change them (1.2), (3.3), (3.4).
+//! Momenta (3.1), (3.2), kinetic energies (4.1)–(4.3), and their changes under forces and moments (1.2), (3.3), (3.4).
 //!
-//! Vectors are components in the axes of the body, in which its centre of gravity and inertia are given. In axes of
-//! space, use the body [turned](RigidBody::turned) by its orientation.
+//! Vectors are components in the axes of the body, in which its centre of gravity and inertia are given. To work in
+//! axes of space, use the body [turned](RigidBody::turned) by its orientation.
 
 use nalgebra::Vector3;
 
@@ -14,7 +14,7 @@ use crate::limits::rigid_bodies::NO_INERTIA;
 use crate::linalg::Factorization;
 use crate::scalar::Scalar;
 
-/// The derivative of a vector as seen from an inertial frame, from that of its components in axes that rotate:
+/// Returns the derivative of a vector in an inertial frame, given the derivatives of its components in rotating axes:
 /// d**L**/dt = (L̇₁, L̇₂, L̇₃) + **ω** × **L** (3.4).
 ///
 /// ```
@@ -35,17 +35,17 @@ pub fn rate_in_space<S: Scalar>(
 }
 
 impl<S: Scalar> RigidBody<S> {
-    /// The linear momentum m `v_C`, from the velocity of the centre of gravity.
+    /// Returns the linear momentum m `v_C`, given the velocity of the centre of gravity.
     #[must_use]
     pub fn linear_momentum(&self, velocity_of_center: &Vector3<S>) -> Vector3<S> {
         velocity_of_center * self.mass()
     }
 
-    /// The angular momentum about any point O of the body (3.1), from the velocity of that point:
-    /// `r_C` × m `v_O` + \[`I_O`\] **ω**, with `r_C` from O.
+    /// Returns the angular momentum about any point O of the body (3.1), given the velocity of this point: `r_C` × m
+    /// `v_O` + \[`I_O`\] **ω**, with `r_C` from O.
     ///
-    /// It is that of the absolute velocities of the particles; about a point that moves, the resultant moment is its
-    /// derivative only if `v_O` is parallel to `v_C`.
+    /// It is computed with the absolute velocities of the particles. About a moving point, its derivative is the
+    /// resultant moment only if `v_O` is parallel to `v_C`.
     #[must_use]
     pub fn angular_momentum(
         &self,
@@ -58,13 +58,13 @@ impl<S: Scalar> RigidBody<S> {
         carried + self.inertia_about(point) * *angular_velocity
     }
 
-    /// The angular momentum \[`I_C`\] **ω** about the centre of gravity (3.2).
+    /// Returns the angular momentum \[`I_C`\] **ω** about the centre of gravity (3.2).
     #[must_use]
     pub fn angular_momentum_about_center(&self, angular_velocity: &Vector3<S>) -> Vector3<S> {
         self.inertia() * *angular_velocity
     }
 
-    /// The angular momentum \[`I_O`\] **ω** about a point of the body that is fixed in space (3.2).
+    /// Returns the angular momentum \[`I_O`\] **ω** about a point of the body that is fixed in space (3.2).
     #[must_use]
     pub fn angular_momentum_about_fixed_point(
         &self,
@@ -74,8 +74,8 @@ impl<S: Scalar> RigidBody<S> {
         self.inertia_about(point) * *angular_velocity
     }
 
-    /// The kinetic energy from the velocity of any point O of the body (4.1):
-    /// ½ m `v_O`² + `v_O` · (**ω** × m `r_C`) + ½ **ω**ᵀ\[`I_O`\]**ω**.
+    /// Returns the kinetic energy, given the velocity of any point O of the body (4.1): ½ m `v_O`² + `v_O` · (**ω** × m
+    /// `r_C`) + ½ **ω**ᵀ\[`I_O`\]**ω**.
     #[must_use]
     pub fn kinetic_energy(
         &self,
@@ -90,7 +90,7 @@ impl<S: Scalar> RigidBody<S> {
         of_point + mixed + self.kinetic_energy_about_fixed_point(point, angular_velocity)
     }
 
-    /// The kinetic energy ½ **ω**ᵀ\[`I_O`\]**ω** of a body with a point that is fixed in space (4.2).
+    /// Returns the kinetic energy ½ **ω**ᵀ\[`I_O`\]**ω** of a body with a point that is fixed in space (4.2).
     #[must_use]
     pub fn kinetic_energy_about_fixed_point(
         &self,
@@ -101,7 +101,8 @@ impl<S: Scalar> RigidBody<S> {
         S::from_f64(0.5) * angular_velocity.dot(&momentum)
     }
 
-    /// The kinetic energy from the velocity of the centre of gravity, ½ m `v_C`² + ½ **ω**ᵀ\[`I_C`\]**ω** (4.3).
+    /// Returns the kinetic energy ½ m `v_C`² + ½ **ω**ᵀ\[`I_C`\]**ω**, given the velocity of the centre of gravity
+    /// (4.3).
     #[must_use]
     pub fn kinetic_energy_of_center(
         &self,
@@ -114,14 +115,14 @@ impl<S: Scalar> RigidBody<S> {
             + half * angular_velocity.dot(&momentum)
     }
 
-    /// The acceleration `F_R`/m of the centre of gravity under a resultant force (1.2).
+    /// Returns the acceleration `F_R`/m of the centre of gravity under a resultant force (1.2).
     #[must_use]
     pub fn acceleration_of_center(&self, resultant_force: &Vector3<S>) -> Vector3<S> {
         resultant_force.map(|component| component / self.mass())
     }
 
-    /// The resultant moment about the centre of gravity with which a body rotates so, (3.3) with (3.4):
-    /// \[`I_C`\] **α** + **ω** × \[`I_C`\] **ω**. In principal axes these are Euler's equations (3.5)–(3.7).
+    /// Returns the resultant moment about the centre of gravity for a given rotation, (3.3) with (3.4): \[`I_C`\]
+    /// **α** + **ω** × \[`I_C`\] **ω**. In principal axes these are Euler's equations (3.5)–(3.7).
     #[must_use]
     pub fn moment_about_center(
         &self,
@@ -133,7 +134,7 @@ impl<S: Scalar> RigidBody<S> {
         rate_in_space(&rate_of_components, angular_velocity, &momentum)
     }
 
-    /// The same about a point of the body that is fixed in space.
+    /// Returns the resultant moment about a point of the body that is fixed in space, for a given rotation.
     #[must_use]
     pub fn moment_about_fixed_point(
         &self,
@@ -147,9 +148,9 @@ impl<S: Scalar> RigidBody<S> {
         rate_in_space(&rate_of_components, angular_velocity, &momentum)
     }
 
-    /// The forces and moments with which a body moves so, about its centre of gravity: (1.2) and (3.3). The motion is
-    /// that of the origin of the body's axes, and that is where points of the result are counted from.
+    /// Returns the resultant force (1.2) and moment (3.3) about the centre of gravity for a given motion of the body.
     ///
+    /// The motion is given for the origin of the body's axes, and the point of the result is relative to this origin.
     /// [`Resultant::about`] gives the moment about any other point.
     #[must_use]
     pub fn resultant(&self, motion_of_origin: &RigidMotion<S>) -> Resultant<S> {
@@ -168,7 +169,8 @@ impl<S: Scalar> RigidBody<S> {
 }
 
 impl<S: SingleNumber> RigidBody<S> {
-    /// The angular acceleration under a resultant moment about the centre of gravity: (3.3) and (3.4) solved for **α**.
+    /// Returns the angular acceleration under a resultant moment about the centre of gravity: (3.3) and (3.4) solved
+    /// for **α**.
     ///
     /// # Errors
     /// [`BodyError::NoInertia`] if a principal moment about the centre of gravity is zero, as for a thin rod.

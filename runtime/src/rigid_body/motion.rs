@@ -4,11 +4,11 @@ use nalgebra::Vector3;
 
 use crate::scalar::Scalar;
 
-/// How a rigid body moves at an instant: the motion of one of its points, mostly the centre of gravity, and its
+/// The motion of a rigid body at an instant: the motion of one of its points, usually the centre of gravity, and its
 /// rotation.
 ///
-/// All vectors are components in the same axes, which may be those of space or of the body; velocities and accelerations
-/// are those seen from an inertial frame, also where their components are along the axes of the body.
+/// All vectors are components in one set of axes, either of space or of the body. Velocities and accelerations refer to
+/// an inertial frame, even if their components are along the axes of the body.
 ///
 /// ```
 /// use lagrangian::rigid_body::RigidMotion;
@@ -29,11 +29,11 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidMotion<S: Scalar = f64> {
-    /// The position of the point, in (1.3) that of the centre of gravity.
+    /// The position of the reference point, which is the centre of gravity in (1.3).
     pub position: Vector3<S>,
-    /// Its velocity.
+    /// The velocity of the reference point.
     pub velocity: Vector3<S>,
-    /// Its acceleration.
+    /// The acceleration of the reference point.
     pub acceleration: Vector3<S>,
     /// The angular velocity **ω** of the body, in rad over time.
     pub angular_velocity: Vector3<S>,
@@ -42,7 +42,7 @@ pub struct RigidMotion<S: Scalar = f64> {
 }
 
 impl<S: Scalar> RigidMotion<S> {
-    /// A body at rest whose reference point is at the origin.
+    /// Returns the motion of a body at rest whose reference point is at the origin.
     #[must_use]
     pub fn rest() -> Self {
         let zero = Vector3::zeros();
@@ -55,19 +55,20 @@ impl<S: Scalar> RigidMotion<S> {
         }
     }
 
-    /// The position of the point of the body that is at `relative` from the reference point (1.3).
+    /// Returns the position of the point of the body that is at `relative` from the reference point (1.3).
     #[must_use]
     pub fn position_of(&self, relative: &Vector3<S>) -> Vector3<S> {
         self.position + relative
     }
 
-    /// The velocity of that point, **v** + **ω** × **r** (1.4).
+    /// Returns the velocity **v** + **ω** × **r** of the point at `relative` from the reference point (1.4).
     #[must_use]
     pub fn velocity_of(&self, relative: &Vector3<S>) -> Vector3<S> {
         self.velocity + self.angular_velocity.cross(relative)
     }
 
-    /// The acceleration of that point, **a** + **α** × **r** + **ω** × (**ω** × **r**) (1.5).
+    /// Returns the acceleration **a** + **α** × **r** + **ω** × (**ω** × **r**) of the point at `relative` from the
+    /// reference point (1.5).
     #[must_use]
     pub fn acceleration_of(&self, relative: &Vector3<S>) -> Vector3<S> {
         let centripetal = self
@@ -76,7 +77,7 @@ impl<S: Scalar> RigidMotion<S> {
         self.acceleration + self.angular_acceleration.cross(relative) + centripetal
     }
 
-    /// The same motion, described by that of another point of the body.
+    /// Returns this motion with another point of the body as the reference point.
     #[must_use]
     pub fn at(&self, relative: &Vector3<S>) -> Self {
         Self {

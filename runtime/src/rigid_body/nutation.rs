@@ -1,10 +1,10 @@
 //! The nutation of a heavy symmetric top in closed form.
 //!
-//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), § 5.7: by the momenta (4.8) and the energy (4.10)
-//! u = cos θ obeys u̇² = f(u) with a cubic f, so that u is a quadratic in Jacobi's sn, and φ an integral of the third kind. Roots
-//! are measured from the initial inclination, u = u₀ + δ, or from the vertical, 1 ∓ u, whichever is nearer, and only β times the
-//! third root is used: what is a small difference stays accurate near a steady precession and near the vertical, and a top
-//! without weight (β = 0) is no special case.
+//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), § 5.7: by the momenta (4.8) and the
+//! energy (4.10), u = cos θ obeys u̇² = f(u) with a cubic f, so that u is a quadratic function of Jacobi's sn, and φ an
+//! integral of the third kind. Roots are measured from the initial inclination, u = u₀ + δ, or from the vertical, 1 ∓
+//! u, whichever is nearer, and only β times the third root is used. Small differences therefore stay accurate near a
+//! steady precession and near the vertical, and a top without weight (β = 0) is not a special case.
 
 mod cubic;
 
@@ -14,11 +14,11 @@ use crate::scalar::Scalar;
 
 use cubic::{polished_root, roots_around_zero};
 
-/// The nutation of a heavy symmetric top, a body that turns about a fixed point on its axis of symmetry:
-/// cos θ = u₁ + (u₂ − u₁) sn²(ω t + τ₀ | m).
+/// The nutation of a heavy symmetric top, a body that turns about a fixed point on its axis of symmetry: cos θ = u₁ +
+/// (u₂ − u₁) sn²(ω t + τ₀ | m).
 ///
-/// Any time is reached in one evaluation. Angles are in rad, in precession, nutation and spin (4.4); θ is the inclination of
-/// the axis from the upward vertical.
+/// The state at any time takes one evaluation. Angles are in rad, in the order precession, nutation and spin (4.4); θ
+/// is the inclination of the axis from the upward vertical.
 ///
 /// ```
 /// use lagrangian::rigid_body::Nutation;
@@ -35,29 +35,31 @@ use cubic::{polished_root, roots_around_zero};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nutation {
-    /// 1 − u₂ at the least inclination.
+    /// 1 − u₂, at the least inclination.
     above: f64,
-    /// 1 + u₁ at the greatest inclination.
+    /// 1 + u₁, at the greatest inclination.
     below: f64,
     /// u₂ − u₁.
     span: f64,
-    /// ω.
+    /// The frequency ω.
     rate: f64,
-    /// τ₀.
+    /// The initial argument τ₀.
     phase: f64,
-    /// m.
+    /// The modulus, with the parameter m.
     modulus: Modulus,
     /// b − a and b + a with a = `C_ψ`/I and b = `C_φ`/I.
     momenta: [f64; 2],
 }
 
 impl Nutation {
-    /// That of a top with these moments of inertia about the fixed point, transverse I and axial `I_s`, and the weight m g l, which is
-    /// not negative, from an inclination θ at time 0 with the rates φ̇, θ̇ and ψ̇. A centre of gravity below the fixed point is one
-    /// above it with θ beyond ½π.
+    /// Returns the nutation of a top that starts from an inclination θ at time 0 with the rates φ̇, θ̇ and ψ̇.
     ///
-    /// None if θ has no period: where the axis reaches the vertical, from which it need not return, and where nothing moves it;
-    /// and none if a number is not finite, a moment of inertia not positive, or the weight negative.
+    /// The moments of inertia about the fixed point are the transverse I and the axial `I_s`; the weight m g l is not
+    /// negative. For a centre of gravity below the fixed point, let θ exceed ½π.
+    ///
+    /// Returns `None` if θ has no period: if the axis reaches the vertical, from which it need not return, or if
+    /// nothing moves it. Also returns `None` if a number is not finite, a moment of inertia is not positive, or the
+    /// weight is negative.
     #[must_use]
     pub fn of_top(
         transverse: f64,
@@ -79,7 +81,7 @@ impl Nutation {
             return None;
         }
         let momenta = [-upper, lower].map(|end| precession * square(sine) + a * end);
-        // u̇² = f(u₀ + δ) = speed + slope δ + bend δ² + β δ³; what slope has in brackets is (4.11).
+        // u̇² = f(u₀ + δ) = speed + slope δ + bend δ² + β δ³; the expression in parentheses in the slope is (4.11).
         let speed = square(sine * nutation);
         let slope = square(sine) * (2.0 * precession * (a - precession * cosine) - beta)
             - 2.0 * cosine * square(nutation);
@@ -93,7 +95,8 @@ impl Nutation {
         let fastest = -bend - beta * (2.0 * fall + rise);
         let rest = -bend - beta * (fall + 2.0 * rise);
         let modulus = Modulus::new(beta * span / fastest, rest / fastest);
-        // The argument from 0 to K(m) at which sn² : cn² = −fall : rise, any where the inclination is steady.
+        // The argument from 0 to K(m) at which sn² : cn² = −fall : rise; any argument will do if the inclination is
+        // steady.
         let part = |way: f64| {
             if span > 0.0 {
                 Scalar::sqrt(way / span)
@@ -114,25 +117,25 @@ impl Nutation {
         })
     }
 
-    /// The least θ.
+    /// Returns the least θ.
     #[must_use]
     pub fn least_inclination(&self) -> f64 {
         self.inclination(1.0, 0.0)
     }
 
-    /// The greatest θ.
+    /// Returns the greatest θ.
     #[must_use]
     pub fn greatest_inclination(&self) -> f64 {
         self.inclination(0.0, 1.0)
     }
 
-    /// The time from one least θ to the next, 2 K(m)/ω.
+    /// Returns the time from one least θ to the next, 2 K(m)/ω.
     #[must_use]
     pub fn period(&self) -> f64 {
         2.0 * self.modulus.complete_first() / self.rate
     }
 
-    /// The angle by which φ grows in a period.
+    /// Returns the angle by which φ grows in a period.
     #[must_use]
     pub fn precession(&self) -> f64 {
         let (lowest, highest) = (self.below + self.span, self.above + self.span);
@@ -143,17 +146,17 @@ impl Nutation {
         (upper + lower) / self.rate
     }
 
-    /// θ at a time after, or before, the start.
+    /// Returns θ at a time after the start, or before it if the time is negative.
     #[must_use]
     pub fn inclination_at(&self, time: f64) -> f64 {
-        // Whole periods are taken off first: they would only cost digits.
+        // Whole periods are subtracted first, since they would only cost accuracy.
         let period = 2.0 * self.modulus.complete_first();
         let argument = (self.rate * time) % period + self.phase;
         let (sn, cn, _) = self.modulus.jacobi(argument);
         self.inclination(sn, cn)
     }
 
-    /// θ where sn and cn have these values. From half angles: accurate near the vertical.
+    /// Returns θ for given values of sn and cn, from half angles, which are accurate near the vertical.
     fn inclination(&self, sn: f64, cn: f64) -> f64 {
         let upper = self.above + self.span * cn * cn;
         let lower = self.below + self.span * sn * sn;
@@ -161,8 +164,10 @@ impl Nutation {
     }
 }
 
-/// How far a turning point is from the vertical, upwards with the sign 1 and downwards with −1, towards which it lies by `way` of the
-/// distance of the start; by the root of the cubic that is measured from the vertical where it is nearer than the start.
+/// Returns the distance of a turning point from the vertical: upwards for the sign 1, downwards for −1.
+///
+/// `way` is how much nearer the turning point is to the vertical than the start is. If it is nearer to the vertical
+/// than to the start, the root of the cubic is measured from the vertical.
 fn from_vertical(sign: f64, constants: [f64; 3], start: f64, way: f64, momentum: f64) -> f64 {
     if way < 0.5 * start {
         return start - way;
@@ -178,19 +183,19 @@ fn square(x: f64) -> f64 {
     x * x
 }
 
-/// Whether there is a top with these numbers.
+/// Returns whether a top with these numbers exists.
 fn is_top(moments: [f64; 2], weight: f64) -> bool {
     let are_positive = moments.iter().all(|x| *x > 0.0 && x.is_finite());
     are_positive && weight >= 0.0 && weight.is_finite()
 }
 
-/// The complete integral of the third kind Π(n|m), given `complement` = 1 − n > 0, which may be small or large: near 1, n itself
-/// would have lost its digits.
+/// Returns the complete integral of the third kind Π(n|m), given `complement` = 1 − n > 0, which may be small or large:
+/// near n = 1, n itself would not determine it accurately.
 fn complete_third(complement: f64, modulus: &Modulus) -> f64 {
     let (m, rest) = (modulus.parameter(), modulus.complement());
     let first = modulus.complete_first();
     if complement > 2.0 {
-        // For negative n its terms cancel; with N = (m − n)/(1 − n) all are positive.
+        // For negative n the terms cancel; with N = (m − n)/(1 − n) all are positive.
         let weight = m + complement - 1.0;
         let third = complete_third(rest / complement, modulus);
         return (complement - 1.0) * rest / (complement * weight) * third + m / weight * first;
@@ -203,7 +208,7 @@ mod tests {
     use super::complete_third;
     use crate::elliptic::Modulus;
 
-    /// Values of mpmath at 30 digits.
+    /// Compares with values of mpmath at 30 digits.
     #[test]
     fn complete_integrals_of_the_third_kind_by_their_complement() {
         for (n, m, expected) in [

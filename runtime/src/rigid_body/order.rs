@@ -1,16 +1,16 @@
-//! Comparison and lengths of single numbers and vectors of them.
+//! Comparison of single numbers, and lengths of vectors.
 
 use nalgebra::Vector3;
 
 use crate::integrate::SingleNumber;
 use crate::scalar::Scalar;
 
-/// Whether a < b, to the last digit of the scalar.
+/// Returns whether a < b, to the last digit of the scalar.
 pub(crate) fn is_less<S: SingleNumber>(a: S, b: S) -> bool {
     (a - b).largest() < 0.0
 }
 
-/// √(x² + y² + z²) without overflow or underflow.
+/// Returns √(x² + y² + z²) without overflow or underflow.
 pub(crate) fn length<S: Scalar>(vector: &Vector3<S>) -> S {
     let largest = vector
         .iter()
@@ -23,7 +23,7 @@ pub(crate) fn length<S: Scalar>(vector: &Vector3<S>) -> S {
     size * squares.fold(S::zero(), |sum, x| sum + x).sqrt()
 }
 
-/// A power of two not far from a positive number, by which a quotient is exact.
+/// Returns a power of two of about the size of a positive number, so that division by it is exact.
 pub(crate) fn power_of_two_near(positive: f64) -> f64 {
     let (_, exponent) = libm::frexp(positive);
     libm::ldexp(1.0, exponent.clamp(-1000, 1000))

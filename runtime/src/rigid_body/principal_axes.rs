@@ -1,9 +1,10 @@
 //! Principal moments and axes of an inertia tensor (2.5).
 //!
 //! The cyclic method of C. G. J. Jacobi, *Über ein leichtes Verfahren, die in der Theorie der Säcularstörungen
-//! vorkommenden Gleichungen numerisch aufzulösen*, J. reine angew. Math. **30** (1846) 51–94, with the rotations of
-//! G. H. Golub & C. F. Van Loan, *Matrix Computations*, 4th edition (2013), section 8.5. It is as accurate as the entries
-//! and has no special case. Axes of equal moments are not determined; those nearest to the axes of the body are taken.
+//! vorkommenden Gleichungen numerisch aufzulösen*, J. reine angew. Math. **30** (1846) 51–94, with the rotations of G.
+//! H. Golub & C. F. Van Loan, *Matrix Computations*, 4th edition (2013), section 8.5. It is as accurate as the entries
+//! and has no special case. The axes of equal moments are not unique; the axes nearest to the axes of the body are
+//! chosen.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -29,15 +30,14 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrincipalAxes<S: Scalar = f64> {
-    /// I₁ ≤ I₂ ≤ I₃.
+    /// The principal moments I₁ ≤ I₂ ≤ I₃.
     pub moments: [S; 3],
-    /// The axes, whose columns are unit vectors along axis 1, 2 and 3: a proper rotation R with
-    /// R diag(I₁, I₂, I₃) Rᵀ = \[I\], which takes components along the principal axes to components in the axes of the
-    /// body.
+    /// The axes: a proper rotation R with R diag(I₁, I₂, I₃) Rᵀ = \[I\], whose columns are unit vectors along axes 1, 2
+    /// and 3. It takes components along the principal axes to components in the axes of the body.
     ///
-    /// The largest component of axes 1 and 2 is positive. With equal moments, the axes nearest to those of the body are
-    /// taken: a body whose axes are principal axes keeps them up to their order. There the derivative parts of dual
-    /// numbers have no meaning.
+    /// The largest component of axes 1 and 2 is positive. If moments are equal, the axes nearest to the axes of the
+    /// body are chosen: a body whose axes are principal axes keeps them up to their order. In this case, derivative
+    /// parts of dual numbers have no meaning.
     pub axes: Rotation3<S>,
     /// Which moments are equal up to rounding.
     pub symmetry: Symmetry,
@@ -46,19 +46,20 @@ pub struct PrincipalAxes<S: Scalar = f64> {
 /// Which principal moments of inertia are equal, up to rounding errors of the tensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Symmetry {
-    /// None: the axes are determined up to their signs.
+    /// All moments differ: the axes are determined up to their signs.
     Asymmetric,
-    /// Two: the axis of symmetry is principal axis 1 or 3, index 0 or 2; any axes normal to it are principal axes.
+    /// Two moments are equal: the axis of symmetry is principal axis 1 or 3, index 0 or 2, and any axes normal to it
+    /// are principal axes.
     Symmetric {
         /// The index of the axis of symmetry among the principal axes.
         axis: usize,
     },
-    /// All: any axes are principal axes.
+    /// All moments are equal: any axes are principal axes.
     Spherical,
 }
 
 impl<S: SingleNumber> InertiaTensor<S> {
-    /// The principal moments and axes (2.5). Entries that are not finite give moments that are not finite.
+    /// Returns the principal moments and axes (2.5). If entries are not finite, neither are the moments.
     #[must_use]
     pub fn principal_axes(&self) -> PrincipalAxes<S> {
         PrincipalAxes::of(self)
@@ -66,7 +67,7 @@ impl<S: SingleNumber> InertiaTensor<S> {
 }
 
 impl<S: SingleNumber> PrincipalAxes<S> {
-    /// Those of a tensor. Entries that are not finite give moments that are not finite.
+    /// Returns the principal moments and axes of a tensor. If entries are not finite, neither are the moments.
     fn of(tensor: &InertiaTensor<S>) -> Self {
         let matrix = tensor.matrix();
         let largest = matrix
@@ -92,14 +93,14 @@ impl<S: SingleNumber> PrincipalAxes<S> {
         }
     }
 
-    /// The tensor R diag(I₁, I₂, I₃) Rᵀ in the axes of the body.
+    /// Returns the tensor R diag(I₁, I₂, I₃) Rᵀ in the axes of the body.
     #[must_use]
     pub fn tensor(&self) -> InertiaTensor<S> {
         InertiaTensor::principal(self.moments).rotated(&self.axes)
     }
 }
 
-/// Eigenvalues, and eigenvectors as columns, of a symmetric matrix whose entries are of order 1.
+/// Returns the eigenvalues, and the eigenvectors as columns, of a symmetric matrix whose entries are of order 1.
 fn eigenvectors<S: SingleNumber>(mut a: Matrix3<S>) -> (Vector3<S>, Matrix3<S>) {
     let mut vectors = Matrix3::identity();
     for _ in 0..JACOBI_SWEEPS {
@@ -114,13 +115,13 @@ fn eigenvectors<S: SingleNumber>(mut a: Matrix3<S>) -> (Vector3<S>, Matrix3<S>) 
     (a.diagonal(), vectors)
 }
 
-/// Whether a number and its derivative parts are zero, or so small that their squares are.
+/// Returns whether a number and its derivative parts are zero, or so small that their squares are.
 fn is_negligible<S: Scalar>(x: S) -> bool {
     let small = |part: f64| part.abs() < NEGLIGIBLE_ENTRY;
     small(x.largest()) && (0..S::DERIVATIVES).all(|index| small(x.derivative_part(index)))
 }
 
-/// Makes the entries (p, q) and (q, p) zero by a rotation in that plane; false if they are.
+/// Makes the entries (p, q) and (q, p) zero by a rotation in that plane; returns `false` if they are zero already.
 fn annihilate<S: SingleNumber>(
     a: &mut Matrix3<S>,
     vectors: &mut Matrix3<S>,
@@ -162,7 +163,7 @@ fn annihilate<S: SingleNumber>(
     true
 }
 
-/// Eigenvalues and their vectors, the least first.
+/// Returns the eigenvalues with their vectors in ascending order.
 fn ascending<S: SingleNumber>(
     values: Vector3<S>,
     vectors: &Matrix3<S>,
@@ -177,7 +178,7 @@ fn ascending<S: SingleNumber>(
     (order.map(|index| values[index]), order.map(vector))
 }
 
-/// Which of three ascending moments are equal up to rounding.
+/// Returns which of three ascending moments are equal up to rounding.
 fn symmetry<S: SingleNumber>([first, second, third]: &[S; 3]) -> Symmetry {
     let largest = first.abs().largest().max(third.abs().largest());
     let allowed = EQUAL_MOMENTS * S::machine_epsilon() * largest;
@@ -190,10 +191,10 @@ fn symmetry<S: SingleNumber>([first, second, third]: &[S; 3]) -> Symmetry {
     }
 }
 
-/// The index of the component of largest magnitude, the first of equal ones.
+/// Returns the index of the component of the largest magnitude; of equal ones, the first.
 fn largest_component<S: SingleNumber>(vector: &Vector3<S>) -> usize {
     let longer = |best: usize, index: usize| {
-        // A component that is larger by rounding errors only is not.
+        // A component that is larger only by rounding errors does not count as larger.
         let rounded = vector[best].abs().largest() * (1.0 + EQUAL_MOMENTS * S::machine_epsilon());
         if vector[index].abs().largest() > rounded {
             index
@@ -204,24 +205,24 @@ fn largest_component<S: SingleNumber>(vector: &Vector3<S>) -> usize {
     longer(longer(0, 1), 2)
 }
 
-/// The unit vector along an axis whose largest component is positive.
+/// Returns the unit vector along an axis whose largest component is positive.
 fn positive<S: SingleNumber>(axis: &Vector3<S>) -> Vector3<S> {
     let norm = length(axis);
     let sign = axis[largest_component(axis)].signum();
     axis.map(|component| sign * component / norm)
 }
 
-/// Axes 1 and 2, and their vector product, with rounding errors removed that make axis 2 oblique.
+/// Returns axes 1 and 2 and their vector product. Rounding errors that make axis 2 oblique are removed.
 fn right_handed<S: SingleNumber>([first, second, _]: [Vector3<S>; 3]) -> Matrix3<S> {
     let oblique = first.dot(&second);
     let second = positive(&(second - first * oblique));
     Matrix3::from_columns(&[first, second, first.cross(&second)])
 }
 
-/// Axes about an axis of symmetry, which is axis `index`, nearest to the axes of the body.
+/// Returns the axes about an axis of symmetry, which is axis `index`, that are nearest to the axes of the body.
 fn about<S: SingleNumber>(axis: &Vector3<S>, index: usize) -> Matrix3<S> {
     let axis = positive(axis);
-    // The axis of the body that is nearest to the normal plane: the one along which the axis of symmetry is least.
+    // The axis of the body nearest to the normal plane, along which the axis of symmetry has its smallest component.
     let distances = axis.map(|component| S::one() - component.abs());
     let nearest = largest_component(&distances);
     let unit = Vector3::from_fn(|row, _| if row == nearest { S::one() } else { S::zero() });

@@ -1,4 +1,4 @@
-//! A rigid body along its principal axes.
+//! A rigid body in its principal axes.
 
 use nalgebra::Vector3;
 
@@ -8,11 +8,11 @@ use super::inertia_tensor::InertiaTensor;
 use crate::integrate::SingleNumber;
 use crate::scalar::Scalar;
 
-/// A rigid body in its principal axes through its centre of gravity (2.5): four numbers, the mass and the principal moments
-/// I₁, I₂, I₃.
+/// A rigid body in the principal axes through its centre of gravity (2.5): four numbers, the mass and the principal
+/// moments I₁, I₂, I₃.
 ///
-/// The origin of its axes is the centre of gravity, and there are no products of inertia. As a parameter of a declaration it
-/// spares the terms that are zero.
+/// The origin of its axes is the centre of gravity, and there are no products of inertia. As a parameter of a
+/// declaration it avoids terms that are zero.
 ///
 /// ```
 /// use lagrangian::nalgebra::Vector3;
@@ -37,19 +37,20 @@ pub struct PrincipalBody<S: Scalar = f64> {
 }
 
 impl<S: SingleNumber> PrincipalBody<S> {
-    /// The body of a mass and of principal moments I₁, I₂, I₃ about the centre of gravity, in any order.
+    /// Creates a body with a mass and principal moments I₁, I₂, I₃ about the centre of gravity, in any order.
     ///
     /// # Errors
-    /// [`BodyError`] unless the mass is positive, all numbers are finite, no moment is negative, and none exceeds the sum of
-    /// the others, up to rounding.
+    /// [`BodyError`] unless the mass is positive, all numbers are finite, no moment is negative, and none exceeds the
+    /// sum of the others, up to rounding.
     pub fn new(mass: S, moments: [S; 3]) -> Result<Self, BodyError> {
         let inertia = InertiaTensor::principal(moments);
         RigidBody::new(mass, Vector3::zeros(), inertia)?;
         Ok(Self { mass, moments })
     }
 
-    /// A body in its principal axes, I₁ ≤ I₂ ≤ I₃. Those axes have their origin at its [`center`](RigidBody::center) and the
-    /// directions of its [`principal_axes`](RigidBody::principal_axes).
+    /// Returns a body in its principal axes, I₁ ≤ I₂ ≤ I₃. These axes have their origin at the
+    /// [`center`](RigidBody::center) of the body and the directions of its
+    /// [`principal_axes`](RigidBody::principal_axes).
     #[must_use]
     pub fn of(body: &RigidBody<S>) -> Self {
         Self {
@@ -60,31 +61,31 @@ impl<S: SingleNumber> PrincipalBody<S> {
 }
 
 impl<S: Scalar> PrincipalBody<S> {
-    /// The mass m.
+    /// Returns the mass m.
     #[must_use]
     pub fn mass(&self) -> S {
         self.mass
     }
 
-    /// The principal moments I₁, I₂, I₃ about the centre of gravity.
+    /// Returns the principal moments I₁, I₂, I₃ about the centre of gravity.
     #[must_use]
     pub fn moments(&self) -> [S; 3] {
         self.moments
     }
 
-    /// The centre of gravity in the axes of the body: their origin.
+    /// Returns the centre of gravity in the axes of the body: their origin.
     #[must_use]
     pub fn center(&self) -> Vector3<S> {
         Vector3::repeat(S::zero())
     }
 
-    /// The inertia tensor about the centre of gravity, in the axes of the body: diagonal.
+    /// Returns the inertia tensor about the centre of gravity in the axes of the body, which is diagonal.
     #[must_use]
     pub fn inertia(&self) -> InertiaTensor<S> {
         InertiaTensor::principal(self.moments)
     }
 
-    /// The same numbers on another scalar, such as dual numbers, of which one is then given a derivative part.
+    /// Converts the numbers to another scalar, such as dual numbers, one of which may then be given a derivative part.
     #[must_use]
     pub fn map<T: Scalar>(&self, mut convert: impl FnMut(S) -> T) -> PrincipalBody<T> {
         PrincipalBody {

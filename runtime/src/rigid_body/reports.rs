@@ -1,4 +1,4 @@
-//! Masses and inertias as other programs write them, with the sign of their products of inertia.
+//! Masses and inertias in the formats of other programs, with the sign of their products of inertia.
 
 use nalgebra::Vector3;
 
@@ -12,8 +12,8 @@ use crate::scalar::Scalar;
 
 /// The numbers of the element `<inertial>` of the Unified Robot Description Format.
 ///
-/// `ixy`, `ixz` and `iyz` are **entries of the tensor**, −∫ xy dm and so on, about the centre of gravity, in axes that are
-/// turned from those of the link by the roll, pitch and yaw of `<origin>`: R = Rz(yaw) Ry(pitch) Rx(roll).
+/// `ixy`, `ixz` and `iyz` are **entries of the tensor**, −∫ xy dm and so on, about the centre of gravity. Its axes are
+/// turned from the axes of the link by the roll, pitch and yaw of `<origin>`: R = Rz(yaw) Ry(pitch) Rx(roll).
 ///
 /// ```
 /// use lagrangian::rigid_body::UrdfInertial;
@@ -52,10 +52,10 @@ pub struct UrdfInertial<S = f64> {
 }
 
 impl<S: SingleNumber> UrdfInertial<S> {
-    /// The body in the axes of the link.
+    /// Returns the body in the axes of the link.
     ///
     /// # Errors
-    /// [`BodyError`] unless the numbers are those of a body, to six digits.
+    /// [`BodyError`] unless the numbers describe a physical body, to six digits.
     pub fn body(&self) -> Result<RigidBody<S>, BodyError> {
         let products = ProductsOfInertia {
             xy: -self.ixy,
@@ -72,7 +72,7 @@ impl<S: SingleNumber> UrdfInertial<S> {
 }
 
 impl<S: Scalar> UrdfInertial<S> {
-    /// The numbers of a body, in the axes of the link: roll, pitch and yaw are 0.
+    /// Returns the numbers of a body in the axes of the link: roll, pitch and yaw are 0.
     #[must_use]
     pub fn of(body: &RigidBody<S>) -> Self {
         let [ixx, iyy, izz] = body.inertia().moments();
@@ -91,21 +91,22 @@ impl<S: Scalar> UrdfInertial<S> {
     }
 }
 
-/// What a program writes where it says "Ixy".
+/// The meaning of "Ixy" in a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProductSign {
-    /// The integral, Ixy = +∫ xy dm, as in (2.1). Positive for a body with more mass where x and y have the same sign.
+    /// The integral Ixy = +∫ xy dm, as in (2.1). It is positive for a body with more mass where x and y have equal
+    /// signs.
     Integral,
-    /// The entry of the tensor, −∫ xy dm. Negative for such a body.
+    /// The entry of the tensor, −∫ xy dm. It is negative for such a body.
     TensorEntry,
 }
 
 /// The mass properties that a CAD program reports, in its axes.
 ///
-/// Programs differ in the sign of products of inertia, some let it be chosen, and the same report often has the tensor
-/// about the centre of gravity and about the origin: [`body_about_center`](Self::body_about_center) and
-/// [`body_about_origin`](Self::body_about_origin) take either. Whether the sign is right is seen at a body whose mass lies
-/// where x and y have the same sign; a wrong sign often, though not always, fails the triangle inequality.
+/// Programs differ in the sign of products of inertia, some let the user choose it, and a report often contains the
+/// tensor both about the centre of gravity and about the origin; [`body_about_center`](Self::body_about_center) and
+/// [`body_about_origin`](Self::body_about_origin) accept either. A body whose mass lies where x and y have equal signs
+/// shows whether the sign is right. A wrong sign often, but not always, violates the triangle inequality.
 ///
 /// ```
 /// use lagrangian::rigid_body::{CadReport, ProductSign};
@@ -125,29 +126,29 @@ pub enum ProductSign {
 pub struct CadReport<S = f64> {
     /// The mass.
     pub mass: S,
-    /// The centre of gravity (mass, gravity, of volume for uniform density).
+    /// The centre of gravity (also called centre of mass or, for uniform density, centre of volume).
     pub center: [S; 3],
     /// Ixx, Iyy, Izz.
     pub moments: [S; 3],
-    /// What the report calls Ixy, Ixz, Iyz: mind the order.
+    /// The values that the report calls Ixy, Ixz, Iyz; mind the order.
     pub products: [S; 3],
-    /// What it means by that.
+    /// The meaning of these values.
     pub sign: ProductSign,
 }
 
 impl<S: SingleNumber> CadReport<S> {
-    /// The body, if the moments and products are about the centre of gravity.
+    /// Returns the body, if the moments and products are about the centre of gravity.
     ///
     /// # Errors
-    /// [`BodyError`] unless the numbers are those of a body, to six digits.
+    /// [`BodyError`] unless the numbers describe a physical body, to six digits.
     pub fn body_about_center(&self) -> Result<RigidBody<S>, BodyError> {
         printed(self.mass, self.center.into(), self.tensor())
     }
 
-    /// The body, if the moments and products are about the origin of the axes.
+    /// Returns the body, if the moments and products are about the origin of the axes.
     ///
     /// # Errors
-    /// [`BodyError`] unless the numbers are those of a body, to six digits.
+    /// [`BodyError`] unless the numbers describe a physical body, to six digits.
     pub fn body_about_origin(&self) -> Result<RigidBody<S>, BodyError> {
         let center = self.center.into();
         let tensor = self.tensor();
@@ -167,7 +168,7 @@ impl<S: SingleNumber> CadReport<S> {
 }
 
 impl<S: Scalar> CadReport<S> {
-    /// The report of a body about its centre of gravity.
+    /// Returns the report of a body about its centre of gravity.
     #[must_use]
     pub fn of(body: &RigidBody<S>, sign: ProductSign) -> Self {
         let products = match sign {
@@ -184,7 +185,7 @@ impl<S: Scalar> CadReport<S> {
     }
 }
 
-/// A body of numbers that were printed with some digits.
+/// Creates a body from numbers that were printed with a few digits.
 fn printed<S: SingleNumber>(
     mass: S,
     center: Vector3<S>,
@@ -193,7 +194,7 @@ fn printed<S: SingleNumber>(
     RigidBody::within(mass, center, inertia, in_digits(&inertia))
 }
 
-/// What printing leaves of a tensor.
+/// Returns a bound on the errors of a printed tensor.
 fn in_digits<S: Scalar>(tensor: &InertiaTensor<S>) -> f64 {
     let moments = tensor.moments().map(|moment| moment.abs().largest());
     UNPHYSICAL_DIGITS * moments.into_iter().fold(0.0, f64::max)

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::scalar::Scalar;
 
-/// What forces and moments on a rigid body amount to: one force, and one moment about a point.
+/// The resultant of forces and moments on a rigid body: one force, and one moment about a point.
 ///
 /// ```
 /// use lagrangian::rigid_body::Resultant;
@@ -18,7 +18,7 @@ use crate::scalar::Scalar;
 /// let couple = Resultant::of_forces(Vector3::zeros(), [(push, above), (pull, below)]);
 /// assert_eq!(couple.force, Vector3::zeros());
 /// assert_eq!(couple.moment, Vector3::new(0.0, 0.0, -1.0));
-/// // Its moment is the same about any point.
+/// // Its moment is equal about all points.
 /// assert_eq!(couple.about(Vector3::new(3.0, -1.0, 2.0)).moment, couple.moment);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ pub struct Resultant<S: Scalar = f64> {
 }
 
 impl<S: Scalar> Resultant<S> {
-    /// No force and no moment.
+    /// Returns the resultant without a force or a moment.
     #[must_use]
     pub fn none(point: Vector3<S>) -> Self {
         let zero = Vector3::zeros();
@@ -43,7 +43,7 @@ impl<S: Scalar> Resultant<S> {
         }
     }
 
-    /// The resultant of a force that acts at a point.
+    /// Returns the resultant of a force that acts at a point.
     #[must_use]
     pub fn of_force(point: Vector3<S>, force: Vector3<S>, acts_at: &Vector3<S>) -> Self {
         let moment = (acts_at - point).cross(&force);
@@ -54,8 +54,8 @@ impl<S: Scalar> Resultant<S> {
         }
     }
 
-    /// The resultant, about a point, of forces with the points at which they act. Forces that particles of the body
-    /// exert on each other cancel.
+    /// Returns the resultant about a point of forces, each with the point at which it acts. Forces that particles of
+    /// the body exert on each other cancel.
     pub fn of_forces(
         point: Vector3<S>,
         forces: impl IntoIterator<Item = (Vector3<S>, Vector3<S>)>,
@@ -66,14 +66,14 @@ impl<S: Scalar> Resultant<S> {
         })
     }
 
-    /// With a moment besides, such as that of a motor.
+    /// Adds a moment, such as the moment of a motor.
     #[must_use]
     pub fn with_moment(mut self, moment: Vector3<S>) -> Self {
         self.moment += moment;
         self
     }
 
-    /// The same with its moment about another point.
+    /// Returns this resultant with the moment about another point.
     #[must_use]
     pub fn about(&self, point: Vector3<S>) -> Self {
         Self {
@@ -87,7 +87,7 @@ impl<S: Scalar> Resultant<S> {
 impl<S: Scalar> Add for Resultant<S> {
     type Output = Self;
 
-    /// Both together, about the point of the first one.
+    /// Adds two resultants, about the point of the first.
     fn add(self, other: Self) -> Self {
         let other = other.about(self.point);
         Self {

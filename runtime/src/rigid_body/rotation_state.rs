@@ -8,11 +8,12 @@ use crate::scalar::{Lanes, Scalar};
 
 /// The orientation of a body, as a unit quaternion, and its angular velocity in axes of the body.
 ///
-/// The quaternion rotates components in axes of the body to those in axes of space. An integration of
-/// [`EulerEquations`](super::EulerEquations) keeps its norm at 1 to rounding; [`orientation`](Self::orientation) divides by it. As the derivative of a state, it has the rates
-/// of the quaternion and the angular acceleration.
+/// The quaternion rotates components in axes of the body to components in axes of space. An integration of
+/// [`EulerEquations`](super::EulerEquations) keeps its norm at 1 up to rounding; [`orientation`](Self::orientation)
+/// divides by the norm. In the derivative of a state, the fields hold the rates of the quaternion and the angular
+/// acceleration.
 ///
-/// Its components are w, x, y, z of the quaternion, then ω₁, ω₂, ω₃.
+/// The components are w, x, y, z of the quaternion, then ω₁, ω₂, ω₃.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -30,7 +31,7 @@ pub struct RotationState<S: Scalar = f64> {
 }
 
 impl<S: Scalar> RotationState<S> {
-    /// The state of a body with this orientation and angular velocity, the latter in axes of the body.
+    /// Creates the state of a body with an orientation and an angular velocity in axes of the body.
     #[must_use]
     pub fn new(orientation: &UnitQuaternion<S>, angular_velocity: Vector3<S>) -> Self {
         Self {
@@ -39,7 +40,7 @@ impl<S: Scalar> RotationState<S> {
         }
     }
 
-    /// The state of a body whose axes are those of space.
+    /// Creates the state of a body whose axes coincide with the axes of space.
     #[must_use]
     pub fn aligned(angular_velocity: Vector3<S>) -> Self {
         let [zero, one] = [S::zero(), S::one()];
@@ -49,19 +50,19 @@ impl<S: Scalar> RotationState<S> {
         }
     }
 
-    /// The orientation.
+    /// Returns the orientation.
     #[must_use]
     pub fn orientation(&self) -> UnitQuaternion<S> {
         normalized(self.quaternion.into())
     }
 
-    /// The components in axes of space of a vector that is given in axes of the body.
+    /// Returns the components in axes of space of a vector given in axes of the body.
     #[must_use]
     pub fn to_space(&self, in_body: &Vector3<S>) -> Vector3<S> {
         crate::rotation::rotation_of(&self.orientation()).matrix() * in_body
     }
 
-    /// The components in axes of the body of a vector that is given in axes of space.
+    /// Returns the components in axes of the body of a vector given in axes of space.
     #[must_use]
     pub fn to_body(&self, in_space: &Vector3<S>) -> Vector3<S> {
         crate::rotation::rotation_of(&self.orientation())
@@ -70,7 +71,7 @@ impl<S: Scalar> RotationState<S> {
     }
 }
 
-/// The root of the sum of the squares.
+/// Returns the Euclidean norm.
 fn norm<'a, S: Scalar>(components: impl Iterator<Item = &'a S>) -> S {
     components.fold(S::zero(), |sum, x| sum + *x * *x).sqrt()
 }
@@ -99,7 +100,8 @@ impl<S: Scalar> VectorSpace<S> for RotationState<S> {
             .copied()
     }
 
-    /// The components of a unit quaternion are of size 1, and those of the angular velocity of the size of the vector.
+    /// The components of a unit quaternion have the size 1; the components of the angular velocity have the size of the
+    /// vector.
     #[inline]
     fn allowed_error(&self, tolerance: &ErrorTolerance<S>) -> Self {
         let of_quaternion = tolerance.of_coordinate(S::one());
@@ -110,7 +112,7 @@ impl<S: Scalar> VectorSpace<S> for RotationState<S> {
         }
     }
 
-    /// The rate at which the body turns, and the root of that at which this changes.
+    /// Returns the larger of the rate of rotation and the square root of its rate of change.
     fn rate(&self, _: &Self) -> Option<S> {
         let turning = norm(self.quaternion.iter());
         let changing = norm(self.angular_velocity.iter()).sqrt();

@@ -1,8 +1,8 @@
 //! Solids, surfaces and lines of uniform density.
 //!
-//! The formulas are those of any handbook, such as the tables of M. R. Spiegel, *Theory and Problems of Theoretical
-//! Mechanics* (1967), chapter 9; written here by the second moments ∫ x² dm/m, of which each moment of inertia
-//! is the sum of two. Differences of powers of an outer and an inner radius are divided by their common factor.
+//! The formulas can be found in any handbook, such as the tables of M. R. Spiegel, *Theory and Problems of Theoretical
+//! Mechanics* (1967), chapter 9. They are written with the second moments ∫ x² dm/m; each moment of inertia is the sum
+//! of two of these. Differences of powers of an outer and an inner radius are divided by their common factor.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -15,9 +15,9 @@ use crate::scalar::Scalar;
 
 /// A solid, a surface or a line of uniform density, before its mass is known.
 ///
-/// Axes of rotation are along z. All have their centre of gravity at the origin but the cone, whose base is there, and
-/// meshes.
-/// [`with_mass`](Self::with_mass) and [`with_density`](Self::with_density) make a [`RigidBody`] of it.
+/// Axes of rotation are along z. All shapes have their centre of gravity at the origin, except meshes and the cone,
+/// whose base is there. [`with_mass`](Self::with_mass) and [`with_density`](Self::with_density) turn it into a
+/// [`RigidBody`].
 ///
 /// ```
 /// use lagrangian::rigid_body::Solid;
@@ -28,20 +28,20 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solid<S: Scalar = f64> {
-    /// Volume, area or length.
+    /// The volume, area or length.
     content: S,
     center: Vector3<S>,
-    /// About the centre, for a mass of 1.
+    /// The inertia tensor about the centre, for a mass of 1.
     inertia: InertiaTensor<S>,
 }
 
-/// A fraction of small whole numbers.
+/// Returns a fraction of small whole numbers.
 fn fraction<S: Scalar>(numerator: f64, denominator: f64) -> S {
     S::ratio(numerator, denominator)
 }
 
 impl<S: SingleNumber> Solid<S> {
-    /// A box with edges of these lengths along x, y and z.
+    /// Creates a box with edges of these lengths along x, y and z.
     ///
     /// # Errors
     /// [`BodyError`] if a length is not positive and finite.
@@ -54,7 +54,7 @@ impl<S: SingleNumber> Solid<S> {
         ))
     }
 
-    /// A cylinder about z with this radius and height.
+    /// Creates a cylinder about z with this radius and height.
     ///
     /// # Errors
     /// [`BodyError`] if a size is not positive and finite.
@@ -70,7 +70,7 @@ impl<S: SingleNumber> Solid<S> {
         ))
     }
 
-    /// A tube about z, a cylinder with a coaxial cylindrical hole.
+    /// Creates a tube about z, a cylinder with a coaxial cylindrical hole.
     ///
     /// # Errors
     /// [`BodyError`] if a size is not positive and finite, or the inner radius is not less than the outer one.
@@ -85,7 +85,7 @@ impl<S: SingleNumber> Solid<S> {
         ))
     }
 
-    /// A sphere.
+    /// Creates a sphere.
     ///
     /// # Errors
     /// [`BodyError`] if the radius is not positive and finite.
@@ -94,7 +94,7 @@ impl<S: SingleNumber> Solid<S> {
         Self::ellipsoid(radius, radius, radius)
     }
 
-    /// A sphere with a concentric spherical hole.
+    /// Creates a sphere with a concentric spherical hole.
     ///
     /// # Errors
     /// [`BodyError`] if a size is not positive and finite, or the inner radius is not less than the outer one.
@@ -110,7 +110,7 @@ impl<S: SingleNumber> Solid<S> {
         Ok(Self::centered(volume, [second; 3]))
     }
 
-    /// A thin spherical shell, whose density is mass per area.
+    /// Creates a thin spherical shell, whose density is mass per area.
     ///
     /// # Errors
     /// [`BodyError`] if the radius is not positive and finite.
@@ -123,8 +123,8 @@ impl<S: SingleNumber> Solid<S> {
         ))
     }
 
-    /// A cone about z with its base in the plane z = 0 and its apex at z = `height`: the centre of gravity is at a
-    /// quarter of the height.
+    /// Creates a cone about z with its base in the plane z = 0 and its apex at z = `height`. The centre of gravity is
+    /// at a quarter of the height.
     ///
     /// # Errors
     /// [`BodyError`] if a size is not positive and finite.
@@ -141,7 +141,7 @@ impl<S: SingleNumber> Solid<S> {
         Ok(Self { center, ..cone })
     }
 
-    /// An ellipsoid with semi-axes of these lengths along x, y and z.
+    /// Creates an ellipsoid with semi-axes of these lengths along x, y and z.
     ///
     /// # Errors
     /// [`BodyError`] if a length is not positive and finite.
@@ -154,7 +154,7 @@ impl<S: SingleNumber> Solid<S> {
         ))
     }
 
-    /// A torus about z: a disc of radius `minor_radius` revolved at the distance `major_radius`.
+    /// Creates a torus about z: a disc of radius `minor_radius` revolved at the distance `major_radius`.
     ///
     /// # Errors
     /// [`BodyError`] if a size is not positive and finite, or the minor radius is not less than the major one.
@@ -168,7 +168,7 @@ impl<S: SingleNumber> Solid<S> {
         Ok(Self::centered(volume, [across, across, along]))
     }
 
-    /// A capsule about z: a cylinder of this radius and length between two hemispheres.
+    /// Creates a capsule about z: a cylinder of this radius and length between two hemispheres.
     ///
     /// # Errors
     /// [`BodyError`] if a size is not positive and finite.
@@ -176,7 +176,7 @@ impl<S: SingleNumber> Solid<S> {
         let radius = positive("the radius of the capsule", radius)?;
         let length = positive("the length of the capsule", length)?;
         let square = radius * radius;
-        // Lengths of cylinders of the same radius: of the middle, and of both hemispheres.
+        // Lengths of equivalent cylinders with this radius: of the middle, and of both hemispheres.
         let ends = radius * fraction(4.0, 3.0);
         let whole = length + ends;
         let [of_middle, of_ends] = [length / whole, ends / whole];
@@ -191,7 +191,7 @@ impl<S: SingleNumber> Solid<S> {
         ))
     }
 
-    /// A thin rod along z, whose density is mass per length.
+    /// Creates a thin rod along z, whose density is mass per length.
     ///
     /// # Errors
     /// [`BodyError`] if the length is not positive and finite.
@@ -201,7 +201,7 @@ impl<S: SingleNumber> Solid<S> {
         Ok(Self::centered(length, [S::zero(), S::zero(), along]))
     }
 
-    /// A thin disc in the plane z = 0, whose density is mass per area.
+    /// Creates a thin disc in the plane z = 0, whose density is mass per area.
     ///
     /// # Errors
     /// [`BodyError`] if the radius is not positive and finite.
@@ -215,8 +215,8 @@ impl<S: SingleNumber> Solid<S> {
         ))
     }
 
-    /// A thin rectangular plate in the plane z = 0 with edges of these lengths along x and y, whose density is mass per
-    /// area.
+    /// Creates a thin rectangular plate in the plane z = 0 with edges of these lengths along x and y, whose density is
+    /// mass per area.
     ///
     /// # Errors
     /// [`BodyError`] if a length is not positive and finite.
@@ -229,7 +229,7 @@ impl<S: SingleNumber> Solid<S> {
         ))
     }
 
-    /// A solid from its integrals: volume, ∫ **r** dV, and ∫ **r** **r**ᵀ dV.
+    /// Creates a solid from its integrals: volume, ∫ **r** dV, and ∫ **r** **r**ᵀ dV.
     #[cfg(feature = "alloc")]
     pub(super) fn from_integrals(volume: S, first: Vector3<S>, second: &Matrix3<S>) -> Self {
         let center = first.map(|component| component / volume);
@@ -242,20 +242,20 @@ impl<S: SingleNumber> Solid<S> {
         }
     }
 
-    /// The body of this shape with a mass.
+    /// Returns the body of this shape with a mass.
     ///
     /// # Errors
-    /// [`BodyError`] if the mass is not positive and finite, or no moment of inertia is.
+    /// [`BodyError`] if the mass is not positive and finite, or if the resulting inertia is not physical.
     pub fn with_mass(&self, mass: S) -> Result<RigidBody<S>, BodyError> {
         positive("the mass", mass)?;
         let inertia = self.inertia.scaled(mass);
         RigidBody::new(mass, self.center, inertia)
     }
 
-    /// The body of this shape with a mass per volume, area or length.
+    /// Returns the body of this shape with a mass per volume, area or length.
     ///
     /// # Errors
-    /// [`BodyError`] if the density is not positive and finite, or no moment of inertia is.
+    /// [`BodyError`] if the density is not positive and finite, or if the resulting inertia is not physical.
     pub fn with_density(&self, density: S) -> Result<RigidBody<S>, BodyError> {
         positive("the density", density)?;
         self.with_mass(density * self.content)
@@ -263,26 +263,26 @@ impl<S: SingleNumber> Solid<S> {
 }
 
 impl<S: Scalar> Solid<S> {
-    /// The volume; the area of a surface, and the length of a line.
+    /// Returns the volume; for a surface its area, for a line its length.
     #[must_use]
     pub fn content(&self) -> S {
         self.content
     }
 
-    /// The centre of gravity.
+    /// Returns the centre of gravity.
     #[must_use]
     pub fn center(&self) -> Vector3<S> {
         self.center
     }
 
-    /// The solid after a displacement.
+    /// Returns the solid after a displacement.
     #[must_use]
     pub fn moved(&self, displacement: Vector3<S>) -> Self {
         let center = self.center + displacement;
         Self { center, ..*self }
     }
 
-    /// A solid about the origin with these ∫ x² dm/m, ∫ y² dm/m, ∫ z² dm/m, and products of inertia 0.
+    /// Creates a solid about the origin with these ∫ x² dm/m, ∫ y² dm/m, ∫ z² dm/m, and no products of inertia.
     fn centered(content: S, second_moments: [S; 3]) -> Self {
         let second = Matrix3::from_diagonal(&second_moments.into());
         Self {
@@ -293,12 +293,12 @@ impl<S: Scalar> Solid<S> {
     }
 }
 
-/// An inner and an outer radius.
+/// Checks an inner and an outer radius.
 fn radii<S: SingleNumber>(inner: S, outer: S) -> Result<[S; 2], BodyError> {
     ascending(["the inner radius", "the outer radius"], [inner, outer])
 }
 
-/// Two sizes of which the first is the lesser one.
+/// Checks that the first of two sizes is the smaller one.
 fn ascending<S: SingleNumber>(
     [quantity, limit]: [&'static str; 2],
     [small, large]: [S; 2],
@@ -317,7 +317,7 @@ fn ascending<S: SingleNumber>(
     })
 }
 
-/// Sizes that are all positive and finite.
+/// Checks that all sizes are positive and finite.
 fn all_positive<S: SingleNumber, const N: usize>(
     quantity: &'static str,
     sizes: [S; N],

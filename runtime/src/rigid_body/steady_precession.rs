@@ -2,41 +2,43 @@
 
 use crate::integrate::SingleNumber;
 
-/// The precession rates φ̇ at which a symmetric top keeps its inclination θ, that is, the solutions of
-/// −I φ̇² sin θ cos θ + `I_s` φ̇ ω₃ sin θ + dV/dθ = 0 (4.11).
+/// The precession rates φ̇ at which a symmetric top keeps its inclination θ: the solutions of −I φ̇² sin θ cos θ +
+/// `I_s` φ̇ ω₃ sin θ + dV/dθ = 0 (4.11).
 ///
-/// The component ω₃ of the angular velocity along the axis is given, which is a constant of the motion, not ψ̇. The top is
-/// steady if θ̇ = 0 besides.
+/// The component ω₃ of the angular velocity along the axis is given, which is a constant of the motion, not ψ̇. The
+/// motion is steady if in addition θ̇ = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SteadyPrecession<S = f64> {
-    /// None: the top spins too slowly to stay at an inclination above the horizontal.
+    /// No solution: the top spins too slowly to stay at an inclination above the horizontal.
     None {
         /// The discriminant (`I_s` ω₃ sin θ)² + 4 I sin θ cos θ dV/dθ, which is negative.
         discriminant: S,
-        /// The least magnitude of ω₃ with which there is one at this inclination; infinite where there is none with any.
+        /// The least magnitude of ω₃ for which there is a solution at this inclination; infinite if there is none for
+        /// any ω₃.
         least_axial_velocity: S,
     },
-    /// One: the axis is horizontal.
+    /// One solution: the axis is horizontal.
     One {
-        /// φ̇.
+        /// The precession rate φ̇.
         rate: S,
     },
-    /// Two; the same one twice for the least spin at which there is any.
+    /// Two solutions, which coincide for the least spin for which there are any.
     Two {
-        /// That of the smaller magnitude, about m g l/(`I_s` ω₃) for a fast top.
+        /// The rate of smaller magnitude, about m g l/(`I_s` ω₃) for a fast top.
         slow: S,
-        /// That of the greater magnitude, about `I_s` ω₃/(I cos θ).
+        /// The rate of greater magnitude, about `I_s` ω₃/(I cos θ).
         fast: S,
     },
-    /// Any: the axis is vertical or nothing acts on a top without spin whose axis is horizontal.
+    /// Any rate: the axis is vertical, or the axis is horizontal and nothing acts on a top without spin.
     Any,
 }
 
 impl<S: SingleNumber> SteadyPrecession<S> {
-    /// Those of a top with these moments of inertia about the fixed point, transverse I and axial `I_s`, at an inclination
-    /// θ from the vertical where the potential energy has the slope dV/dθ: −m g l sin θ for a weight.
+    /// Returns the steady precessions of a top at an inclination θ from the vertical.
     ///
-    /// Both solutions have all digits: the slow one is found from the product of both.
+    /// The moments of inertia about the fixed point are the transverse I and the axial `I_s`; the slope dV/dθ of the
+    /// potential energy is −m g l sin θ for a weight. Both solutions are accurate to all digits, since the slow one is
+    /// computed from the product of both.
     ///
     /// ```
     /// use lagrangian::rigid_body::SteadyPrecession;
@@ -63,7 +65,7 @@ impl<S: SingleNumber> SteadyPrecession<S> {
         let quadratic = transverse * sine * cosine;
         let linear = axial * axial_velocity * sine;
         let is_zero = |x: S| x.abs().largest() <= 0.0;
-        // (I_s ω₃ sin θ)² has to be at least as large.
+        // The lower bound for (I_s ω₃ sin θ)².
         let least = S::from_f64(-4.0) * quadratic * potential_slope;
         let discriminant = linear * linear - least;
         let reach = (axial * sine).abs();

@@ -4,27 +4,27 @@ use crate::integrate::SingleNumber;
 use crate::limits::rigid_bodies::EQUAL_MOMENTS;
 use crate::scalar::Scalar;
 
-/// What becomes of a small perturbation of a steady rotation, without a moment.
+/// The behaviour of a small perturbation of a steady rotation without a moment.
 ///
-/// Perturbations of a free rotation never damp out: nothing takes their energy. A steady rotation that is stable here is
-/// so in the sense that they stay small. With dissipation inside the body, only that about the axis of the largest moment
-/// is.
+/// Perturbations of a free rotation never decay, since nothing takes their energy. A steady rotation is called stable
+/// here if perturbations stay small. With dissipation inside the body, only the rotation about the axis of the largest
+/// moment is stable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SteadyRotation<S = f64> {
-    /// Stable: the moment is the least or the largest, and the angular velocity goes round the axis.
+    /// Stable: the moment is the least or the largest, and the angular velocity circles around the axis.
     Stable {
-        /// The angular frequency of the perturbation as seen from the body, in rad over time.
+        /// The angular frequency of the perturbation in axes of the body, in rad over time.
         frequency: S,
     },
     /// Unstable, I₁ > I₃ > I₂ or I₂ > I₃ > I₁ (3.8): the moment is between the others, and perturbations grow as eʳᵗ.
     Unstable {
-        /// The rate r at which they grow.
+        /// The growth rate r.
         growth_rate: S,
     },
-    /// The moment equals one of the others: a perturbation along the third axis stays, and the one along the axis of the
-    /// equal moment grows with it in proportion to the time.
+    /// The moment equals one of the others: a perturbation along the third axis persists, and causes the perturbation
+    /// along the axis of the equal moment to grow in proportion to time.
     Drifting {
-        /// The rate at which that one grows, in units of the one that stays.
+        /// The growth rate of this perturbation, in units of the persistent one.
         rate: S,
     },
     /// All moments are equal: the perturbed rotation is steady, too.
@@ -32,10 +32,11 @@ pub enum SteadyRotation<S = f64> {
 }
 
 impl<S: SingleNumber> SteadyRotation<S> {
-    /// The steady rotations about the axes 1, 2 and 3 with this angular velocity, for principal moments I₁, I₂, I₃.
+    /// Returns the steady rotations about the axes 1, 2 and 3 with this angular velocity, for principal moments I₁, I₂,
+    /// I₃.
     ///
-    /// With equal moments rotations about axes between the equal ones are steady, too, and of the same kind. Moments are
-    /// equal if they differ by rounding only.
+    /// If moments are equal, rotations about axes between their principal axes are steady, too, and of the same kind.
+    /// Moments count as equal if they differ only by rounding.
     ///
     /// ```
     /// use lagrangian::rigid_body::SteadyRotation;
@@ -58,7 +59,7 @@ impl<S: SingleNumber> SteadyRotation<S> {
         ]
     }
 
-    /// That about axis 3. To first order, I₁ ω̇₁ = (I₂ − I₃) Ω ω₂ and I₂ ω̇₂ = (I₃ − I₁) Ω ω₁.
+    /// Returns the steady rotation about axis 3. To first order, I₁ ω̇₁ = (I₂ − I₃) Ω ω₂ and I₂ ω̇₂ = (I₃ − I₁) Ω ω₁.
     fn about_third([first, second, third]: [S; 3], angular_velocity: S) -> Self {
         let largest = moments_size([first, second, third]);
         let zero_if_rounding = |difference: S| {
@@ -90,7 +91,7 @@ impl<S: SingleNumber> SteadyRotation<S> {
         }
     }
 
-    /// Whether perturbations stay small.
+    /// Returns whether perturbations stay small.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         matches!(self, Self::Stable { .. } | Self::Indifferent)
@@ -103,7 +104,7 @@ fn moments_size<S: Scalar>(moments: [S; 3]) -> f64 {
         .fold(0.0, |most, x| x.abs().largest().max(most))
 }
 
-/// −1, 0 or 1.
+/// Returns −1, 0 or 1.
 fn sign<S: SingleNumber>(x: S) -> i8 {
     i8::from(x.largest() > 0.0) - i8::from(x.largest() < 0.0)
 }

@@ -11,9 +11,9 @@ use crate::scalar::Scalar;
 
 /// A rigid body with an axis of symmetry, the third of its axes, as in (4.7): four numbers.
 ///
-/// They are the mass m, the height l of the centre of gravity along the axis, and the moments of inertia about the centre of
-/// gravity: I about every axis across, and Iₛ about the axis of symmetry. As a parameter of a declaration it spares the terms
-/// that are zero.
+/// They are the mass m, the height l of the centre of gravity along the axis, and the moments of inertia about the
+/// centre of gravity: I about every axis across, and Iₛ about the axis of symmetry. As a parameter of a declaration it
+/// avoids terms that are zero.
 ///
 /// ```
 /// use lagrangian::nalgebra::{Rotation3, Vector3};
@@ -38,12 +38,12 @@ pub struct SymmetricBody<S: Scalar = f64> {
 }
 
 impl<S: SingleNumber> SymmetricBody<S> {
-    /// The body of a mass m, of a height l of the centre of gravity along the axis, which may be negative, and of moments of
-    /// inertia about the **centre of gravity**: I across the axis, and Iₛ about it.
+    /// Creates a body with a mass m, a height l of the centre of gravity along the axis, which may be negative, and
+    /// moments of inertia about the **centre of gravity**: I across the axis, and Iₛ about it.
     ///
     /// # Errors
-    /// [`BodyError`] unless the mass is positive, all numbers are finite, no moment is negative, and Iₛ does not exceed 2 I, up
-    /// to rounding.
+    /// [`BodyError`] unless the mass is positive, all numbers are finite, no moment is negative, and Iₛ does not exceed
+    /// 2 I, up to rounding.
     pub fn new(mass: S, height: S, transverse: S, axial: S) -> Result<Self, BodyError> {
         let body = Self {
             mass,
@@ -55,11 +55,11 @@ impl<S: SingleNumber> SymmetricBody<S> {
         Ok(body)
     }
 
-    /// A body of which the third axis is an axis of symmetry.
+    /// Converts a body whose third axis is an axis of symmetry.
     ///
     /// # Errors
-    /// [`BodyError::NotSymmetricAboutAxis`] if it is none: a product of inertia, the difference of the moments across, or the
-    /// distance of the centre of gravity from the axis is not zero, up to rounding.
+    /// [`BodyError::NotSymmetricAboutAxis`] if it is not: a product of inertia, the difference of the moments across,
+    /// or the distance of the centre of gravity from the axis is not zero, up to rounding.
     pub fn of(body: &RigidBody<S>) -> Result<Self, BodyError> {
         let center = body.center();
         let [x, y, axial] = body.inertia().moments();
@@ -106,50 +106,51 @@ impl<S: SingleNumber> SymmetricBody<S> {
 }
 
 impl<S: Scalar> SymmetricBody<S> {
-    /// The mass m.
+    /// Returns the mass m.
     #[must_use]
     pub fn mass(&self) -> S {
         self.mass
     }
 
-    /// The height l of the centre of gravity: its coordinate along the axis, from the origin of the axes of the body.
+    /// Returns the height l of the centre of gravity: its coordinate along the axis, from the origin of the axes of the
+    /// body.
     #[must_use]
     pub fn height(&self) -> S {
         self.height
     }
 
-    /// The moment of inertia I across the axis, about the centre of gravity.
+    /// Returns the moment of inertia I across the axis, about the centre of gravity.
     #[must_use]
     pub fn transverse_moment(&self) -> S {
         self.transverse
     }
 
-    /// The moment of inertia across the axis, about the origin of the axes of the body: I + m l² (2.2), as that of a top about
-    /// its fixed point.
+    /// Returns the moment of inertia I + m l² (2.2) across the axis, about the origin of the axes of the body, such as
+    /// the fixed point of a top.
     #[must_use]
     pub fn transverse_moment_about_origin(&self) -> S {
         self.transverse + self.mass * self.height * self.height
     }
 
-    /// The moment of inertia Iₛ about the axis of symmetry.
+    /// Returns the moment of inertia Iₛ about the axis of symmetry.
     #[must_use]
     pub fn axial_moment(&self) -> S {
         self.axial
     }
 
-    /// The centre of gravity (0, 0, l) in the axes of the body.
+    /// Returns the centre of gravity (0, 0, l) in the axes of the body.
     #[must_use]
     pub fn center(&self) -> Vector3<S> {
         Vector3::new(S::zero(), S::zero(), self.height)
     }
 
-    /// The inertia tensor about the centre of gravity, in the axes of the body: diag(I, I, Iₛ).
+    /// Returns the inertia tensor about the centre of gravity, in the axes of the body: diag(I, I, Iₛ).
     #[must_use]
     pub fn inertia(&self) -> InertiaTensor<S> {
         InertiaTensor::principal([self.transverse, self.transverse, self.axial])
     }
 
-    /// The same numbers on another scalar, such as dual numbers, of which one is then given a derivative part.
+    /// Converts the numbers to another scalar, such as dual numbers, one of which may then be given a derivative part.
     #[must_use]
     pub fn map<T: Scalar>(&self, mut convert: impl FnMut(S) -> T) -> SymmetricBody<T> {
         SymmetricBody {

@@ -1,11 +1,11 @@
-//! Whether a body can have a mass and an inertia tensor.
+//! Physical validity of masses and inertia tensors.
 
 use super::error::BodyError;
 use super::inertia_tensor::InertiaTensor;
 use crate::integrate::SingleNumber;
 use crate::scalar::Scalar;
 
-/// A number that has to be positive and finite.
+/// Checks that a number is positive and finite.
 pub(crate) fn positive<S: SingleNumber>(quantity: &'static str, value: S) -> Result<S, BodyError> {
     finite(quantity, value)?;
     if value.smallest() > 0.0 {
@@ -15,7 +15,7 @@ pub(crate) fn positive<S: SingleNumber>(quantity: &'static str, value: S) -> Res
     Err(BodyError::NotPositive { quantity, value })
 }
 
-/// A number that has to be finite.
+/// Checks that a number is finite.
 pub(crate) fn finite<S: SingleNumber>(quantity: &'static str, value: S) -> Result<S, BodyError> {
     if value.is_finite() {
         return Ok(value);
@@ -24,10 +24,10 @@ pub(crate) fn finite<S: SingleNumber>(quantity: &'static str, value: S) -> Resul
     Err(BodyError::NotFinite { quantity, value })
 }
 
-/// Fails unless a tensor about the centre of gravity is that of a mass distribution: its principal moments are not
-/// negative, and none exceeds the sum of the others, by more than `allowed`.
+/// Checks that a tensor about the centre of gravity belongs to a mass distribution: no principal moment is negative,
+/// and none exceeds the sum of the others, by more than `allowed`.
 ///
-/// That is, ∫ **r** **r**ᵀ dm is positive semidefinite: with moments I₂ + I₃ ≥ I₁ and so on, ∫ x₁² dm = ½ (I₂ + I₃ − I₁).
+/// This means that ∫ **r** **r**ᵀ dm is positive semidefinite: ∫ x₁² dm = ½ (I₂ + I₃ − I₁) ≥ 0, and so on.
 pub(super) fn physical<S: SingleNumber>(
     inertia: &InertiaTensor<S>,
     allowed: f64,

@@ -1,4 +1,4 @@
-//! What is no rotation, and where angles have no rates.
+//! The errors of rotations and of the rates of angles.
 
 use core::fmt;
 
@@ -6,12 +6,12 @@ use super::euler_sequence::EulerSequence;
 use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
-/// Why there is no such rotation, or no such rate.
+/// The reason why a rotation or a rate does not exist.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum RotationError {
-    /// The angles are at a pole: two axes of the sequence are parallel, and an angular velocity about their common normal
-    /// has no rates.
+    /// The angles are at a pole: two axes of the sequence are parallel, and no rates of the angles belong to an angular
+    /// velocity about their common normal.
     Singular {
         /// The sequence of the angles.
         sequence: EulerSequence,
@@ -22,9 +22,9 @@ pub enum RotationError {
     },
     /// The columns of a matrix are not orthonormal.
     NotOrthonormal {
-        /// The indices of two columns, or the same twice, from 0.
+        /// The indices of two columns, counted from 0, which may be equal.
         columns: [usize; 2],
-        /// Their scalar product, which should be 0, or 1 if they are the same.
+        /// The scalar product of the columns, which should be 0, or 1 if they are equal.
         product: f64,
     },
     /// A matrix is a reflection: its columns are orthonormal and left-handed.

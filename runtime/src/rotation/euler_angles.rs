@@ -1,4 +1,4 @@
-//! Euler angles, and orientations from and to them.
+//! Euler angles, and conversions from and to orientations.
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion};
 
@@ -19,13 +19,13 @@ pub struct EulerAngles<S = f64> {
 }
 
 impl<S: Scalar> EulerAngles<S> {
-    /// The angles of a sequence.
+    /// Creates the angles of a sequence.
     #[must_use]
     pub fn new(sequence: EulerSequence, angles: [S; 3]) -> Self {
         Self { sequence, angles }
     }
 
-    /// The rotation matrix R, which takes components in axes of the body to those in axes of space.
+    /// Returns the rotation matrix R, which takes components in axes of the body to components in axes of space.
     #[must_use]
     pub fn rotation(&self) -> Rotation3<S> {
         let axes = self.sequence.axes();
@@ -33,7 +33,7 @@ impl<S: Scalar> EulerAngles<S> {
         Rotation3::from_matrix_unchecked(first * second * third)
     }
 
-    /// The unit quaternion of the orientation.
+    /// Returns the unit quaternion of the orientation.
     #[must_use]
     pub fn quaternion(&self) -> UnitQuaternion<S> {
         let axes = self.sequence.axes();
@@ -48,7 +48,7 @@ impl<S: Scalar> EulerAngles<S> {
     }
 }
 
-/// The rotation about an axis.
+/// Returns the matrix of a rotation about an axis.
 fn elementary<S: Scalar>(axis: usize, angle: S) -> Matrix3<S> {
     let (sine, cosine) = angle.sin_cos();
     let [j, k] = [(axis + 1) % 3, (axis + 2) % 3];
@@ -59,13 +59,15 @@ fn elementary<S: Scalar>(axis: usize, angle: S) -> Matrix3<S> {
 }
 
 impl<S: SingleNumber> EulerAngles<S> {
-    /// The angles of an orientation: φ and ψ in (−π, π], θ in \[0, π\] for the sequences of Euler, and in \[−π/2, π/2\] for
-    /// those of Tait and Bryan. Where the angles are singular only the sum or the difference of φ and ψ is
-    /// determined, and ψ is 0.
+    /// Returns the angles of an orientation.
     ///
-    /// The angles are accurate up to the pole, in the sense that they describe the same orientation. E. Bernardes & S.
-    /// Viollet, *Quaternion to Euler angles conversion: a direct, general and computationally efficient method*, PLOS ONE
-    /// **17** (2022) e0276302: half the sum and half the difference of φ and ψ are the angles of two pairs of components.
+    /// φ and ψ are in (−π, π], θ is in \[0, π\] for Euler's sequences, and in \[−π/2, π/2\] for the sequences of Tait
+    /// and Bryan. Where the angles are singular, only the sum or the difference of φ and ψ is determined, and ψ is 0.
+    ///
+    /// The angles are accurate up to the pole, in the sense that they describe this orientation. E. Bernardes & S.
+    /// Viollet, *Quaternion to Euler angles conversion: a direct, general and computationally efficient method*, PLOS
+    /// ONE **17** (2022) e0276302: half the sum and half the difference of φ and ψ are the angles of two pairs of
+    /// components.
     #[must_use]
     pub fn of_quaternion(sequence: EulerSequence, quaternion: &UnitQuaternion<S>) -> Self {
         let [first, second, _] = sequence.axes();
@@ -81,13 +83,13 @@ impl<S: SingleNumber> EulerAngles<S> {
             let angles = of_components([w, i, j, k], S::zero()).map(within_half_turn);
             return Self { sequence, angles };
         }
-        // R R₂(∓π/2) is a rotation about the first axis, the second and the first.
+        // R R₂(∓π/2) is a sequence of rotations about the first, the second and again the first axis.
         let root = S::from_f64(0.5).sqrt();
         let [w, i, j, k] =
             [w + sign * j, i + sign * k, j - sign * w, k - sign * i].map(|x| x * root);
         let quarter = S::pi() * S::from_f64(0.5);
         let angles = if sequence.is_cyclic() {
-            // (φ + π, −θ, ψ + π) are the same rotation.
+            // (φ + π, −θ, ψ + π) describe the same rotation.
             let [phi, theta, psi] = of_components([w, i, j, k], S::pi());
             [phi + S::pi(), quarter - theta, psi + S::pi()]
         } else {
@@ -98,16 +100,18 @@ impl<S: SingleNumber> EulerAngles<S> {
         Self { sequence, angles }
     }
 
-    /// The angles of an orientation that is given by its matrix, as those [of its quaternion](Self::of_quaternion).
+    /// Returns the angles of a rotation matrix; see [`of_quaternion`](Self::of_quaternion).
     #[must_use]
     pub fn of_rotation(sequence: EulerSequence, rotation: &Rotation3<S>) -> Self {
         Self::of_quaternion(sequence, &quaternion_of(rotation))
     }
 }
 
-/// Angles φ, θ, ψ of R₁(φ) R₂(θ) R₁(ψ) from the components of its quaternion along the axes 1, 2 and 1 × 2:
-/// w = cos ½θ cos ½(φ + ψ), i = cos ½θ sin ½(φ + ψ), j = sin ½θ cos ½(φ − ψ), k = sin ½θ sin ½(φ − ψ). At a pole, ψ is that
-/// which is given.
+/// Returns the angles φ, θ, ψ of R₁(φ) R₂(θ) R₁(ψ), given the components of its quaternion along the axes 1, 2 and 1 ×
+/// 2.
+///
+/// w = cos ½θ cos ½(φ + ψ), i = cos ½θ sin ½(φ + ψ), j = sin ½θ cos ½(φ − ψ), k = sin ½θ sin ½(φ − ψ). At a pole, ψ has
+/// the given value.
 fn of_components<S: SingleNumber>([w, i, j, k]: [S; 4], psi_at_pole: S) -> [S; 3] {
     let cosine = (w * w + i * i).sqrt();
     let sine = (j * j + k * k).sqrt();
@@ -129,7 +133,7 @@ fn of_components<S: SingleNumber>([w, i, j, k]: [S; 4], psi_at_pole: S) -> [S; 3
     ]
 }
 
-/// An angle between −3π and 3π less whole turns, in (−π, π].
+/// Reduces an angle between −3π and 3π by whole turns to (−π, π].
 fn within_half_turn<S: SingleNumber>(angle: S) -> S {
     let turn = S::pi() + S::pi();
     if (angle - S::pi()).largest() > 0.0 {

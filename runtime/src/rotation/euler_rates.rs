@@ -1,8 +1,8 @@
 //! Rates of Euler angles and angular velocity (4.4), generalized forces and moments.
 //!
-//! The columns of E in **ω** = E (φ̇, θ̇, ψ̇) are unit vectors along the axes of the three rotations, in axes of the body.
-//! The second is normal to the others, so that E is inverted in the frame of the second, the third and their normal
-//! without further division than by det E = ∓sin θ or ±cos θ.
+//! The columns of E in **ω** = E (φ̇, θ̇, ψ̇) are unit vectors along the axes of the three rotations, in axes of the
+//! body. The second is normal to the others. E is therefore inverted in the frame of the second axis, the third axis
+//! and their normal, and the only division is by det E = ∓sin θ or ±cos θ.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -13,7 +13,7 @@ use crate::integrate::SingleNumber;
 use crate::limits::rotations::AT_POLE;
 use crate::scalar::Scalar;
 
-/// The axes of the three rotations as seen from the body.
+/// The axes of the three rotations, in axes of the body.
 struct Axes<S: Scalar> {
     first: Vector3<S>,
     second: Vector3<S>,
@@ -22,7 +22,7 @@ struct Axes<S: Scalar> {
     normal: Vector3<S>,
     /// The scalar product of the first and the third axis.
     cosine: S,
-    /// That of the first axis and the normal, det E.
+    /// The scalar product of the first axis and the normal, det E.
     determinant: S,
 }
 
@@ -59,9 +59,9 @@ impl<S: Scalar> Axes<S> {
         }
     }
 
-    /// Fails at a pole.
+    /// Returns the axes, or an error at a pole.
     fn regular(self, sequence: EulerSequence, angle: S) -> Result<Self, RotationError> {
-        // What rounding of the angle leaves of a sine that should be 0.
+        // The rounding error of the angle appears in a sine that should be 0.
         let rounded = 1.0 + angle.abs().largest();
         if self.determinant.abs().smallest() > AT_POLE * S::machine_epsilon() * rounded {
             return Ok(self);
@@ -74,12 +74,13 @@ impl<S: Scalar> Axes<S> {
     }
 }
 
-/// The unit vector along an axis.
+/// Returns the unit vector along an axis.
 fn unit<S: Scalar>(axis: usize) -> Vector3<S> {
     Vector3::from_fn(|row, _| if row == axis { S::one() } else { S::zero() })
 }
 
-/// The components of a vector in axes that were turned about one of them by the angle with this sine and cosine.
+/// Returns the components of a vector in axes that were turned about one of them by the angle with this sine and
+/// cosine.
 fn turned_back<S: Scalar>(axis: usize, (sine, cosine): (S, S), vector: &Vector3<S>) -> Vector3<S> {
     let [j, k] = [(axis + 1) % 3, (axis + 2) % 3];
     let mut turned = *vector;
@@ -89,33 +90,34 @@ fn turned_back<S: Scalar>(axis: usize, (sine, cosine): (S, S), vector: &Vector3<
 }
 
 impl<S: Scalar> EulerAngles<S> {
-    /// The matrix E of **ω** = E (φ̇, θ̇, ψ̇), with **ω** in axes of the body. For z-x-z it is that of (4.4).
+    /// Returns the matrix E of **ω** = E (φ̇, θ̇, ψ̇), with **ω** in axes of the body. For z-x-z it is given in (4.4).
     #[must_use]
     pub fn rate_matrix(&self) -> Matrix3<S> {
         let axes = Axes::of(self);
         Matrix3::from_columns(&[axes.first, axes.second, axes.third])
     }
 
-    /// |det E|, which is |sin θ| for the sequences of Euler and |cos θ| for those of Tait and Bryan: 0 at a pole, 1 farthest
-    /// from it. Rates, and digits lost in them, grow with its inverse.
+    /// Returns |det E|, which is |sin θ| for Euler's sequences and |cos θ| for the sequences of Tait and Bryan.
+    ///
+    /// It is 0 at a pole and 1 farthest from it. The rates and their relative errors grow with its inverse.
     #[must_use]
     pub fn regularity(&self) -> S {
         Axes::of(self).determinant.abs()
     }
 
-    /// The angular velocity in axes of the body, from the rates of the angles (4.4).
+    /// Returns the angular velocity in axes of the body, given the rates of the angles (4.4).
     #[must_use]
     pub fn angular_velocity(&self, rates: &Vector3<S>) -> Vector3<S> {
         self.rate_matrix() * rates
     }
 
-    /// The angular velocity in axes of space, R E (φ̇, θ̇, ψ̇).
+    /// Returns the angular velocity in axes of space, R E (φ̇, θ̇, ψ̇).
     #[must_use]
     pub fn angular_velocity_in_space(&self, rates: &Vector3<S>) -> Vector3<S> {
         self.rotation().matrix() * self.angular_velocity(rates)
     }
 
-    /// The rates of the angles from the angular velocity in axes of the body: (4.4) inverted.
+    /// Returns the rates of the angles, given the angular velocity in axes of the body: the inverse of (4.4).
     ///
     /// # Errors
     /// [`RotationError::Singular`] at a pole, in any lane.
@@ -127,10 +129,10 @@ impl<S: Scalar> EulerAngles<S> {
         Ok(Vector3::new(first, second, third))
     }
 
-    /// The generalized forces Q = Eᵀ **N** of the angles, from a moment in axes of the body.
+    /// Returns the generalized forces Q = Eᵀ **N** of the angles, given a moment in axes of the body.
     ///
-    /// By virtual power, **N** · **ω** = Q · q̇. They are the moments about the axes of the three rotations, which are
-    /// not at right angles.
+    /// By virtual power, **N** · **ω** = Q · q̇. The generalized forces are the moments about the axes of the three
+    /// rotations, which are not orthogonal.
     #[must_use]
     pub fn generalized_forces(&self, moment: &Vector3<S>) -> Vector3<S> {
         let axes = Axes::of(self);
@@ -138,7 +140,8 @@ impl<S: Scalar> EulerAngles<S> {
         Vector3::new(first.dot(moment), second.dot(moment), third.dot(moment))
     }
 
-    /// The moment in axes of the body from the generalized forces of the angles: Q = Eᵀ **N** solved for **N**.
+    /// Returns the moment in axes of the body, given the generalized forces of the angles: Q = Eᵀ **N** solved for
+    /// **N**.
     ///
     /// # Errors
     /// [`RotationError::Singular`] at a pole, in any lane.
@@ -151,14 +154,14 @@ impl<S: Scalar> EulerAngles<S> {
 }
 
 impl<S: SingleNumber> EulerAngles<S> {
-    /// The same orientation in another sequence.
+    /// Returns this orientation in another sequence.
     #[must_use]
     pub fn in_sequence(&self, sequence: EulerSequence) -> Self {
         Self::of_quaternion(sequence, &self.quaternion())
     }
 
-    /// The same state, orientation and angular velocity, in another sequence: angles and their rates. A motion goes on
-    /// in it where this sequence comes near its pole.
+    /// Returns this state, orientation and angular velocity, as angles and rates of another sequence, in which a motion
+    /// can be continued where the present sequence comes near its pole.
     ///
     /// # Errors
     /// [`RotationError::Singular`] if the other sequence is at its pole.

@@ -2,11 +2,12 @@
 
 use core::fmt;
 
-/// The axes of three successive rotations, each about an axis of the body as the ones before have left it (intrinsic):
-/// `Zxz` is R = `Rz`(φ) `Rx`(θ) `Rz`(ψ), the `rotation_zxz(phi, theta, psi)` of declarations.
+/// The axes of three successive rotations, each about an axis of the body in the orientation that the previous
+/// rotations have produced (intrinsic).
 ///
-/// Rotations about fixed axes of space (extrinsic) are those of the reversed sequence in reversed order: roll, pitch and
-/// yaw about the fixed axes x, y and z are the angles (yaw, pitch, roll) of `Zyx`.
+/// `Zxz` is R = `Rz`(φ) `Rx`(θ) `Rz`(ψ), the `rotation_zxz(phi, theta, psi)` of declarations. Rotations about fixed
+/// axes of space (extrinsic) correspond to the reversed sequence with the angles in reversed order: roll, pitch and yaw
+/// about the fixed axes x, y and z are the angles (yaw, pitch, roll) of `Zyx`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum EulerSequence {
@@ -37,7 +38,7 @@ pub enum EulerSequence {
 }
 
 impl EulerSequence {
-    /// All twelve: those of Euler, then those of Tait and Bryan.
+    /// All twelve sequences: Euler's, then the sequences of Tait and Bryan.
     pub const ALL: [Self; 12] = [
         Self::Xyx,
         Self::Xzx,
@@ -53,7 +54,7 @@ impl EulerSequence {
         Self::Zyx,
     ];
 
-    /// The indices of the axes: 0 for x, 1 for y, 2 for z.
+    /// Returns the indices of the axes: 0 for x, 1 for y, 2 for z.
     #[must_use]
     pub fn axes(self) -> [usize; 3] {
         match self {
@@ -72,21 +73,21 @@ impl EulerSequence {
         }
     }
 
-    /// Whether the first and the third axis are the same: a sequence of Euler in the narrow sense, singular where the
-    /// second angle is a multiple of π. The others, of Tait and Bryan, are at odd multiples of π/2.
+    /// Returns whether the first and the third axis are equal: a sequence of Euler in the narrow sense, singular where
+    /// the second angle is a multiple of π. The sequences of Tait and Bryan are singular at odd multiples of π/2.
     #[must_use]
     pub fn repeats_axis(self) -> bool {
         let [first, _, third] = self.axes();
         first == third
     }
 
-    /// The axis that is neither the first nor the second one.
+    /// Returns the axis that is neither the first nor the second one.
     pub(super) fn remaining_axis(self) -> usize {
         let [first, second, _] = self.axes();
         3 - first - second
     }
 
-    /// Whether the first axis, the second and the remaining one are right-handed.
+    /// Returns whether the first, the second and the remaining axis are right-handed.
     pub(super) fn is_cyclic(self) -> bool {
         let [first, second, _] = self.axes();
         second == (first + 1) % 3

@@ -1,4 +1,4 @@
-//! Unit quaternions, and rotation matrices from and to them, on every scalar.
+//! Unit quaternions, and conversions from and to rotation matrices, on every scalar.
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
@@ -7,7 +7,7 @@ use crate::integrate::SingleNumber;
 use crate::limits::rotations::NOT_ORTHONORMAL;
 use crate::scalar::Scalar;
 
-/// The product p q, in components (w, x, y, z).
+/// Returns the product p q, in components (w, x, y, z).
 pub(crate) fn product<S: Scalar>(p: &[S; 4], q: &[S; 4]) -> [S; 4] {
     let [pw, px, py, pz] = *p;
     let [qw, qx, qy, qz] = *q;
@@ -19,13 +19,13 @@ pub(crate) fn product<S: Scalar>(p: &[S; 4], q: &[S; 4]) -> [S; 4] {
     ]
 }
 
-/// The components (w, x, y, z) of a quaternion.
+/// Returns the components (w, x, y, z) of a quaternion.
 pub(crate) fn components<S: Scalar>(quaternion: &UnitQuaternion<S>) -> [S; 4] {
     let [x, y, z, w]: [S; 4] = quaternion.as_ref().coords.into();
     [w, x, y, z]
 }
 
-/// The unit quaternion with these components (w, x, y, z), divided by their norm.
+/// Returns the unit quaternion with these components (w, x, y, z), divided by their norm.
 pub(crate) fn normalized<S: Scalar>(components: [S; 4]) -> UnitQuaternion<S> {
     let squares = components.iter().fold(S::zero(), |sum, x| sum + *x * *x);
     let norm = squares.sqrt();
@@ -33,7 +33,7 @@ pub(crate) fn normalized<S: Scalar>(components: [S; 4]) -> UnitQuaternion<S> {
     UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z))
 }
 
-/// The unit quaternion with these components (w, x, y, z), divided by their norm.
+/// Returns the unit quaternion with these components (w, x, y, z), divided by their norm.
 ///
 /// # Errors
 /// [`RotationError::NoOrientation`] if the norm is zero or not finite.
@@ -55,7 +55,8 @@ pub fn unit_quaternion<S: Scalar>(components: [S; 4]) -> Result<UnitQuaternion<S
     Err(RotationError::NoOrientation { norm })
 }
 
-/// The rotation matrix R of a unit quaternion, which takes components in axes of the body to those in axes of space.
+/// Returns the rotation matrix R of a unit quaternion, which takes components in axes of the body to components in axes
+/// of space.
 #[must_use]
 pub fn rotation_of<S: Scalar>(quaternion: &UnitQuaternion<S>) -> Rotation3<S> {
     let [w, x, y, z] = components(quaternion);
@@ -76,10 +77,11 @@ pub fn rotation_of<S: Scalar>(quaternion: &UnitQuaternion<S>) -> Rotation3<S> {
     ))
 }
 
-/// The unit quaternion of a rotation matrix, of the two that differ in sign that whose largest component is positive.
+/// Returns the unit quaternion of a rotation matrix; of the two that differ in sign, the one whose largest component is
+/// positive.
 ///
-/// S. W. Shepperd, *Quaternion from Rotation Matrix*, J. Guidance Control **1** (1978) 223–224: from the largest
-/// component, which cannot be small.
+/// S. W. Shepperd, *Quaternion from Rotation Matrix*, J. Guidance Control **1** (1978) 223–224: computed from the
+/// largest component, which cannot be small.
 #[must_use]
 pub fn quaternion_of<S: SingleNumber>(rotation: &Rotation3<S>) -> UnitQuaternion<S> {
     let r = rotation.matrix();
@@ -108,10 +110,10 @@ pub fn quaternion_of<S: SingleNumber>(rotation: &Rotation3<S>) -> UnitQuaternion
     normalized(unscaled)
 }
 
-/// A matrix as a rotation, if it is one up to rounding.
+/// Returns a matrix as a rotation, if it is one up to rounding.
 ///
 /// # Errors
-/// [`RotationError::NotOrthonormal`] or [`RotationError::Reflection`], with the value that is wrong.
+/// [`RotationError::NotOrthonormal`] or [`RotationError::Reflection`], with the wrong value.
 ///
 /// ```
 /// use lagrangian::rotation::{RotationError, verified_rotation};
@@ -141,8 +143,10 @@ pub fn verified_rotation<S: Scalar>(matrix: &Matrix3<S>) -> Result<Rotation3<S>,
     Ok(Rotation3::from_matrix_unchecked(*matrix))
 }
 
-/// The derivative q̇ = ½ q ∘ (0, **ω**) of the quaternion of an orientation, from the angular velocity in axes of the
-/// body. Its components are (w, x, y, z), as those of the quaternion, which need not have norm 1.
+/// Returns the derivative q̇ = ½ q ∘ (0, **ω**) of the quaternion of an orientation, given the angular velocity in axes
+/// of the body.
+///
+/// Components are in the order (w, x, y, z), as in the quaternion, which need not have norm 1.
 #[must_use]
 pub fn quaternion_rate<S: Scalar>(quaternion: &[S; 4], angular_velocity: &Vector3<S>) -> [S; 4] {
     let half = S::from_f64(0.5);

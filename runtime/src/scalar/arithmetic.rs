@@ -1,6 +1,6 @@
-//! Assigning operators, zero and one, from the other operators of a scalar.
+//! Compound assignment operators, zero and one, defined by the other operators of a scalar.
 
-/// Implements the assigning operators for a scalar, generic over `generics`, that has the other operators.
+/// Implements the compound assignment operators for a scalar, generic over `generics`, that has the other operators.
 macro_rules! assigning {
     ([$($generics:tt)*] $scalar:ty) => {
         $crate::scalar::arithmetic::assigning! { [$($generics)*] $scalar: AddAssign add_assign + }
@@ -18,8 +18,8 @@ macro_rules! assigning {
     };
 }
 
-/// Implements the assigning operators, zero and one for a scalar, generic over `generics`, that has the
-/// other operators and `from_f64`.
+/// Implements the compound assignment operators, zero and one for a scalar, generic over `generics`, that has the other
+/// operators and `from_f64`.
 macro_rules! arithmetic {
     ([$($generics:tt)*] $scalar:ty) => {
         $crate::scalar::arithmetic::assigning! { [$($generics)*] $scalar }

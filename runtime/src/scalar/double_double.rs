@@ -1,7 +1,7 @@
 //! Double-double (double-word) arithmetic.
 //!
-//! A number is the unevaluated sum of two `f64`, the second of which is at most half a unit in the last place of
-//! the first. Error-free sums and products: T. J. Dekker, *A floating-point technique for extending the available
+//! A number is the unevaluated sum of two `f64`, the second of which is at most half a unit in the last place of the
+//! first. Error-free sums and products: T. J. Dekker, *A floating-point technique for extending the available
 //! precision*, Numer. Math. **18** (1971) 224–242. Operations: M. Joldes, J.-M. Muller & V. Popescu, *Tight and
 //! rigorous error bounds for basic building blocks of double-word arithmetic*, ACM Trans. Math. Softw. **44** (2017)
 //! 15. `runtime/scripts/double_double_constants.py` computes the constants.
@@ -16,17 +16,16 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::arithmetic::arithmetic;
 
-/// A number of about 32 decimal digits, with the exponents of `f64`.
+/// A number with about 32 decimal digits, with the exponent range of `f64`.
 ///
-/// The relative error of an operation is about 10⁻³², that of an elementary function at most 10⁻³⁰ (for
-/// sine and cosine up to arguments of 10⁶; beyond 10¹⁵ they have the precision of `f64`); that of `powf` grows
-/// with the logarithm of its result. Energies, accelerations and their derivatives have all digits, also with
-/// parameters of that precision; they serve as reference values, and to compute differences that `f64` would
-/// round away.
+/// The relative error is about 10⁻³² for an operation and at most 10⁻³⁰ for an elementary function (for sine and cosine
+/// up to arguments of 10⁶; beyond 10¹⁵ they have the precision of `f64`). The error of `powf` grows with the logarithm
+/// of its result. Energies, accelerations and their derivatives are accurate to all digits if the parameters are. They
+/// serve as reference values, and for differences that would be lost by rounding in `f64`.
 ///
-/// The time of an integration and the coefficients of its method are `f64`. An integration on
-/// `DoubleDouble` has no rounding errors of its own, but the rounded coefficients leave
-/// relative errors of about 10⁻¹⁶ times the number of time scales, whatever the tolerance.
+/// The time of an integration and the coefficients of its method are `f64`. An integration on `DoubleDouble` has no
+/// significant rounding errors of its own, but the rounded coefficients cause relative errors of about 10⁻¹⁶ times the
+/// number of time scales, whatever the tolerance.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -56,7 +55,7 @@ pub struct DoubleDouble {
     low: f64,
 }
 
-/// a + b and its rounding error (`TwoSum`).
+/// Returns a + b and its rounding error (`TwoSum`).
 #[inline]
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -65,7 +64,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - a_rounded) + (b - b_rounded))
 }
 
-/// a · b and its rounding error (`TwoProd`, by a fused multiply-add).
+/// Returns a · b and its rounding error (`TwoProd`, by a fused multiply-add).
 #[inline]
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -77,13 +76,13 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 impl DoubleDouble {
-    /// 0.
+    /// The number 0.
     pub(crate) const ZERO: Self = Self {
         high: 0.0,
         low: 0.0,
     };
 
-    /// The number nearest to the sum of two `f64`.
+    /// Returns the number nearest to the sum of two `f64`.
     #[inline]
     #[must_use]
     pub fn new(high: f64, low: f64) -> Self {
@@ -91,28 +90,28 @@ impl DoubleDouble {
         Self::finite(high, low)
     }
 
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     #[inline]
     #[must_use]
     pub fn to_f64(self) -> f64 {
         self.high
     }
 
-    /// The low part: the number minus [`to_f64`](Self::to_f64).
+    /// Returns the low part: the number minus [`to_f64`](Self::to_f64).
     #[inline]
     #[must_use]
     pub fn low(self) -> f64 {
         self.low
     }
 
-    /// The number of two parts, or of the first alone where that is infinite or not a number.
+    /// Creates a number from two parts, or from the first alone if it is infinite or NaN.
     #[inline]
     fn finite(high: f64, low: f64) -> Self {
         let low = if high.is_finite() { low } else { 0.0 };
         Self { high, low }
     }
 
-    /// The sum of two numbers, of which the first has the greater magnitude (`Fast2Sum`).
+    /// Returns the sum of two numbers, the first of which has the greater magnitude (`Fast2Sum`).
     #[inline]
     fn normalized(high: f64, low: f64) -> Self {
         let sum = high + low;
@@ -129,7 +128,7 @@ impl DoubleDouble {
         Self::from(1.0) / self
     }
 
-    /// The product with an `f64`: algorithm 9 of Joldes, Muller & Popescu.
+    /// Returns the product with an `f64`: algorithm 9 of Joldes, Muller & Popescu.
     #[inline]
     fn times(self, factor: f64) -> Self {
         let (high, error) = two_product(self.high, factor);
@@ -153,7 +152,7 @@ impl From<f64> for DoubleDouble {
 impl Add for DoubleDouble {
     type Output = Self;
 
-    /// Algorithm 6 of Joldes, Muller & Popescu.
+    /// Adds by algorithm 6 of Joldes, Muller & Popescu.
     #[inline]
     fn add(self, other: Self) -> Self {
         let (high, error) = two_sum(self.high, other.high);
@@ -190,7 +189,7 @@ impl Sub for DoubleDouble {
 impl Mul for DoubleDouble {
     type Output = Self;
 
-    /// Algorithm 11 of Joldes, Muller & Popescu.
+    /// Multiplies by algorithm 11 of Joldes, Muller & Popescu.
     #[inline]
     fn mul(self, other: Self) -> Self {
         let (high, error) = two_product(self.high, other.high);
@@ -205,7 +204,7 @@ impl Mul for DoubleDouble {
 impl Div for DoubleDouble {
     type Output = Self;
 
-    /// Long division with three quotient digits, each an `f64`.
+    /// Divides by long division with three quotient digits, each an `f64`.
     #[inline]
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;

@@ -1,10 +1,13 @@
-//! Dual numbers: forward-mode automatic differentiation (A. Griewank & A. Walther, *Evaluating Derivatives*, 2nd ed., 2008,
-//! chapter 3). Nested, they are the hyper-dual numbers of J. A. Fike & J. J. Alonso, *The Development of Hyper-Dual Numbers for
-//! Exact Second-Derivative Calculations*, AIAA 2011-886.
+//! Dual numbers: forward-mode automatic differentiation.
 //!
-//! Emitted code computes derivatives of models of many coordinates on them: one evaluation of the inverse dynamics gives as many
-//! columns. The operations are inlined. As functions of their own, with results in memory, LLVM 22 took two minutes to move those
-//! of a chain of 100 links from one place on the stack to another.
+//! A. Griewank & A. Walther, *Evaluating Derivatives*, 2nd ed., 2008, chapter 3. Nested, they are the hyper-dual
+//! numbers of J. A. Fike & J. J. Alonso, *The Development of Hyper-Dual Numbers for Exact Second-Derivative
+//! Calculations*, AIAA 2011-886.
+//!
+//! Emitted code computes derivatives of models with many coordinates on them: one evaluation of the inverse dynamics
+//! gives as many columns as a number has derivatives. The operations are inlined. As separate functions with results in
+//! memory, LLVM 22 took two minutes to move the results for a chain of 100 links from one place on the stack to
+//! another.
 
 mod arithmetic;
 mod functions;
@@ -19,10 +22,10 @@ use num_traits::Zero;
 
 use super::Scalar;
 
-/// A number and its derivative by `N` variables.
+/// A number and its derivatives by `N` variables.
 ///
-/// What is computed on dual numbers has exact derivatives, by the chain rule, beside its value (Griewank & Walther, *Evaluating
-/// Derivatives*, 2008, chapter 3). By one variable, its type is `Dual`:
+/// Computations on dual numbers propagate exact derivatives, by the chain rule, along with the values (Griewank &
+/// Walther, *Evaluating Derivatives*, 2008, chapter 3). For one variable, the type is `Dual`:
 ///
 /// ```
 /// use lagrangian::{Dual, Scalar};
@@ -50,16 +53,16 @@ use super::Scalar;
 /// assert_eq!(found.to_string(), "22.5 + [15, 4.5]ε");
 /// ```
 ///
-/// The number of variables follows from what a number is used with. Where nothing says it, write `Dual::<f64, 2>::constant(1.0)`, and
+/// The number of variables is usually inferred. Otherwise, write `Dual::<f64, 2>::constant(1.0)`, or
 /// `<Dual>::constant(1.0)` for one variable. The right operand of `+ - * /` may be an `f64`.
 ///
-/// A dual number is a [`Scalar`], and may be of any: models with parameters of dual numbers, or states, are evaluated and
-/// integrated like others. The derivatives of a motion by all initial values are a
+/// A dual number is a [`Scalar`], and may be built on any scalar: models with parameters or states of dual numbers are
+/// evaluated and integrated like others. For the derivatives of a motion by all initial values, see
 /// [`StateTransition`](crate::StateTransition).
 ///
 /// # Second derivatives
 ///
-/// A dual number of dual numbers has second derivatives, as hyper-dual numbers have (Fike & Alonso 2011). Each level
+/// A dual number of dual numbers has second derivatives, like hyper-dual numbers (Fike & Alonso 2011). Each level
 /// differentiates by its own variables:
 ///
 /// ```
@@ -76,14 +79,15 @@ use super::Scalar;
 ///
 /// # Where functions have no derivative
 ///
-/// As in derivatives that are [derived](derive@crate::Lagrangian), |x| at 0 and the jumps of `signum` and `floor` have derivative 0,
-/// and `min` and `max` of equal numbers the mean of both. √x has no derivative at 0 if x has none there, and one as large as
-/// numbers are if x has; so have arc functions at the ends of their domains, and powers at 0.
+/// As in [derived](derive@crate::Lagrangian) derivatives, |x| at 0 and the jumps of `signum` and `floor` have the
+/// derivative 0, and `min` and `max` of equal numbers have the mean of both derivatives. At 0, the derivative of √x is
+/// zero if the derivative of x is zero, and otherwise about as large as numbers can be. The same holds for arc
+/// functions at the ends of their domains, and for powers at 0.
 ///
 /// # Comparisons
 ///
-/// `==` and `<` look at the values alone, so that a program takes the branch that it takes on plain numbers. Only
-/// [`is_zero`](crate::num_traits::Zero::is_zero) looks at derivatives, too.
+/// `==` and `<` compare only values, so that a program takes the branch that it takes on plain numbers. Only
+/// [`is_zero`](crate::num_traits::Zero::is_zero) considers derivatives, too.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(
     feature = "serde",
@@ -102,14 +106,14 @@ pub struct Dual<S = f64, const N: usize = 1> {
 }
 
 impl<S: Scalar, const N: usize> Dual<S, N> {
-    /// A number with given derivatives.
+    /// Creates a number with given derivatives.
     #[inline]
     #[must_use]
     pub const fn new(value: S, derivative: [S; N]) -> Self {
         Self { value, derivative }
     }
 
-    /// A number that depends on no variable.
+    /// Creates a number that does not depend on any variable.
     #[inline]
     #[must_use]
     pub fn constant(value: S) -> Self {
@@ -119,8 +123,8 @@ impl<S: Scalar, const N: usize> Dual<S, N> {
         }
     }
 
-    /// The variable of that index: its derivative by itself is 1. With an index of `N` or more it is none of the variables, and
-    /// so a [constant](Self::constant).
+    /// Creates the variable with an index: its derivative by itself is 1. With an index of `N` or more it is not one of
+    /// the variables, and thus a [constant](Self::constant).
     #[inline]
     #[must_use]
     pub fn variable(value: S, index: usize) -> Self {
@@ -131,14 +135,14 @@ impl<S: Scalar, const N: usize> Dual<S, N> {
         }
     }
 
-    /// All variables, at these values.
+    /// Creates all variables, at these values.
     #[inline]
     #[must_use]
     pub fn variables(values: [S; N]) -> [Self; N] {
         from_fn(|index| Self::variable(values[index], index))
     }
 
-    /// Whether all derivatives are zero.
+    /// Returns whether all derivatives are zero.
     #[inline]
     fn is_constant(self) -> bool {
         self.derivative.iter().all(Zero::is_zero)
@@ -166,7 +170,7 @@ impl<S: PartialOrd, const N: usize> PartialOrd for Dual<S, N> {
     }
 }
 
-/// Such as `2 + 1ε` and `2 + [1, 0]ε`, in the format of the numbers.
+/// Formats like `2 + 1ε` and `2 + [1, 0]ε`, in the format of the numbers.
 impl<S: fmt::Display, const N: usize> fmt::Display for Dual<S, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.value.fmt(f)?;

@@ -15,8 +15,8 @@ macro_rules! elementary {
     )*};
 }
 
-/// Forwards the inverse hyperbolic functions to `libm`. Those of the standard library overflow at half of the largest
-/// number, and lose digits of acosh near 1 and of atanh near ±1.
+/// Forwards the inverse hyperbolic functions to `libm`. The functions of the standard library overflow at half of the
+/// largest number, and are inaccurate for acosh near 1 and for atanh near ±1.
 macro_rules! inverse_hyperbolic {
     ($($name:ident $libm:ident;)*) => {$(
         #[inline]
@@ -54,8 +54,8 @@ macro_rules! float_scalar {
                 $float::EPSILON.into()
             }
 
-            // Without the instruction, a fused multiply-add is a call of the mathematics
-            // library, many times slower than the two operations.
+            // Without the instruction, a fused multiply-add is a call of the mathematics library, many times slower
+            // than the two operations.
             #[cfg(target_feature = "fma")]
             #[inline]
             fn mul_add(self, factor: Self, summand: Self) -> Self {
@@ -77,7 +77,7 @@ macro_rules! float_scalar {
 
             #[inline]
             fn floor(self) -> Self {
-                // From here on all numbers are whole, so that adding it rounds a lesser one to a whole number.
+                // From here on all numbers are integers, so that adding this number rounds a smaller one to an integer.
                 const ALL_WHOLE: $float = 1.0 / $float::EPSILON;
                 let rounded = ((self.abs() + ALL_WHOLE) - ALL_WHOLE).copysign(self);
                 let floor = rounded - if rounded > self { 1.0 } else { 0.0 };
@@ -87,7 +87,7 @@ macro_rules! float_scalar {
             #[inline]
             fn log_cosh(self) -> Self {
                 let size = self.abs();
-                // Near 0 by the square of the sine, which keeps the digits.
+                // Near 0 by the square of sinh, which is accurate.
                 let (half, small) = if size < 0.5 {
                     let sine = Scalar::sinh(size);
                     (0.5, sine * sine)
@@ -115,7 +115,7 @@ macro_rules! float_scalar {
                 $float::max(self, 0.0) + logarithm
             }
 
-            // The exponent n of 2ⁿ is read and written where the format has it.
+            // The exponent n of 2ⁿ is read and written in the bits of the format.
             #[inline]
             fn common_scale(self, other: Self) -> Self {
                 const DIGITS: u32 = $float::MANTISSA_DIGITS - 1;
@@ -153,7 +153,7 @@ macro_rules! float_scalar {
     };
 }
 
-/// Sine and cosine in one function that is not inlined, so that the compiler merges the two calls into one.
+/// Returns sine and cosine from one function that is not inlined, so that the compiler merges the two calls into one.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn sine_and_cosine_f32(x: f32) -> (f32, f32) {
@@ -179,7 +179,7 @@ float_scalar! { f64, u64, core::convert::identity, fma, log1p,
 
         inverse_hyperbolic! { asinh asinh; acosh acosh; atanh atanh; }
 
-        // The compiler removes the half that is not used.
+        // The compiler removes the unused half.
         #[inline]
         fn sin(self) -> Self {
             sine_cosine::sine_and_cosine(self).0

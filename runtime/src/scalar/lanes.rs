@@ -8,19 +8,20 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use super::simd::{LaneOperation, SimdVector, in_vectors};
 use super::{Scalar, arithmetic::arithmetic};
 
-/// Without optimization a vector is many calls, and a loop over the lanes takes a quarter of the time.
+/// Without optimization, a vector operation consists of many calls, and a loop over the lanes takes a quarter of the
+/// time.
 const IN_LOOPS: bool = cfg!(debug_assertions);
 
-/// `L` numbers of `f64` on which every operation is done lane by lane: models with different parameters, or motions
+/// `L` numbers of type `f64` on which every operation acts lane by lane: models with different parameters, or motions
 /// with different initial values, computed at once.
 ///
-/// The operations are written so that the compiler makes vector instructions of them where the target has
-/// them; sines and cosines of all lanes are computed together. 4 or 8 lanes suit most processors, with
-/// `-C target-cpu=native`. A lane has the bits of the same computation on `f64`, unless another lane
-/// requires a different factorization of M ([`Scalar`]), and except for Taylor series, whose sums have another order on one number.
+/// The compiler translates the operations into vector instructions if the target has them; sines and cosines of all
+/// lanes are computed together. 4 or 8 lanes suit most processors, with `-C target-cpu=native`. A lane agrees bit for
+/// bit with the computation on `f64`, with two exceptions: another lane may require a different factorization of M
+/// ([`Scalar`]), and Taylor series add their sums in another order on single numbers.
 ///
-/// In an [`Ensemble`](crate::Ensemble) each lane has steps of its own. Elsewhere all lanes share the time and the steps
-/// of an integration: an adaptive method takes the steps that the most demanding lane requires.
+/// In an [`Ensemble`](crate::Ensemble) each lane has its own steps. Elsewhere all lanes share the time and the steps of
+/// an integration: an adaptive method takes the steps that the most demanding lane requires.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -56,21 +57,21 @@ pub struct Lanes<const L: usize>(
 );
 
 impl<const L: usize> Lanes<L> {
-    /// The lanes 0, 1, … from a function of the index.
+    /// Creates the lanes 0, 1, … from a function of the index.
     #[inline]
     #[must_use]
     pub fn from_fn(number: impl FnMut(usize) -> f64) -> Self {
         Self(array::from_fn(number))
     }
 
-    /// The number in a lane; NaN if there is no such lane.
+    /// Returns the number in a lane; NaN if there is no such lane.
     #[inline]
     #[must_use]
     pub fn lane(self, lane: usize) -> f64 {
         self.0.get(lane).copied().unwrap_or(f64::NAN)
     }
 
-    /// Sets the number in a lane; nothing if there is no such lane.
+    /// Sets the number in a lane; does nothing if there is no such lane.
     #[inline]
     pub fn set(&mut self, lane: usize, number: f64) {
         if let Some(place) = self.0.get_mut(lane) {
@@ -83,7 +84,8 @@ impl<const L: usize> Lanes<L> {
         Self::from_fn(|lane| function(self.0[lane], other.0[lane]))
     }
 
-    /// The lane that `keep` keeps of all, by halves, which are vectors; NaN if a lane is, and `none` of no lanes.
+    /// Reduces all lanes by `keep`, in halves, which are vectors. Returns NaN if a lane is NaN, and `none` if there are
+    /// no lanes.
     #[inline]
     fn extreme(self, none: f64, keep: impl Fn(f64, f64) -> f64) -> f64 {
         let Self(mut lanes) = self;
@@ -240,7 +242,7 @@ impl<const L: usize> Scalar for Lanes<L> {
 
     #[inline]
     fn floor(self) -> Self {
-        // From here on all numbers are whole, so that adding it rounds a lesser one to a whole number.
+        // From here on all numbers are integers, so that adding this number rounds a smaller one to an integer.
         const ALL_WHOLE: f64 = 1.0 / f64::EPSILON;
         Self(self.0.map(|x| {
             let rounded = ((x.abs() + ALL_WHOLE) - ALL_WHOLE).copysign(x);
@@ -271,7 +273,7 @@ mod tests {
     use super::{Difference, FusedProduct, Lanes, Opposite, Product, Quotient, Scalar, Sum};
     use crate::scalar::simd::{LaneOperation, in_vectors};
 
-    /// Fails unless an operation in vectors has the bits of that on numbers.
+    /// Asserts that an operation in vectors agrees bit for bit with the operation on numbers.
     fn compare<Operation: LaneOperation<K>, const K: usize, const L: usize>(
         function: impl Fn([f64; K]) -> f64,
     ) {
@@ -355,7 +357,7 @@ mod tests {
         }
     }
 
-    /// Fails unless the extreme lanes are found wherever they are.
+    /// Asserts that the extreme lanes are found wherever they are.
     fn extremes<const L: usize>() {
         for special in 0..L {
             let lanes =

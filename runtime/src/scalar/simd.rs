@@ -1,7 +1,7 @@
-//! SIMD vectors of `f64`, of one number or of several.
+//! SIMD vectors of `f64`, with one or several numbers.
 //!
-//! Every lane rounds as a single number does, so that its results do not depend on the width. With the standard
-//! library the vectors are those of the crate `wide`, which use the vector registers of the processor.
+//! Every lane rounds like a single number, so that its results do not depend on the width. With the standard library,
+//! the vectors are types of the crate `wide`, which use the vector registers of the processor.
 
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Shl, Sub};
 
@@ -20,17 +20,17 @@ pub(crate) trait SimdVector<const WIDTH: usize>:
         + BitXor<Output = Self::Bits>
         + Shl<u64, Output = Self::Bits>;
 
-    /// The vector of the values of a function at the lanes 0, 1, ….
+    /// Returns the vector of the values of a function at the lanes 0, 1, ….
     fn from_fn(number: impl Fn(usize) -> f64) -> Self;
     fn from_array(numbers: [f64; WIDTH]) -> Self;
     fn to_array(self) -> [f64; WIDTH];
     fn from_bits(bits: Self::Bits) -> Self;
     fn to_bits(self) -> Self::Bits;
 
-    /// In every lane, the lowest bit repeated over all bits: a bit mask.
+    /// Repeats the lowest bit of every lane over all bits, which gives a bit mask.
     fn repeat_lowest(bits: Self::Bits) -> Self::Bits;
 
-    /// `self · factor + summand`, fused only where the target has the instruction; it is a call elsewhere.
+    /// Returns `self · factor + summand`, fused only if the target has the instruction; elsewhere it would be a call.
     fn mul_add(self, factor: Self, summand: Self) -> Self;
 
     #[inline]
@@ -89,7 +89,7 @@ macro_rules! vector {
 
             #[inline]
             fn from_fn(number: impl Fn(usize) -> f64) -> Self {
-                // No loop: a vector that is loaded from an array which was just stored to stalls.
+                // No loop: loading a vector from an array that was just stored would stall.
                 Self::new([$(number($lane)),*])
             }
 
@@ -141,9 +141,9 @@ pub(crate) trait LaneOperation<const OPERANDS: usize> {
     fn apply<const WIDTH: usize, V: SimdVector<WIDTH>>(operands: [V; OPERANDS]) -> V;
 }
 
-/// The results of an operation in all lanes, in vectors of eight or four where they divide the lanes. They are written out
-/// as vectors, since the compiler finds some of them in loops over the lanes, but not all: the general top takes 1.5 times
-/// as long in loops.
+/// Returns the results of an operation in all lanes, in vectors of eight or four if these divide the number of lanes.
+/// The vectors are explicit, since the compiler vectorizes some loops over the lanes, but not all: the general top
+/// takes 1.5 times as long in loops.
 #[inline(always)]
 #[allow(clippy::inline_always)] // An operation is one instruction.
 pub(crate) fn in_vectors<

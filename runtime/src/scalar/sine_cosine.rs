@@ -1,32 +1,32 @@
-//! Sine and cosine of one or of several angles, without a call and without a branch.
+//! Sine and cosine of one or several angles, without calls and without branches.
 //!
 //! The argument is reduced by the nearest multiple of π/2 (W. J. Cody & W. Waite, *Software Manual for the Elementary
-//! Functions*, 1980) to r + tail with |r| ≤ π/4. There sin and cos are minimax polynomials, computed by the exchange
-//! algorithm of Remez; the quadrant interchanges them and sets their signs by bit operations. Several
-//! angles are computed by the same code on SIMD vectors.
+//! Functions*, 1980) to r + tail with |r| ≤ π/4. In this interval sin and cos are minimax polynomials, computed by the
+//! exchange algorithm of Remez. The quadrant interchanges them and sets their signs by bit operations. The
+//! implementation for several angles uses SIMD vectors.
 //!
 //! Up to [`LARGEST`] the error is less than 1 unit in the last place (measured in
 //! `tests/tests/reference/sine_cosine.rs`, also at the worst cases of the reduction). Larger angles, infinities and NaN
-//! go to the platform's library. `runtime/scripts/sine_cosine_constants.py` computes the constants.
+//! are passed to the platform's library. `runtime/scripts/sine_cosine_constants.py` computes the constants.
 
 use core::f64::consts::FRAC_2_PI;
 
 use super::simd::SimdVector;
 
-/// The largest reducible argument. Up to here the number n of quarter turns is below 2¹⁶, and its products with the
+/// The largest reducible argument. Up to it, the number n of quarter turns is below 2¹⁶, and its products with the
 /// first two parts of π/2 are exact.
 const LARGEST: f64 = 100_000.0;
 
-/// π/2 in three parts, 37 bits in each of the first two. What they leave is below n · 2⁻¹²⁸, and no
-/// binary64 number up to [`LARGEST`] is closer to a multiple n of π/2 than n · 2⁻⁶⁶.
+/// π/2 in three parts, with 37 bits in each of the first two. Their remaining error is below n · 2⁻¹²⁸, and no binary64
+/// number up to [`LARGEST`] is closer to a multiple n of π/2 than n · 2⁻⁶⁶.
 const HALF_PI: [f64; 3] = [
     1.570_796_326_792_333_3,
     2.563_344_151_583_955_8e-12,
     1.056_299_906_698_742_8e-23,
 ];
 
-/// (sin r − r) / r³ in powers of r², to 2⁻⁶³ of sin r: of an error that is the same wherever an angle returns, an integrator's
-/// energy drifts. One of 2⁻⁵⁷, far below rounding, showed in the double pendulum after 10⁴ periods.
+/// (sin r − r) / r³ in powers of r², to 2⁻⁶³ of sin r. An error that recurs whenever an angle returns makes an
+/// integrator's energy drift: an error of 2⁻⁵⁷, far below rounding, showed in the double pendulum after 10⁴ periods.
 const SINE: [f64; 7] = [
     -0.166_666_666_666_666_66,
     0.008_333_333_333_333_04,
@@ -48,14 +48,14 @@ const COSINE: [f64; 7] = [
     4.592_695_243_340_66e-14,
 ];
 
-/// 2⁵²: added to a smaller number it leaves no bits for a fraction, so that the sum is rounded to an integer, which
-/// is in its last bits.
+/// 2⁵²: added to a smaller number it leaves no bits for a fraction, so that the sum is rounded to an integer in its
+/// last bits.
 const ROUND_TO_INTEGER: f64 = 4_503_599_627_370_496.0;
 
 /// The sign bit alone.
 const NEGATIVE_ZERO: f64 = -0.0;
 
-/// Sine and cosine of one angle.
+/// Returns sine and cosine of an angle.
 #[inline]
 pub(crate) fn sine_and_cosine(x: f64) -> (f64, f64) {
     if is_reducible(x) {
@@ -65,7 +65,7 @@ pub(crate) fn sine_and_cosine(x: f64) -> (f64, f64) {
     }
 }
 
-/// The sines and the cosines of several angles, each as [`sine_and_cosine`] gives them.
+/// Returns the sines and the cosines of several angles, with the results of [`sine_and_cosine`].
 #[inline]
 pub(crate) fn sines_and_cosines<const K: usize>(x: [f64; K]) -> ([f64; K], [f64; K]) {
     let (mut sines, mut cosines) = ([0.0; K], [0.0; K]);
@@ -79,7 +79,7 @@ pub(crate) fn sines_and_cosines<const K: usize>(x: [f64; K]) -> ([f64; K], [f64;
     (sines, cosines)
 }
 
-/// In SIMD vectors, with the standard library.
+/// Computes the angles in SIMD vectors, with the standard library.
 #[cfg(feature = "std")]
 #[inline]
 fn vectorized<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut [f64; K]) {
@@ -105,7 +105,7 @@ fn vectorized<const K: usize>(x: &[f64; K], sines: &mut [f64; K], cosines: &mut 
     }
 }
 
-/// The angles from `start` on, up to a vector of them.
+/// Computes the angles from `start` on, up to the width of a vector.
 #[inline]
 fn block<const WIDTH: usize, V: SimdVector<WIDTH>, const K: usize>(
     start: usize,
@@ -134,16 +134,15 @@ fn is_reducible(x: f64) -> bool {
     x.abs() <= LARGEST
 }
 
-/// Without a branch, for angles up to [`LARGEST`].
+/// Computes sine and cosine without a branch, for angles up to [`LARGEST`].
 #[inline]
 fn branch_free<const WIDTH: usize, V: SimdVector<WIDTH>>(x: V) -> (V, V) {
     let negative = V::splat(NEGATIVE_ZERO).to_bits();
-    // The sine of the magnitude, so that −0 keeps its sign.
+    // The sine is computed from the magnitude, so that −0 keeps its sign.
     let sign = x.to_bits() & negative;
     let Reduced { r, tail, quadrant } = reduced(V::from_bits(x.to_bits() ^ sign));
     let (sine, cosine) = (sine(r, tail).to_bits(), cosine(r, tail).to_bits());
-    // In odd quadrants the sine is the cosine of r. The sine is negative in the quadrants 2 and 3, the cosine in 1
-    // and 2.
+    // In odd quadrants the sine is the cosine of r. The sine is negative in quadrants 2 and 3, the cosine in 1 and 2.
     let exchange = (sine ^ cosine) & V::repeat_lowest(quadrant);
     let sine_sign = quadrant << 62;
     let cosine_sign = sine_sign ^ (quadrant << 63);
@@ -156,19 +155,19 @@ fn branch_free<const WIDTH: usize, V: SimdVector<WIDTH>>(x: V) -> (V, V) {
 /// A reduced argument r + tail, and the number of quarter turns that were subtracted.
 struct Reduced<V, B> {
     r: V,
-    /// Less than 2⁻¹⁰ of r, and than 2⁻⁵³.
+    /// Less than 2⁻¹⁰ of r, and less than 2⁻⁵³.
     tail: V,
     /// The quadrant, in the last two bits.
     quadrant: B,
 }
 
-/// For 0 ≤ x up to [`LARGEST`].
+/// Reduces an angle 0 ≤ x up to [`LARGEST`].
 #[inline]
 fn reduced<const WIDTH: usize, V: SimdVector<WIDTH>>(x: V) -> Reduced<V, V::Bits> {
     let rounded = x.mul_add(V::splat(FRAC_2_PI), V::splat(ROUND_TO_INTEGER));
     let minus_n = V::splat(ROUND_TO_INTEGER) - rounded;
     let [first, second, third] = HALF_PI;
-    // The first sum is exact, and so is the product in the second, whose rounding error is recovered.
+    // The first sum is exact, and so is the product in the second sum, whose rounding error is recovered.
     let most = minus_n.mul_add(V::splat(first), x);
     let r = minus_n.mul_add(V::splat(second), most);
     let lost = minus_n.mul_add(V::splat(second), most - r);
@@ -179,7 +178,7 @@ fn reduced<const WIDTH: usize, V: SimdVector<WIDTH>>(x: V) -> Reduced<V, V::Bits
     }
 }
 
-/// sin (r + tail) for |r| ≤ π/4.
+/// Returns sin (r + tail) for |r| ≤ π/4.
 #[inline]
 fn sine<const WIDTH: usize, V: SimdVector<WIDTH>>(r: V, tail: V) -> V {
     let z = r * r;
@@ -188,7 +187,7 @@ fn sine<const WIDTH: usize, V: SimdVector<WIDTH>>(r: V, tail: V) -> V {
     r + (r * z).mul_add(polynomial(SINE, z), tail * slope)
 }
 
-/// cos (r + tail) for |r| ≤ π/4.
+/// Returns cos (r + tail) for |r| ≤ π/4.
 #[inline]
 fn cosine<const WIDTH: usize, V: SimdVector<WIDTH>>(r: V, tail: V) -> V {
     let z = r * r;
@@ -199,7 +198,7 @@ fn cosine<const WIDTH: usize, V: SimdVector<WIDTH>>(r: V, tail: V) -> V {
     most + (z * z).mul_add(polynomial(COSINE, z), lost - r * tail * slope)
 }
 
-/// By Estrin's scheme, whose operations depend less on each other than those of Horner's.
+/// Evaluates a polynomial by Estrin's scheme, whose operations depend less on each other than in Horner's scheme.
 #[inline]
 fn polynomial<const WIDTH: usize, V: SimdVector<WIDTH>>(c: [f64; 7], z: V) -> V {
     let pair = |even: f64, odd: f64| V::splat(odd).mul_add(z, V::splat(even));

@@ -1,4 +1,4 @@
-//! Fields of a struct with a type parameter for its scalar, with the same values in every lane.
+//! The fields of a struct with a type parameter for its scalar, converted to equal values in every lane.
 
 use core::marker::PhantomData;
 
@@ -6,12 +6,12 @@ use nalgebra::SMatrix;
 
 use crate::scalar::{Lanes, Scalar as _};
 
-/// A field that has the type parameter: the number, a vector or matrix of it, or an array of these.
+/// A field that uses the type parameter: the number itself, a vector or matrix of it, or an array of these.
 pub trait InEveryLane<const L: usize> {
-    /// The field of the struct with lanes.
+    /// The type of the field in the struct with lanes.
     type InLanes;
 
-    /// This value in every lane.
+    /// Returns this value in every lane.
     fn in_every_lane(&self) -> Self::InLanes;
 }
 
@@ -47,9 +47,9 @@ impl<const L: usize> InEveryLane<L> for PhantomData<f64> {
     }
 }
 
-/// A field that does not have it, and is copied.
+/// A field that does not use the type parameter, and is copied.
 pub trait Kept<const L: usize> {
-    /// A copy.
+    /// Returns a copy.
     #[must_use]
     fn kept(&self) -> Self;
 }

@@ -10,7 +10,8 @@ use crate::limits::taylor::{MAX_PAIRED_CONVOLUTIONS, MIN_CONVOLUTIONS};
 use crate::model::{Phase, State};
 use crate::scalar::Scalar;
 
-/// The coefficients of inputs: of order 0, and one after the other from order 1 on. Missing ones are 0.
+/// Returns the coefficients of the inputs of order 0, and an iterator over the higher orders. Missing coefficients are
+/// 0.
 #[inline]
 pub fn orders<S: Scalar, const U: usize>(
     series: &[SVector<S, U>],
@@ -20,12 +21,12 @@ pub fn orders<S: Scalar, const U: usize>(
     (*initial, HigherOrders(higher.iter()))
 }
 
-/// The coefficients of inputs from some order on.
+/// The coefficients of the inputs from some order on.
 #[derive(Clone, Debug)]
 pub struct HigherOrders<'a, S: Scalar, const U: usize>(core::slice::Iter<'a, SVector<S, U>>);
 
 impl<S: Scalar, const U: usize> HigherOrders<'_, S, U> {
-    /// The coefficients of the next order.
+    /// Returns the coefficients of the next order.
     #[inline]
     #[allow(clippy::should_implement_trait)] // It has no end.
     pub fn next(&mut self) -> SVector<S, U> {
@@ -34,25 +35,27 @@ impl<S: Scalar, const U: usize> HigherOrders<'_, S, U> {
     }
 }
 
-/// What the recurrence for the Taylor coefficients of order k reads.
+/// The quantities that the recurrence for the Taylor coefficients of order k reads.
 #[derive(Clone, Copy, Debug)]
 pub struct Term<S: Scalar, const N: usize, const W: usize, const PAIRS: usize> {
-    /// The coefficient k of the coordinates.
+    /// The coefficient of order k of the coordinates.
     pub q: SVector<S, N>,
-    /// The coefficient k of the velocities, or of `W` quasi-velocities or other variables.
+    /// The coefficient of order k of the velocities, or of `W` quasi-velocities or other variables.
     pub v: SVector<S, W>,
-    /// The coefficient k of the time.
+    /// The coefficient of order k of the time.
     pub t: S,
-    /// k.
+    /// The order k.
     pub order: S,
-    /// 1/k.
+    /// The reciprocal 1/k.
     pub reciprocal_order: S,
     /// Sums of products of terms of lower orders.
     pub convolutions: [S; PAIRS],
 }
 
-/// The Taylor polynomial of a motion: from `term`, which computes the accelerations of order k and the factors of the
-/// convolutions, and from the accelerations of order 0. `arrange` says what `pairs` say: the factors of each pair.
+/// Computes the Taylor polynomial of a motion.
+///
+/// `term` computes the accelerations of order k and the factors of the convolutions; the accelerations of order 0 are
+/// given. `arrange` returns the factors of each pair, whose positions are in `pairs`.
 #[inline]
 pub fn taylor_series<
     S: Scalar,
@@ -83,8 +86,10 @@ pub fn taylor_series<
     );
 }
 
-/// The Taylor polynomial of a motion in `W` quasi-velocities or other variables: from their rates of order 0, and from `term`, which
-/// computes the velocities and the rates of order k and the factors of the convolutions.
+/// Computes the Taylor polynomial of a motion in `W` quasi-velocities or other variables.
+///
+/// `term` computes the velocities, the rates of order k and the factors of the convolutions; the rates of order 0 are
+/// given.
 #[inline]
 pub fn taylor_series_in_quasi_velocities<
     S: Scalar,
@@ -112,7 +117,8 @@ pub fn taylor_series_in_quasi_velocities<
     );
 }
 
-/// The coefficients of a motion from the rates of order 0, in the layout of the convolutions that suits the scalar.
+/// Computes the coefficients of a motion, given the rates of order 0, with the layout of the convolutions that suits
+/// the scalar.
 #[inline]
 fn expand<
     S: Scalar,
@@ -144,13 +150,13 @@ fn expand<
     }
 }
 
-/// Whether the terms are stored for each pair: where vector registers hold several numbers, and the stack has room.
+/// Returns whether the terms are stored for each pair: if vector registers hold several numbers and the stack has room.
 const fn pair_by_pair<S, const PAIRS: usize, const HALF: usize>() -> bool {
     let size = size_of::<PairedConvolutions<S, PAIRS, 1, HALF>>();
     size_of::<S>() <= size_of::<f64>() && size <= MAX_PAIRED_CONVOLUTIONS
 }
 
-/// The coefficients of the motion, one order after the other, from order 1 on. Where the variables are the
+/// Computes the coefficients of the motion, one order after the other, from order 1 on. If the variables are the
 /// `velocities`, these are known before their term, which the last order then does not need.
 #[inline]
 fn orders_of<
@@ -202,8 +208,10 @@ fn orders_of<
     }
 }
 
-/// The Taylor coefficients of event functions along a motion: from `term`, which computes the terms of order k and the
-/// factors of the convolutions, and from the values. Their sums are few, and have one layout on all scalars.
+/// Computes the Taylor coefficients of event functions along a motion.
+///
+/// `term` computes the terms of order k and the factors of the convolutions; the values of order 0 are given. The
+/// convolutions are few, and have one layout for all scalars.
 #[inline]
 pub fn event_series<
     S: Scalar,
@@ -228,7 +236,7 @@ pub fn event_series<
     }
 }
 
-/// The Taylor coefficients of event functions, with the convolutions.
+/// Computes the Taylor coefficients of event functions with the given convolutions.
 #[inline]
 fn series_by<
     S: Scalar,
@@ -270,7 +278,7 @@ fn series_by<
     series
 }
 
-/// Visits the series of arguments of branches.
+/// Visits the series of the arguments of branches.
 #[inline]
 pub fn visit_branches<S: Scalar, const B: usize, const HALF: usize>(
     series: &TaylorCoefficients<[S; B], HALF>,

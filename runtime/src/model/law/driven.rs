@@ -7,7 +7,7 @@ use crate::model::phase::Phase;
 use crate::model::signals::Signals;
 use crate::scalar::Scalar;
 
-/// The `U` inputs are [signals](Signals); made by [`Problem::driven_by`](crate::Problem::driven_by).
+/// A law whose `U` inputs are [signals](Signals); constructed by [`Problem::driven_by`](crate::Problem::driven_by).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Driven<I, const U: usize>(pub(crate) I);
 

@@ -1,4 +1,4 @@
-//! Dynamic feedback: a controller with states of its own.
+//! Dynamic feedback: a controller with its own states.
 
 use nalgebra::SVector;
 
@@ -8,8 +8,8 @@ use crate::model::phase::Phase;
 use crate::model::state::State;
 use crate::scalar::Scalar;
 
-/// The `U` inputs and the derivatives of the `K` states of a controller are a function (u, ż) of t, q, q̇ and z; made by
-/// [`Problem::feedback_with_states`](crate::Problem::feedback_with_states).
+/// A law in which the `U` inputs and the derivatives of the `K` states of a controller are a function (u, ż) of t, q,
+/// q̇ and z; constructed by [`Problem::feedback_with_states`](crate::Problem::feedback_with_states).
 #[derive(Clone, Copy, Debug)]
 pub struct DynamicFeedback<F, const U: usize, const K: usize>(pub(crate) F);
 

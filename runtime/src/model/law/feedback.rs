@@ -8,7 +8,7 @@ use crate::model::phase::Phase;
 use crate::model::state::State;
 use crate::scalar::Scalar;
 
-/// The `U` inputs are a function u(t, q, q̇); made by [`Problem::feedback`](crate::Problem::feedback).
+/// A law whose `U` inputs are a function u(t, q, q̇); constructed by [`Problem::feedback`](crate::Problem::feedback).
 #[derive(Clone, Copy, Debug)]
 pub struct Feedback<F, const U: usize>(pub(crate) F);
 

@@ -1,10 +1,10 @@
-//! Inputs that do not change.
+//! Constant inputs.
 
 use super::{Law, LawSeries};
 use crate::model::phase::Phase;
 use crate::scalar::Scalar;
 
-/// The inputs are held: they have the values that the model has, those of its fields or of
+/// A law that holds the inputs at the values of the model's fields or of
 /// [`with_inputs`](crate::Lagrangian::with_inputs).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held;

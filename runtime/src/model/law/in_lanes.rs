@@ -7,7 +7,7 @@ use crate::linalg::{LaneStates, VectorSpace as _};
 use crate::model::phase::Phase;
 use crate::scalar::{Lanes, Scalar as _};
 
-/// States of laws that are integrated in `L` lanes.
+/// The states of a law that is integrated in `L` lanes.
 pub trait StatesInLanes<const L: usize>: LawStates<f64> {
     /// The states in all lanes.
     type InLanes: LawStates<Lanes<L>> + LaneStates<L, Lane = Self>;
@@ -25,7 +25,7 @@ impl<A: StatesInLanes<L>, B: StatesInLanes<L>, const L: usize> StatesInLanes<L> 
     type InLanes = (A::InLanes, B::InLanes);
 }
 
-/// The law of each lane. Lanes are updated by the members in them.
+/// The law of each lane. Lanes are updated by their members.
 #[derive(Clone, Copy, Debug)]
 pub struct LawsInLanes<'a, W, const L: usize>(&'a [W; L]);
 

@@ -8,8 +8,10 @@ use crate::linalg::VectorSpace;
 use crate::model::phase::Phase;
 use crate::scalar::Scalar;
 
-/// The `U` inputs follow what a law asks for by first-order lags, u̇ = (asked − u)/τ; made by
-/// [`Problem::lagged`](crate::Problem::lagged). They are states, behind those of the law.
+/// A law whose `U` inputs follow another law with first-order lags; constructed by
+/// [`Problem::lagged`](crate::Problem::lagged).
+///
+/// u̇ = (a − u)/τ, where a is the output of the other law. The inputs u are states, after the states of the other law.
 #[derive(Clone, Copy, Debug)]
 pub struct Lagged<L, S: Scalar, const U: usize> {
     pub(crate) law: L,
@@ -17,7 +19,7 @@ pub struct Lagged<L, S: Scalar, const U: usize> {
     pub(crate) time_constants: SVector<S, U>,
 }
 
-/// The phase without the lagged inputs.
+/// Returns the phase without the lagged inputs.
 fn asking<S: Scalar, Z: Clone, V, const N: usize>(x: &Phase<S, N, (Z, V)>) -> Phase<S, N, Z> {
     x.motion().with(x.z.0.clone())
 }
@@ -70,7 +72,7 @@ where
         (x.q, x.v, x.z.0) = (q, v, z);
     }
 
-    /// τ u̇ + u = a term by term, where a is what the law asks for.
+    /// Solves τ u̇ + u = a term by term, where a is the series of the followed law.
     fn series<const HALF: usize, R>(
         &self,
         given: &SVector<S, U>,

@@ -1,4 +1,4 @@
-//! Sampled feedback: a controller that is evaluated periodically, and whose inputs are held in between.
+//! Sampled feedback: a controller that is evaluated periodically and whose inputs are held in between.
 
 use nalgebra::SVector;
 
@@ -9,8 +9,8 @@ use crate::model::phase::Phase;
 use crate::model::state::State;
 use crate::scalar::{Lanes, Scalar};
 
-/// A controller with a memory of `J` numbers is evaluated periodically, and its `U` inputs are held in between (zero-order hold); made
-/// by [`Problem::sampled_feedback`](crate::Problem::sampled_feedback).
+/// A controller with a memory of `J` numbers that is evaluated periodically, and whose `U` inputs are held in between
+/// (zero-order hold); constructed by [`Problem::sampled_feedback`](crate::Problem::sampled_feedback).
 #[derive(Clone, Copy, Debug)]
 pub struct SampledFeedback<F, const U: usize, const J: usize> {
     pub(crate) law: F,
@@ -19,7 +19,7 @@ pub struct SampledFeedback<F, const U: usize, const J: usize> {
     pub(crate) period: f64,
 }
 
-/// What a sampled controller holds, beside coordinates and velocities: a state has it in [`z`](Phase::z).
+/// The inputs and the memory of a sampled controller, which a state contains in [`z`](Phase::z).
 ///
 /// Its components are the inputs, the memory, then the number of samplings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,12 +36,12 @@ pub struct Sampled<S: Scalar, const U: usize, const J: usize> {
     pub inputs: SVector<S, U>,
     /// The memory of the controller.
     pub memory: SVector<S, J>,
-    /// How often the controller was evaluated.
+    /// The number of evaluations of the controller.
     pub samplings: S,
 }
 
 impl<S: Scalar, const U: usize, const J: usize> Sampled<S, U, J> {
-    /// What is held before the first sampling: nothing but the memory.
+    /// Returns the state before the first sampling, with a given memory.
     pub(crate) fn before(memory: SVector<S, J>) -> Self {
         Self {
             inputs: SVector::from_element(S::zero()),
@@ -116,7 +116,7 @@ where
 {
     type States = Sampled<S, U, J>;
 
-    /// The controller is evaluated at the whole angles.
+    /// The controller reads the full angles only where it is sampled.
     const READS_MOTION: bool = false;
 
     #[inline]
@@ -148,7 +148,7 @@ where
         x.z.samplings += S::one();
     }
 
-    /// Between two samplings the inputs are constant.
+    /// Between two samplings, the inputs are constant.
     fn series<const HALF: usize, R>(
         &self,
         _: &SVector<S, U>,
@@ -160,7 +160,8 @@ where
     }
 }
 
-/// Steps that motions share in lanes cannot end at the samplings of each; an [`Ensemble`](crate::Ensemble) has steps for each.
+/// Motions that share their steps in lanes cannot end them at their own samplings; in an [`Ensemble`](crate::Ensemble),
+/// each motion has its own steps.
 impl<F, A, S, const N: usize, const U: usize, const J: usize> LawSeries<N, SVector<S, U>, S>
     for SampledFeedback<F, U, J>
 where

@@ -7,9 +7,9 @@ use crate::linalg::VectorSpace;
 use crate::model::phase::Phase;
 use crate::scalar::Scalar;
 
-/// What is integrated beside coordinates and velocities.
+/// States that are integrated together with coordinates and velocities.
 pub trait LawStates<S: Scalar>: VectorSpace<S> + Sized {
-    /// What comes of the series of coordinates and velocities alone.
+    /// Calls `then` with the series of coordinates and velocities alone.
     #[doc(hidden)]
     fn of_motion<R, const N: usize, const HALF: usize>(
         series: &TaylorCoefficients<Phase<S, N, Self>, HALF>,
@@ -18,8 +18,8 @@ pub trait LawStates<S: Scalar>: VectorSpace<S> + Sized {
         then(&series.map(Phase::motion))
     }
 
-    /// Sets the series of a motion about `x`: `expand` sets that of coordinates and velocities, and `terms` has those of the
-    /// states from order 1 on.
+    /// Sets the series of a motion about `x`: `expand` sets the series of coordinates and velocities, and `terms` are
+    /// the coefficients of the states from order 1 on.
     #[doc(hidden)]
     fn expand<const N: usize, const HALF: usize>(
         x: &Phase<S, N, Self>,
@@ -38,7 +38,7 @@ pub trait LawStates<S: Scalar>: VectorSpace<S> + Sized {
     }
 }
 
-/// Without states nothing is copied.
+/// Without states, nothing is copied.
 impl<S: Scalar> LawStates<S> for () {
     #[inline]
     fn of_motion<R, const N: usize, const HALF: usize>(

@@ -1,7 +1,7 @@
 //! Free rotations by Jacobi's elliptic functions, in principal axes.
 //!
-//! Axes are numbered so that I₂ is the middle moment and axis 3 is the one about which the angular velocity goes round:
-//! I₁ < I₂ < I₃ if L² > 2 E I₂, and I₁ > I₂ > I₃ otherwise. Then ω₁ = A₁ cn τ, ω₂ = A₂ sn τ, ω₃ = A₃ dn τ with τ = τ₀ + σ t.
+//! Axes are numbered so that I₂ is the middle moment and the angular velocity circles around axis 3: I₁ < I₂ < I₃ if
+//! L² > 2 E I₂, and I₁ > I₂ > I₃ otherwise. Then ω₁ = A₁ cn τ, ω₂ = A₂ sn τ, ω₃ = A₃ dn τ with τ = τ₀ + σ t.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -10,26 +10,26 @@ use crate::integrate::SingleNumber;
 use crate::rigid_body::order::{is_less, length};
 use crate::rotation::{EulerAngles, EulerSequence, components, product};
 
-/// A motion of the angular velocity about principal axis 3.
+/// A motion whose angular velocity circles around principal axis 3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JacobiMotion<S> {
     moments: [S; 3],
     /// A₁, A₂, A₃ with their signs.
     amplitudes: [S; 3],
     modulus: Modulus<S>,
-    /// τ₀.
+    /// The initial argument τ₀.
     phase: S,
-    /// σ.
+    /// The frequency σ.
     frequency: S,
-    /// L.
+    /// The angular momentum L.
     momentum: S,
-    /// The quaternion of the orientation at time 0 in axes with **L** along the third, inverted.
+    /// The inverse quaternion of the orientation at time 0, in axes with **L** along the third.
     initial_inverse: [S; 4],
 }
 
 impl<S: SingleNumber> JacobiMotion<S> {
-    /// The motion with ascending moments and these components of the angular velocity, along principal axes whose
-    /// orientation in the body is given. Returned with the orientation of the axes as they are numbered here.
+    /// Creates the motion with ascending moments and the given components of the angular velocity along principal axes,
+    /// whose orientation in the body is given. Also returns the orientation of the axes as they are renumbered here.
     pub(super) fn new(
         [i1, i2, i3]: [S; 3],
         omega: &Vector3<S>,
@@ -49,10 +49,10 @@ impl<S: SingleNumber> JacobiMotion<S> {
         (Self::about_third([i1, i2, i3], omega, above - below), *axes)
     }
 
-    /// The motion about axis 3, with |L² − 2 E I₂|.
+    /// Creates the motion about axis 3, given |L² − 2 E I₂|.
     fn about_third([i1, i2, i3]: [S; 3], omega: &Vector3<S>, to_middle: S) -> Self {
         let [d12, d13, d23] = [(i2 - i1).abs(), (i3 - i1).abs(), (i3 - i2).abs()];
-        // √|2 E I₃ − L²| and √|L² − 2 E I₁|, of sums of terms of one sign.
+        // √|2 E I₃ − L²| and √|L² − 2 E I₁|, as sums of terms of one sign.
         let [x, y, z]: [S; 3] = (*omega).into();
         let zero = S::zero();
         let root = |a: S, b: S| length(&Vector3::new(a, b, zero));
@@ -98,19 +98,19 @@ impl<S: SingleNumber> JacobiMotion<S> {
         }
     }
 
-    /// The angular velocity along the principal axes.
+    /// Returns the angular velocity along the principal axes.
     pub(super) fn angular_velocity(&self, time: S) -> Vector3<S> {
         let (sn, cn, dn) = self.modulus.jacobi(self.argument(time));
         let [a, b, c] = self.amplitudes;
         Vector3::new(a * cn, b * sn, c * dn)
     }
 
-    /// The orientation at a time as seen from that at time 0, as a quaternion.
+    /// Returns the orientation at a time relative to the orientation at time 0, as a quaternion.
     pub(super) fn turned(&self, time: S) -> [S; 4] {
         product(&self.initial_inverse, &self.about_momentum(time))
     }
 
-    /// 2 K/σ.
+    /// Returns 2 K/σ.
     pub(super) fn half_period(&self) -> Option<S> {
         let half = self.modulus.complete_first() * S::from_f64(2.0) / self.frequency;
         half.is_finite().then_some(half)
@@ -120,23 +120,23 @@ impl<S: SingleNumber> JacobiMotion<S> {
         self.phase + self.frequency * time
     }
 
-    /// The characteristic n of the integral of the third kind, at most 0.
+    /// Returns the characteristic n of the integral of the third kind, at most 0.
     fn characteristic(&self) -> S {
         let [i1, i2, i3] = self.moments;
         -i3 * (i2 - i1) / (i1 * (i3 - i2))
     }
 
-    /// The orientation R = Rz(φ) Rx(θ) Rz(ψ) in axes whose third is along **L**, as a quaternion.
+    /// Returns the orientation R = Rz(φ) Rx(θ) Rz(ψ) in axes whose third is along **L**, as a quaternion.
     ///
-    /// **L** has the components L (sin θ sin ψ, sin θ cos ψ, cos θ) in the body. φ̇ = (2 E − I₃ω₃²) L/(L² − I₃²ω₃²), of which
-    /// L/I₃ is constant and the rest L (I₃ − I₁)/(I₁I₃ (1 − n sn²τ)).
+    /// **L** has the components L (sin θ sin ψ, sin θ cos ψ, cos θ) in the body. φ̇ = (2 E − I₃ω₃²) L/(L² − I₃²ω₃²) is
+    /// the sum of the constant L/I₃ and of L (I₃ − I₁)/(I₁I₃ (1 − n sn²τ)).
     fn about_momentum(&self, time: S) -> [S; 4] {
         let [i1, i2, i3] = self.moments;
         let (sn, cn, dn) = self.modulus.jacobi(self.argument(time));
         let [a, b, c] = self.amplitudes;
         let [l1, l2, l3] = [i1 * a * cn, i2 * b * sn, i3 * c * dn];
         let theta = (l1 * l1 + l2 * l2).sqrt().atan2(l3);
-        // The ratio of the amplitudes is known where they vanish.
+        // The ratio of the amplitudes is known even where they vanish.
         let sign = |value: S| {
             if value.smallest() < 0.0 {
                 -S::one()
@@ -147,7 +147,7 @@ impl<S: SingleNumber> JacobiMotion<S> {
         let across = sign(a) * (i1 / (i3 - i1).abs()).sqrt() * cn;
         let along = sign(b) * (i2 / (i3 - i2).abs()).sqrt() * sn;
         let psi = across.atan2(along);
-        // Both are small where the motion of the angular velocity is slow.
+        // The frequency and the integral are both small where the motion of the angular velocity is slow.
         let third =
             self.modulus
                 .third_between(self.characteristic(), self.phase, self.frequency * time);

@@ -1,4 +1,4 @@
-//! Whether a triangle mesh is a closed surface.
+//! The test that a triangle mesh is a closed surface.
 
 use alloc::vec::Vec;
 
@@ -10,15 +10,15 @@ use crate::scalar::Scalar;
 pub(super) struct Edge {
     /// Its vertices, the lower index first.
     pub(super) between: [usize; 2],
-    /// Whether the triangle goes from the lower index to the higher one.
+    /// Whether the triangle traverses the edge from the lower index to the higher one.
     pub(super) ascends: bool,
     /// The index of the triangle.
     pub(super) triangle: usize,
 }
 
 impl<S: Scalar> TriangleMesh<S> {
-    /// The edges of all triangles, those between two vertices one after another. Fails unless as many triangles go along each
-    /// edge in one direction as in the other.
+    /// Returns the edges of all triangles, grouped by their vertices. Fails unless each edge is traversed equally often
+    /// in both directions.
     pub(super) fn closed_edges(&self) -> Result<Vec<Edge>, MeshError> {
         let mut edges = self.edges();
         edges.sort_unstable_by_key(|edge| (edge.between, edge.triangle));
@@ -38,7 +38,7 @@ impl<S: Scalar> TriangleMesh<S> {
         Ok(edges)
     }
 
-    /// The edges of all triangles, without those that are points.
+    /// Returns the edges of all triangles, without degenerate edges.
     fn edges(&self) -> Vec<Edge> {
         let of_triangle = |(triangle, [a, b, c]): (usize, &[usize; 3])| {
             [[*a, *b], [*b, *c], [*c, *a]].map(|[from, to]| Edge {

@@ -1,50 +1,51 @@
-//! What no solid is bounded by.
+//! The errors of triangle meshes.
 
 use core::fmt;
 
 use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 
-/// Why a triangle mesh does not bound a solid.
+/// The reason why a triangle mesh does not bound a solid.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// A coordinate of a vertex is infinite or not a number.
+    /// A coordinate of a vertex is infinite or NaN.
     NotFinite {
         /// The index of the vertex.
         vertex: usize,
         /// The coordinate.
         value: f64,
     },
-    /// A triangle has an index beyond the vertices.
+    /// A triangle has a vertex index that is out of range.
     NoVertex {
         /// The index of the triangle.
         triangle: usize,
-        /// The index of the vertex that is missing.
+        /// The index of the missing vertex.
         index: usize,
-        /// How many vertices there are.
+        /// The number of vertices.
         vertices: usize,
     },
-    /// The surface has a boundary: an edge belongs to one triangle, or to another odd number.
+    /// The surface has a boundary: an edge belongs to an odd number of triangles, such as one.
     Open {
         /// The index of a vertex at one end of the edge.
         from: usize,
-        /// That at the other end.
+        /// The index of the vertex at the other end.
         to: usize,
     },
-    /// The triangles beside an edge are not seen from the same side.
+    /// The triangles at an edge are not oriented consistently.
     InconsistentOrientation {
         /// The index of a vertex at one end of the edge.
         from: usize,
-        /// That at the other end.
+        /// The index of the vertex at the other end.
         to: usize,
     },
-    /// The triangles are in clockwise order seen from outside: the volume is negative.
+    /// The triangles are in clockwise order when seen from outside: the volume is negative.
     InsideOut {
         /// The volume.
         volume: f64,
     },
-    /// A part is inside out: the triangles of others are seen from outside, and it is a cavity in none of them.
+    /// A part is inside out, while the triangles of other parts are seen from outside, and it is not a cavity of
+    /// another part.
     PartInsideOut {
         /// The index of the part, in the order of the first triangles of the parts.
         part: usize,
@@ -53,8 +54,8 @@ pub enum MeshError {
         /// Its volume.
         volume: f64,
     },
-    /// A part occupies space that another one occupies, too: it is within another part and no cavity of it, it is given twice, or
-    /// the parts intersect.
+    /// A part occupies space that another part occupies, too: it lies within another part without being a cavity of it,
+    /// it is given twice, or the parts intersect.
     OverlappingPart {
         /// The index of the part, in the order of the first triangles of the parts.
         part: usize,
@@ -65,7 +66,7 @@ pub enum MeshError {
     },
     /// The surface encloses no volume, up to rounding errors.
     Flat {
-        /// What rounding leaves.
+        /// The volume that results from rounding errors.
         volume: f64,
     },
 }

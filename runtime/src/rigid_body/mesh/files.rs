@@ -1,4 +1,4 @@
-//! Triangle meshes from files: STL is read here, OBJ by the crate `tobj`.
+//! Triangle meshes from files: STL is parsed here, OBJ by the crate `tobj`.
 
 use core::fmt;
 use std::collections::HashMap;
@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use super::{TriangleMesh, stl};
 use crate::error_debug::debug_by_message;
 
-/// Why a file has no mesh.
+/// The reason why a mesh could not be read from a file.
 #[non_exhaustive]
 pub enum MeshFileError {
     /// An STL file could not be read.
@@ -41,13 +41,14 @@ impl core::error::Error for MeshFileError {
 }
 
 impl TriangleMesh<f64> {
-    /// The mesh of an STL file, text or binary: all its solids together. Vertices with the same coordinates are one; normals, names
-    /// and colours are ignored, and keywords may be in upper case.
+    /// Reads the mesh of an STL file, text or binary, with all its solids.
     ///
-    /// The format knows no unit; [`scaled`](Self::scaled) converts lengths.
+    /// Vertices with equal coordinates are merged. Normals, names and colours are ignored, and keywords may be in upper
+    /// case. The format does not specify a unit; [`scaled`](Self::scaled) converts lengths.
     ///
     /// # Errors
-    /// [`MeshFileError::Stl`] if the file cannot be read; the source of the error says in which line, or why it is no binary file.
+    /// [`MeshFileError::Stl`] if the file cannot be read; the source of the error states the line, or why the file is
+    /// not a binary file.
     ///
     /// ```
     /// use lagrangian::rigid_body::TriangleMesh;
@@ -71,8 +72,9 @@ impl TriangleMesh<f64> {
         Ok(Self::welded(&positions, triangles))
     }
 
-    /// The mesh of an OBJ file: all its objects together, polygons divided into triangles. Vertices with the same
-    /// coordinates are one; materials, texture coordinates and normals are ignored.
+    /// Reads the mesh of an OBJ file with all its objects; polygons are divided into triangles.
+    ///
+    /// Vertices with equal coordinates are merged. Materials, texture coordinates and normals are ignored.
     ///
     /// # Errors
     /// [`MeshFileError::Obj`] if the file cannot be read.
@@ -102,7 +104,7 @@ impl TriangleMesh<f64> {
             let (points, _) = model.mesh.positions.as_chunks::<3>();
             positions.extend_from_slice(points);
             let (corners, _) = model.mesh.indices.as_chunks::<3>();
-            // An index that does not fit is beyond the vertices, which `solid` reports.
+            // An index that does not fit is out of range, which `solid` reports.
             let index = |index: u32| usize::try_from(index).unwrap_or(usize::MAX);
             triangles.extend(
                 corners
@@ -113,7 +115,7 @@ impl TriangleMesh<f64> {
         Ok(Self::welded(&positions, triangles))
     }
 
-    /// The mesh in which equal positions are one vertex.
+    /// Returns the mesh in which equal positions are one vertex.
     fn welded(positions: &[[f64; 3]], triangles: impl IntoIterator<Item = [usize; 3]>) -> Self {
         let mut vertices = Vec::new();
         let mut known = HashMap::new();

@@ -1,10 +1,11 @@
-//! The parts of a closed mesh, and whether each is seen from outside.
+//! The parts of a closed mesh, and the test that each is oriented correctly.
 //!
-//! A part is a set of triangles that is closed by itself. Where the triangles are those of a solid, the winding number of the whole
-//! mesh about a point is 1 inside and 0 outside, on both sides of every part: a cavity is seen from inside, and only within
-//! another part. Winding numbers are sums of solid angles: A. van Oosterom and J. Strackee, *The Solid Angle of a Plane Triangle*, IEEE
-//! Trans. Biomed. Eng. **30** (1983) 125–126; A. Jacobson, L. Kavan and O. Sorkine-Hornung, *Robust Inside-Outside Segmentation
-//! using Generalized Winding Numbers*, ACM Trans. Graph. **32** (2013) 33.
+//! A part is a set of triangles that is closed by itself. If the triangles bound a solid, the winding number of the
+//! whole mesh about a point is 1 inside and 0 outside, on both sides of every part: a cavity is seen from inside, and
+//! lies within another part. Winding numbers are sums of solid angles: A. van Oosterom and J. Strackee, *The Solid
+//! Angle of a Plane Triangle*, IEEE Trans. Biomed. Eng. **30** (1983) 125–126; A. Jacobson, L. Kavan and O.
+//! Sorkine-Hornung, *Robust Inside-Outside Segmentation using Generalized Winding Numbers*, ACM Trans. Graph. **32**
+//! (2013) 33.
 
 use alloc::vec::Vec;
 use core::f64::consts::PI;
@@ -18,8 +19,8 @@ use crate::limits::rigid_bodies::{COINCIDENT, SAMPLED_TRIANGLES, UNCERTAIN_WINDI
 type V = Vector3<f64>;
 type Corners = [V; 3];
 
-/// Where the corners of a triangle are weighted to find a point inside of it: nowhere on a line of symmetry, on which an edge
-/// of another triangle is likely to be.
+/// The weights of the corners of a triangle that give a point inside it. The point does not lie on a line of symmetry,
+/// where an edge of another triangle is likely to be.
 const WEIGHTS: [f64; 3] = [
     0.381_966_011_250_105,
     0.338_261_212_717_717,
@@ -35,10 +36,11 @@ struct Part {
     bounds: [V; 2],
 }
 
-/// The winding numbers before and behind a triangle, as it is seen.
+/// The winding numbers in front of a triangle and behind it.
 type Sides = [f64; 2];
 
-/// Fails if the parts of a closed mesh are not those of one solid. `corners` are those of all triangles, about a point amid them.
+/// Fails unless the parts of a closed mesh bound one solid. `corners` contains the corners of all triangles, relative
+/// to a point amid them.
 pub(super) fn check_parts(corners: &[Corners], edges: &[Edge]) -> Result<(), MeshError> {
     let parts = parts(corners, edges);
     if parts.len() < 2 {
@@ -77,10 +79,10 @@ pub(super) fn check_parts(corners: &[Corners], edges: &[Edge]) -> Result<(), Mes
     })
 }
 
-/// Sets of triangles that are closed by themselves and have an area, in the order of their first triangles.
+/// Returns the sets of triangles that are closed by themselves and have an area, in the order of their first triangles.
 ///
-/// Of the triangles at an edge each that ascends is in one set with one that descends. Where there are several of both, they are
-/// taken in their order, in which files have one part after another.
+/// At each edge, a triangle that ascends is joined with one that descends. If there are several of each, they are
+/// paired in their order, since files contain one part after another.
 fn parts(corners: &[Corners], edges: &[Edge]) -> Vec<Part> {
     let mut sets = Sets::new(corners.len());
     for group in edges.chunk_by(|a, b| a.between == b.between) {
@@ -118,7 +120,7 @@ impl Part {
         }
     }
 
-    /// Whether the part may wind about a point.
+    /// Returns whether the part may wind about a point.
     fn may_surround(&self, point: &V) -> bool {
         let room = (self.bounds[1] - self.bounds[0]).amax() * COINCIDENT;
         (0..3).all(|k| {
@@ -136,7 +138,9 @@ fn area(corners: &Corners) -> f64 {
     0.5 * normal(corners).norm()
 }
 
-/// The winding numbers on both sides of a part: at a point of one of its largest triangles, that first which is on no edge of
+/// Returns the winding numbers on both sides of a part.
+///
+/// They are evaluated at a point of one of its largest triangles, the first whose point does not lie on an edge of
 /// another triangle.
 fn sides(corners: &[Corners], parts: &[Part], part: &Part) -> Option<Sides> {
     let mut largest: Vec<_> = part
@@ -173,9 +177,9 @@ fn sides_of_triangle(corners: &[Corners], parts: &[Part], sample: &Corners) -> S
     })
 }
 
-/// How a triangle is seen from a point.
+/// The view of a triangle from a point.
 enum Seen {
-    /// As this part of the sphere, negative if its vertices are in counterclockwise order.
+    /// The triangle covers this fraction of the sphere, negative if its vertices appear in counterclockwise order.
     From(f64),
     /// The point is on the triangle.
     Within,
@@ -193,8 +197,8 @@ fn seen(point: &V, corners: &Corners) -> Seen {
     Seen::From(libm::atan2(sine, cosine) / (2.0 * PI))
 }
 
-/// Disjoint sets of indices: R. E. Tarjan, *Efficiency of a good but not linear set union algorithm*, J. ACM **22** (1975) 215–225,
-/// with the least index as the representative of a set.
+/// Disjoint sets of indices, in which the least index represents its set: R. E. Tarjan, *Efficiency of a good but not
+/// linear set union algorithm*, J. ACM **22** (1975) 215–225.
 struct Sets {
     parents: Vec<usize>,
 }

@@ -1,8 +1,9 @@
 //! The facets of an STL file, text or binary.
 //!
-//! Format: M. Burns, *Automated Fabrication*, 1993, section 6.5. Files in use differ from it: keywords in any case, several solids
-//! one after another, names with blanks or none, a last `endsolid` that is missing, and binary files whose header begins with
-//! `solid`. A file is binary if its length is that which its number of facets asks for; no text has such bytes there.
+//! Format: M. Burns, *Automated Fabrication*, 1993, section 6.5. Files in use differ from it: keywords may be in any
+//! case, several solids may follow one another, names may contain blanks or be missing, the last `endsolid` may be
+//! missing, and the header of a binary file may begin with `solid`. A file is binary if its length matches its number
+//! of facets; in a text, the bytes in place of this number do not match its length.
 
 use std::format;
 use std::io::{Error, ErrorKind};
@@ -13,7 +14,7 @@ use std::vec::Vec;
 /// The corners of a facet.
 pub(super) type Facet = [[f32; 3]; 3];
 
-/// The bytes before the number of facets, and of each facet: a normal, three corners, and two more bytes.
+/// The number of bytes before the number of facets; a facet consists of a normal, three corners, and two more bytes.
 const HEADER: usize = 80;
 const FACET: usize = 50;
 
@@ -21,7 +22,7 @@ fn invalid(message: String) -> Error {
     Error::new(ErrorKind::InvalidData, message)
 }
 
-/// The facets of all solids of a file.
+/// Returns the facets of all solids of a file.
 pub(super) fn facets(bytes: &[u8]) -> Result<Vec<Facet>, Error> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let counted = bytes
@@ -64,7 +65,7 @@ fn binary(facets: &[u8]) -> Vec<Facet> {
     facets.iter().map(corners).collect()
 }
 
-/// A word of a text, and the number of its line.
+/// A word of a text, with its line number.
 struct Word<'a> {
     line: usize,
     text: &'a [u8],
@@ -84,7 +85,7 @@ impl Word<'_> {
     }
 }
 
-/// The words of a text, without the names of solids.
+/// Returns the words of a text, without the names of solids.
 fn words(bytes: &[u8]) -> impl Iterator<Item = Word<'_>> {
     let lines = bytes.split(|byte| matches!(byte, b'\n' | b'\r'));
     lines.zip(1..).flat_map(|(text, line)| {
@@ -101,7 +102,7 @@ fn words(bytes: &[u8]) -> impl Iterator<Item = Word<'_>> {
     })
 }
 
-/// The facets of a text.
+/// Returns the facets of a text.
 fn text(bytes: &[u8]) -> Result<Vec<Facet>, Error> {
     let mut words = words(bytes);
     let mut facets = Vec::new();
@@ -127,7 +128,7 @@ fn text(bytes: &[u8]) -> Result<Vec<Facet>, Error> {
     Ok(facets)
 }
 
-/// What follows the word `facet`.
+/// Parses the facet that follows the word `facet`.
 fn facet<'a>(words: &mut impl Iterator<Item = Word<'a>>) -> Result<Facet, Error> {
     keyword(words, "normal")?;
     // Normals follow from the corners.

@@ -1,9 +1,9 @@
-//! The two roots of a cubic between which a motion goes to and fro.
+//! The two roots of a cubic between which a motion oscillates.
 
 use crate::limits::rigid_bodies::{MAX_BISECTIONS, POLISHING_STEPS};
 
-/// The roots of a cubic on both sides of 0, where it is not negative, within `bounds`, where it is not
-/// positive.
+/// Returns the roots of a cubic on both sides of 0. The cubic is nonnegative at 0 and nonpositive at `bounds`, which
+/// enclose the roots.
 pub(super) fn roots_around_zero(coefficients: [f64; 4], bounds: [f64; 2]) -> [f64; 2] {
     let [constant, slope, bend, leading] = coefficients;
     let cubic = |x: f64| constant + x * (slope + x * (bend + x * leading));
@@ -19,7 +19,7 @@ pub(super) fn roots_around_zero(coefficients: [f64; 4], bounds: [f64; 2]) -> [f6
     }
 }
 
-/// The root of a cubic near `x`, to the last digit also where it is small, by Newton's method.
+/// Returns the root of a cubic near `x` by Newton's method, to the last digit even if it is small.
 pub(super) fn polished_root(coefficients: [f64; 4], mut x: f64) -> f64 {
     let [constant, slope, bend, leading] = coefficients;
     for _ in 0..POLISHING_STEPS {
@@ -29,7 +29,7 @@ pub(super) fn polished_root(coefficients: [f64; 4], mut x: f64) -> f64 {
     x
 }
 
-/// The sign change of a function that is positive at 0 and not at `outside`, to the last digit.
+/// Returns the sign change of a function that is positive at 0 but not at `outside`, to the last digit.
 fn bisect(function: impl Fn(f64) -> f64, mut outside: f64) -> f64 {
     let mut inside = 0.0;
     for _ in 0..MAX_BISECTIONS {
@@ -87,12 +87,12 @@ mod tests {
 
     #[test]
     fn a_small_root_has_all_its_digits() {
-        // (x − 10⁻²⁰) (x − 1)² by its leading digits; 1 is a rounding error away from nothing.
+        // (x − 10⁻²⁰) (x − 1)² by its leading digits; relative to 1, the root is below the rounding errors.
         let root = polished_root([-1e-20, 1.0, -2.0, 1.0], 1e-16);
         close(root / 1e-20, 1.0, 1e-15);
     }
 
-    /// A root at the smallest number, and a function that is never positive.
+    /// Bisection ends at a root at the smallest number, and for a function that is never positive.
     #[test]
     fn bisection_ends() {
         let [_, above] = roots_around_zero([0.0, f64::MIN_POSITIVE, -1.0, 0.0], [-1.0, 1.0]);

@@ -1,30 +1,30 @@
-//! Constants of 106 and more bits, as sums of `f64`, and the ranges of the algorithms.
+//! Constants with 106 or more bits, as sums of `f64`, and the ranges of the algorithms.
 
 use super::DoubleDouble;
 
-/// Decimal digits that are read; further ones are below the rounding error.
+/// The number of decimal digits that are read; further digits are below the rounding error.
 pub(super) const READ_DIGITS: u32 = 34;
 
 /// The greatest power of ten in one multiplication, so that the power is far from overflow.
 pub(super) const MAX_POWER_OF_TEN: i32 = 150;
 
-/// Beyond this argument the hyperbolic tangent is ±1 to all digits: 2 e⁻⁸⁰ is below 10⁻³⁴.
+/// Beyond this argument the hyperbolic tangent is ±1 to all digits, since 2 e⁻⁸⁰ is below 10⁻³⁴.
 pub(super) const TANH_SATURATES: f64 = 40.0;
 
-/// Beyond this argument the exponential is near the ends of the range of `f64`: multiplied by a power of two it would
-/// overflow, and below the low part has no digits.
+/// Beyond this argument the exponential is near the ends of the range of `f64`: multiplication by a power of two would
+/// overflow, and at the lower end the low part has no digits.
 pub(super) const EXP_RANGE: f64 = 700.0;
 
 /// Beyond this argument the exponential is infinite.
 pub(super) const EXP_OVERFLOWS: f64 = 710.0;
 
-/// Beyond this argument eˡⁿ ˣ may overflow, where ln x is rounded.
+/// Beyond this argument, e to the rounded ln x may overflow.
 pub(super) const LN_RANGE: f64 = 1e300;
 
-/// Beyond this argument √(x² + 1) is |x| to all digits.
+/// Beyond this argument √(x² + 1) equals |x| to all digits.
 pub(super) const ASINH_IS_LN: f64 = 1e40;
 
-/// Beyond this argument of sine and cosine the number of quarter turns is too long to reduce it in all digits.
+/// Beyond this argument of sine and cosine, the number of quarter turns is too long for an accurate reduction.
 pub(super) const REDUCIBLE: f64 = 1e15;
 
 /// Logarithms of 1 + x with |x| below this are computed by artanh, without cancellation.
@@ -49,7 +49,8 @@ pub(super) const LN_2: [f64; 3] = [
     5.707_708_438_416_212e-34,
 ];
 
-/// 1/i! for i from 0 on. At |x| = 1 the series of the hyperbolic sine ends with them below 2⁻¹¹⁶ of it.
+/// 1/i! for i from 0 on. At |x| = 1, the omitted terms of the series of the hyperbolic sine are below 2⁻¹¹⁶ of its
+/// value.
 pub(super) const INVERSE_FACTORIALS: [(f64, f64); 34] = [
     (1.0, 0.0),
     (1.0, 0.0),

@@ -1,4 +1,4 @@
-//! Conversion from and to decimal digits.
+//! Conversion from and to decimal numbers.
 
 use core::fmt;
 use core::num::ParseFloatError;
@@ -11,12 +11,12 @@ use super::constants::{MAX_POWER_OF_TEN, READ_DIGITS};
 use crate::scalar::Scalar;
 
 impl DoubleDouble {
-    /// 10ⁿ.
+    /// Returns 10ⁿ.
     fn power_of_ten(n: u32) -> Self {
         (0..n).fold(Self::one(), |power, _| power.times(10.0))
     }
 
-    /// self · 10ⁿ.
+    /// Returns self · 10ⁿ.
     fn times_power_of_ten(mut self, n: i32) -> Self {
         let mut left = n;
         while left != 0 && !self.is_zero() && self.is_finite() {
@@ -29,7 +29,7 @@ impl DoubleDouble {
     }
 }
 
-/// Accepts the syntax of `f64`, and keeps all digits.
+/// Parses the syntax of `f64`, and keeps all digits.
 ///
 /// ```
 /// use lagrangian::{DoubleDouble, Scalar};
@@ -70,8 +70,8 @@ impl FromStr for DoubleDouble {
     }
 }
 
-/// A digit, a point, as many digits as the precision says, and a power of ten. The precision is 31 unless given, and at
-/// most 31.
+/// Writes a digit, a point, as many digits as the precision says, and a power of ten. The precision is 31 by default
+/// and at most.
 impl fmt::LowerExp for DoubleDouble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let precision = f.precision().unwrap_or(31).min(31);
@@ -104,7 +104,7 @@ impl fmt::LowerExp for DoubleDouble {
     }
 }
 
-/// As `{:e}`.
+/// Formats like `{:e}`.
 impl fmt::Display for DoubleDouble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::LowerExp::fmt(self, f)

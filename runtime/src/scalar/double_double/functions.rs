@@ -1,5 +1,5 @@
 //! The elementary functions: Taylor series of a reduced argument (three-part reduction by W. J. Cody & W. Waite,
-//! *Software Manual for the Elementary Functions*, 1980), or one step of Newton's method from the value of `f64`, which
+//! *Software Manual for the Elementary Functions*, 1980), or one step of Newton's method from the value in `f64`, which
 //! doubles the number of correct digits.
 
 use num_traits::{One as _, Zero as _};
@@ -11,18 +11,18 @@ use super::constants::{
 use super::{DoubleDouble, two_product};
 use crate::scalar::Scalar;
 
-/// ln 2.
+/// Returns ln 2.
 fn ln_2() -> DoubleDouble {
     DoubleDouble::finite(LN_2[0], LN_2[1])
 }
 
 impl DoubleDouble {
-    /// self · 2ⁿ, which is exact.
+    /// Returns self · 2ⁿ, which is exact.
     fn times_power_of_two(self, n: i32) -> Self {
         Self::finite(libm::ldexp(self.high, n), libm::ldexp(self.low, n))
     }
 
-    /// Σ sᵏ xⁱ/i! over i = 2k + `first`, which is 0 or 1, for the `sign` s and |x| ≤ 1.
+    /// Returns Σ sᵏ xⁱ/i! over i = 2k + `first`, where `first` is 0 or 1, s is the `sign` and |x| ≤ 1.
     fn series(self, first: usize, sign: f64) -> Self {
         let square = self * self * Self::from(sign);
         let coefficients = INVERSE_FACTORIALS.iter().skip(first).step_by(2).rev();
@@ -32,8 +32,8 @@ impl DoubleDouble {
         if first == 0 { sum } else { sum * self }
     }
 
-    /// The integer k and the remainder in x = k · step + remainder, |remainder| at most about half a step, for a step
-    /// in three parts. The first difference is exact.
+    /// Returns the integer k and the remainder in x = k · step + remainder, where |remainder| is at most about half a
+    /// step. The step is given in three parts; the first difference is exact.
     fn reduced(self, step: [f64; 3]) -> (f64, Self) {
         let [first, second, third] = step;
         let k = libm::round(self.high / first);
@@ -45,7 +45,7 @@ impl DoubleDouble {
         (k, rest - Self::from(k * third))
     }
 
-    /// One step of Newton's method for function(y) = self, from a value with the precision of `f64`.
+    /// Performs one step of Newton's method for function(y) = self, from a value with the precision of `f64`.
     fn refined(
         self,
         from: f64,
@@ -60,7 +60,7 @@ impl DoubleDouble {
         y + (self - function(y)) / slope
     }
 
-    /// Sine and cosine with the digits of `f64`, by its functions of both parts and the addition theorems.
+    /// Returns sine and cosine with the precision of `f64`, from the values for both parts and the addition theorems.
     fn rounded_sin_cos(self) -> (Self, Self) {
         let [high, low] = [self.high, self.low].map(|part| (libm::sin(part), libm::cos(part)));
         let sine = high.0 * low.1 + high.1 * low.0;
@@ -68,7 +68,7 @@ impl DoubleDouble {
         (Self::from(sine), Self::from(cosine))
     }
 
-    /// √(1 − x²).
+    /// Returns √(1 − x²).
     fn complement(self) -> Self {
         ((Self::one() - self) * (Self::one() + self)).sqrt()
     }
@@ -78,7 +78,7 @@ impl DoubleDouble {
             && libm::trunc(self.low).to_bits() == self.low.to_bits()
     }
 
-    /// Whether an integer is odd.
+    /// Returns whether an integer is odd.
     fn is_odd(self) -> bool {
         let odd = |part: f64| libm::fabs(libm::fmod(part, 2.0)) > 0.5;
         odd(self.high) != odd(self.low)
@@ -165,7 +165,8 @@ impl Scalar for DoubleDouble {
         self.atan2(Self::one())
     }
 
-    /// The angle of `f64` plus the tangent of the remaining angle, which equals it up to a cube.
+    /// Adds the tangent of the remaining angle to the angle in `f64`; the tangent equals the remaining angle up to a
+    /// cube.
     fn atan2(self, x: Self) -> Self {
         let angle = Self::from(Scalar::atan2(self.high, x.high));
         if (self.is_zero() && x.is_zero()) || !self.is_finite() || !x.is_finite() {
@@ -210,7 +211,7 @@ impl Scalar for DoubleDouble {
         self.refined(Scalar::asinh(self.high), Self::sinh, Self::cosh)
     }
 
-    /// 2 arsinh √((x − 1)/2), without cancellation near 1.
+    /// Computes 2 arsinh √((x − 1)/2), without cancellation near 1.
     fn acosh(self) -> Self {
         let root = (self - Self::one()).times_power_of_two(-1).sqrt();
         root.asinh().times_power_of_two(1)
@@ -237,7 +238,7 @@ impl Scalar for DoubleDouble {
         (rest.series(1, 1.0) + rest.series(0, 1.0)).times_power_of_two(twos)
     }
 
-    /// 2 artanh((x − 1)/(x + 1)) near 1, without cancellation.
+    /// Computes 2 artanh((x − 1)/(x + 1)) near 1, without cancellation.
     fn ln(self) -> Self {
         let from_one = self - Self::one();
         if from_one.high.abs() < NEAR_ONE {
@@ -257,7 +258,7 @@ impl Scalar for DoubleDouble {
     }
 
     fn logistic(self) -> Self {
-        // Of what is not positive, so that it does not overflow.
+        // The argument is not positive, so that the exponential does not overflow.
         let small = (-self.abs()).exp();
         let part = if self.is_negative() {
             small

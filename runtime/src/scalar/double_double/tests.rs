@@ -1,4 +1,4 @@
-//! Digits beyond those of `f64`.
+//! Tests of the digits beyond the precision of `f64`.
 
 use std::string::ToString;
 
@@ -7,7 +7,7 @@ use num_traits::{One as _, Zero as _};
 use super::DoubleDouble;
 use crate::scalar::Scalar;
 
-/// Relative to what is expected.
+/// The relative tolerance.
 const TOLERANCE: f64 = 1e-30;
 
 fn number(value: f64) -> DoubleDouble {
@@ -37,7 +37,7 @@ fn arithmetic_has_twice_the_digits() {
         third - number(0.25),
         "0.0833333333333333333333333333333333333333",
     );
-    // What cancels leaves the rest exactly.
+    // Cancellation leaves the remainder exact.
     let small = number(1e-25);
     assert_eq!((number(1.0) + small) - number(1.0), small);
     assert_eq!(number(0.0) * third, DoubleDouble::zero());
@@ -46,7 +46,7 @@ fn arithmetic_has_twice_the_digits() {
     assert_eq!((number(1.0) + small).low().to_bits(), 1e-25_f64.to_bits());
 }
 
-/// Every line of the table, which `runtime/scripts/double_double_constants.py` computes with mpmath.
+/// Compares with every line of the table, which `runtime/scripts/double_double_constants.py` computes with mpmath.
 #[test]
 fn functions_have_twice_the_digits() {
     type Function = fn(DoubleDouble) -> DoubleDouble;
@@ -102,7 +102,7 @@ fn functions_of_two_arguments_have_twice_the_digits() {
     );
 }
 
-/// Near 1, at arguments of which `f64` has only the first part.
+/// Near 1, at arguments of which `f64` holds only the first part.
 #[test]
 fn logarithms_keep_their_digits_near_one() {
     let power_of_two = |n: i32| libm::ldexp(1.0, n);
@@ -146,7 +146,7 @@ fn what_overflows_is_infinite() {
     assert!(!number(f64::NAN).is_finite());
 }
 
-/// Values by mpmath, with 60 digits.
+/// Compares with values of mpmath, with 60 digits.
 #[test]
 fn functions_reach_to_the_largest_numbers() {
     let most = number(f64::MAX);
@@ -168,7 +168,7 @@ fn functions_reach_to_the_largest_numbers() {
     assert_eq!(number(f64::INFINITY).ln(), number(f64::INFINITY));
     assert_eq!(number(f64::INFINITY).asinh(), number(f64::INFINITY));
     assert!(number(f64::NAN).exp().to_f64().is_nan());
-    // As many digits as `f64` has.
+    // These results have the precision of `f64`.
     for (x, sine, cosine) in [
         (1e16, 0.779_688_006_606_978_8, -0.626_168_198_133_086_2),
         (1e22, -0.852_200_849_767_188_8, 0.523_214_785_395_139),

@@ -88,7 +88,7 @@ impl<S: Scalar, const N: usize> Zero for Dual<S, N> {
         Self::constant(S::zero())
     }
 
-    /// Whether the value and all derivatives are zero.
+    /// Returns whether the value and all derivatives are zero.
     #[inline]
     fn is_zero(&self) -> bool {
         self.value.is_zero() && self.is_constant()
@@ -102,10 +102,10 @@ impl<S: Scalar, const N: usize> One for Dual<S, N> {
     }
 }
 
-/// Implements an operator whose right operand is a number that depends on no variable, given the derivative of the result.
+/// Implements an operator whose right operand is a constant number, given the derivative of the result.
 macro_rules! with_number {
     ($operator:ident $function:ident, |$derivative:ident, $number:ident| $result:expr) => {
-        /// With a number that depends on no variable.
+        /// The operator with a constant number as the right operand.
         impl<S: Scalar, const N: usize> $operator<f64> for Dual<S, N> {
             type Output = Self;
 

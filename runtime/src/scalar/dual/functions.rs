@@ -1,5 +1,7 @@
-//! The functions of dual numbers: f(x + x′ε) = f(x) + f′(x) x′ε, with f′ of Abramowitz and Stegun, *Handbook of Mathematical
-//! Functions*, 1964, chapter 4, in forms that keep their digits wherever f′ is representable.
+//! The functions of dual numbers: f(x + x′ε) = f(x) + f′(x) x′ε.
+//!
+//! The derivatives f′ are from Abramowitz and Stegun, *Handbook of Mathematical Functions*, 1964, chapter 4, in forms
+//! that are accurate wherever f′ is representable.
 
 use core::array::from_fn;
 
@@ -7,7 +9,7 @@ use super::Dual;
 use crate::scalar::Scalar;
 
 impl<S: Scalar, const N: usize> Dual<S, N> {
-    /// f(self), from f and f′ there.
+    /// Returns f(self), given f and f′ at the value.
     #[inline]
     fn chain(self, value: S, slope: S) -> Self {
         Self {
@@ -16,7 +18,7 @@ impl<S: Scalar, const N: usize> Dual<S, N> {
         }
     }
 
-    /// f(self), from f and 1/f′ there.
+    /// Returns f(self), given f and 1/f′ at the value.
     #[inline]
     fn chain_over(self, value: S, divisor: S) -> Self {
         Self {
@@ -25,7 +27,7 @@ impl<S: Scalar, const N: usize> Dual<S, N> {
         }
     }
 
-    /// f(self, other), from f and both partial derivatives there.
+    /// Returns f(self, other), given f and both partial derivatives at the values.
     #[inline]
     fn chain_of_two(self, other: Self, value: S, [first, second]: [S; 2]) -> Self {
         let slope = |k: usize| self.derivative[k].mul_add(first, other.derivative[k] * second);
@@ -35,7 +37,7 @@ impl<S: Scalar, const N: usize> Dual<S, N> {
         }
     }
 
-    /// The lesser or the greater of two numbers, from the share of the first: 1, 0, or ½ where they are equal.
+    /// Returns the lesser or the greater of two numbers, given the share of the first: 1, 0, or ½ if they are equal.
     #[inline]
     fn mean(self, other: Self, value: S, share: S) -> Self {
         let derivative = if share.smallest() >= 1.0 {
@@ -51,24 +53,24 @@ impl<S: Scalar, const N: usize> Dual<S, N> {
     }
 }
 
-/// The share of the first of two numbers in the greater one; 1 where one of them is NaN, which `min` ignores.
+/// Returns the share of the first of two numbers in the greater one; 1 where one of them is NaN, which `min` ignores.
 #[inline]
 fn share_of_first<S: Scalar>(first: S, second: S) -> S {
     let sign = (first - second).signum().min(S::one());
     S::from_f64(0.5) * (S::one() + sign)
 }
 
-/// A divisor that is 0 at the end of a function's domain, where the slope is infinite: as small as numbers are there, so that
-/// an argument without a derivative has a result without one.
+/// Replaces a divisor that is 0 at the end of a function's domain, where the slope is infinite, by the smallest number,
+/// so that an argument without a derivative has a result without one.
 #[inline]
 fn above_zero<S: Scalar>(divisor: S) -> S {
     divisor + S::min_positive()
 }
 
-/// The slopes of the angle of a point (x, y): x/(x² + y²) by y and −y/(x² + y²) by x.
+/// Returns the slopes of the angle of a point (x, y): x/(x² + y²) by y and −y/(x² + y²) by x.
 ///
-/// Both coordinates are scaled by a power of two, so that their squares neither underflow nor overflow (R. L. Smith, *Algorithm
-/// 116: complex division*, Comm. ACM **5** (1962) 435).
+/// Both coordinates are scaled by a power of two, so that their squares neither underflow nor overflow (R. L. Smith,
+/// *Algorithm 116: complex division*, Comm. ACM **5** (1962) 435).
 #[inline]
 fn angle_slopes<S: Scalar>(y: S, x: S) -> [S; 2] {
     let scale = y.common_scale(x);
@@ -77,23 +79,23 @@ fn angle_slopes<S: Scalar>(y: S, x: S) -> [S; 2] {
     [cosine / square * scale, -sine / square * scale]
 }
 
-/// 1 where a number is 0, and 0 elsewhere.
+/// Returns 1 where a number is 0, and 0 elsewhere.
 #[inline]
 fn guard<S: Scalar>(x: S) -> S {
     S::one() - x.signum() * x.signum()
 }
 
-/// (1 − x)(1 + x), which keeps the digits of 1 − x² near ±1.
+/// Returns (1 − x)(1 + x), an accurate form of 1 − x² near ±1.
 #[inline]
 fn unit_difference<S: Scalar>(x: S) -> S {
     (S::one() - x) * (S::one() + x)
 }
 
 impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
-    /// The derivative parts of the value, if it is dual, too; then each derivative with its own parts.
+    /// The derivative parts of the value, if it is a dual number, too; then each derivative with its own parts.
     const DERIVATIVES: usize = S::DERIVATIVES + N * (1 + S::DERIVATIVES);
 
-    /// The part with the largest magnitude over lanes.
+    /// Returns the part with the largest magnitude over all lanes.
     #[inline]
     fn derivative_part(self, index: usize) -> f64 {
         let Some(beyond) = index.checked_sub(S::DERIVATIVES) else {
@@ -241,14 +243,14 @@ impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
         self.chain(self.value.cosh(), self.value.sinh())
     }
 
-    // 1 − tanh² has no digits where it is small.
+    // 1 − tanh² has no correct digits where it is small.
     #[inline]
     fn tanh(self) -> Self {
         let secant = self.value.sech();
         self.chain(self.value.tanh(), secant * secant)
     }
 
-    // 1/√(1 + x²), with both terms scaled as in the slopes of an angle.
+    // 1/√(1 + x²), with both terms scaled like the slopes of an angle.
     #[inline]
     fn asinh(self) -> Self {
         let scale = S::one().common_scale(self.value);
@@ -309,8 +311,8 @@ impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
         self.chain_over(root, above_zero(root + root))
     }
 
-    // xʸ has the slopes y xʸ⁻¹ and xʸ ln x. x⁰ has the slope 0 at x = 0, too, where xʸ ln x counts as 0. Where the first slope
-    // is infinite, it is as large as numbers are.
+    // xʸ has the slopes y xʸ⁻¹ and xʸ ln x. x⁰ has the slope 0 even at x = 0, where xʸ ln x counts as 0. Where the
+    // first slope is infinite, it is about as large as numbers can be.
     #[inline]
     fn powf(self, exponent: Self) -> Self {
         let (x, y) = (self.value, exponent.value);
@@ -358,7 +360,7 @@ impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
     }
 }
 
-/// The number that is farthest from 0 over the lanes.
+/// Returns the number farthest from 0 over all lanes.
 #[inline]
 fn largest_magnitude<S: Scalar>(x: S) -> f64 {
     let (least, most) = (x.smallest(), x.largest());

@@ -1,11 +1,11 @@
-//! Derivatives against differences, and where functions have none.
+//! Compares derivatives with differences, also where functions have none.
 
 use super::Dual;
 use crate::Scalar;
 
 type OfThree = Dual<f64, 3>;
 
-/// Every function of the trait that has derivatives, on arguments of its domain.
+/// Evaluates every function of the trait that has derivatives, on arguments in its domain.
 fn functions<S: Scalar>(x: S, y: S) -> [S; 34] {
     let one = S::one();
     let (sine, cosine) = x.sin_cos();
@@ -48,7 +48,7 @@ fn functions<S: Scalar>(x: S, y: S) -> [S; 34] {
     ]
 }
 
-/// Central differences of order 4.
+/// Returns the central difference of order 4.
 fn difference(f: impl Fn(f64) -> f64) -> f64 {
     let h = 1e-3;
     (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h)
@@ -107,7 +107,7 @@ fn powers_have_their_slopes_at_zero() {
     }
 }
 
-/// Squares of the distance are no numbers here; the angle, its slopes and its value are.
+/// At these distances the squares are not representable, but the angle, its slopes and its value are.
 #[test]
 fn angles_have_their_slopes_at_extreme_distances() {
     for n in [-1000, -700, -500, 0, 500, 700, 1000] {
