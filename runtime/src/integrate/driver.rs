@@ -161,6 +161,10 @@ impl<I, C, O> Driver<I, C, O> {
             let (occurring, stop) = match interruption? {
                 Interruption::Stop(reason) => return Ok(Next::End(reason)),
                 Interruption::Step(target) => return Ok(Next::Step(target)),
+                // A constant, so that programs without reactions contain no code for them.
+                Interruption::Reaction(_, stop) if !R::REACTS => {
+                    return Ok(Next::End(stop.unwrap_or(StopReason::Condition)));
+                }
                 Interruption::Reaction(occurring, stop) => (occurring, stop),
                 Interruption::Update => {
                     (state.is_visited, state.beginning) = (true, Beginning::Unchanged);
@@ -171,7 +175,6 @@ impl<I, C, O> Driver<I, C, O> {
             let reacted = self.react((&mut *dynamics, &mut *reactions), parts, occurring)?;
             if let Some(x) = &reacted.changed {
                 outcome.last.x = x.clone();
-                outcome.statistics = stepper.statistics();
                 (state.is_visited, state.beginning) = (true, Beginning::Changed);
             } else {
                 state.beginning = Beginning::Unchanged;

@@ -47,7 +47,6 @@ where
     /// Processes what precedes the next step: the samples and the condition at the initial time, or the observation of
     /// a change.
     pub(crate) fn begin(&mut self) -> Result<(), StopReason> {
-        self.outcome.statistics = self.stepper.statistics();
         match self.state.beginning {
             Beginning::Initial => {
                 self.samples_until(self.state.start)?;
@@ -109,9 +108,7 @@ where
                 return Ok(Interruption::Step(self.target()));
             }
             let target = self.target();
-            let stepped = self.stepper.step(self.dynamics, target);
-            self.outcome.statistics = self.stepper.statistics();
-            if let Err(error) = stepped {
+            if let Err(error) = self.stepper.step(self.dynamics, target) {
                 self.close(StopReason::Error);
                 return Err(error);
             }
@@ -119,7 +116,7 @@ where
         }
     }
 
-    /// Reports the end of a part, and updates the statistics.
+    /// Reports the end of a part.
     pub(crate) fn finish(&mut self, interruption: Interruption) -> Interruption {
         let interruption = match interruption {
             Interruption::Stop(reason) => self.close(reason),
@@ -130,7 +127,6 @@ where
             // The motion ends, or a reaction interrupts it, within the last step.
             self.record_until(self.outcome.last.t);
         }
-        self.outcome.statistics = self.stepper.statistics();
         interruption
     }
 

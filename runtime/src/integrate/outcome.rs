@@ -2,7 +2,6 @@
 
 use super::at::At;
 use super::event::MetConditions;
-use super::stepper::Statistics;
 
 /// The reason for which an integration stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +28,7 @@ pub enum StopReason {
     Error,
 }
 
-/// The outcome of an integration: the last state, the reason to stop, and the cost.
+/// The outcome of an integration: the last state and the reason to stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome<X> {
     /// The last state that was reached without an error.
@@ -39,8 +38,6 @@ pub struct Outcome<X> {
     /// The stop conditions that were met, the events that occurred, or the observers that stopped the integration, if
     /// they are the reason. They are numbered in the order in which they were set. Empty for any other reason.
     pub met: MetConditions,
-    /// The cost of the integration.
-    pub statistics: Statistics,
 }
 
 impl<X> Outcome<X> {
@@ -50,7 +47,6 @@ impl<X> Outcome<X> {
             last,
             reason: StopReason::Error,
             met: MetConditions::default(),
-            statistics: Statistics::default(),
         }
     }
 }

@@ -36,6 +36,7 @@ use super::observer::{EachStep, Flow, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::partial::Partial;
 use super::reactions::Reactions;
+use super::stepper::Statistics;
 use crate::limits::MAX_STEPS;
 use crate::scalar::Scalar;
 use keep::Saved;
@@ -101,6 +102,9 @@ struct Watch<C, R, O> {
     observer: O,
 }
 
+/// The end of an integration: what it has reached, its cost, and the error that stopped it.
+type Ended<X> = (Outcome<X>, Statistics, Result<(), IntegrationError>);
+
 /// The limits of an integration, if they are set.
 #[derive(Clone, Copy, Debug, Default)]
 struct Limits {
@@ -130,7 +134,7 @@ impl Limits {
     /// Returns the result of an integration that has ended, possibly by an error or at the largest number of steps.
     fn found<S, D, T, K>(
         self,
-        (mut outcome, result): (Outcome<D::State>, Result<(), IntegrationError>),
+        (mut outcome, statistics, result): Ended<D::State>,
         collection: K::Collection,
         events: Events<S, D::State>,
     ) -> Found<S, D::State, K::Kept>
@@ -140,7 +144,7 @@ impl Limits {
         K: Keep<S, D, T>,
     {
         let result = result.and(self.check(&mut outcome));
-        let solution = Solution::new(K::finish(collection, &outcome), events, outcome);
+        let solution = Solution::new(K::finish(collection, &outcome), events, outcome, statistics);
         match result {
             Ok(()) => Ok(solution),
             Err(error) => Err(Partial::new(error, solution)),

@@ -309,9 +309,10 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
         let Some(remaining) = remaining(&self.clock, target)? else {
             return Ok(());
         };
-        // A quotient that is an integer up to rounding must not add a step.
-        let steps =
-            libm::ceil(remaining.abs() / self.method.step * (1.0 - fixed_steps::ROUNDING)).max(1.0);
+        // A quotient that is an integer up to rounding must not add a step. It is rounded up by `floor`, which programs
+        // contain in any case.
+        let quotient = remaining.abs() / self.method.step * (1.0 - fixed_steps::ROUNDING);
+        let steps = (-libm::floor(-quotient)).max(1.0);
         let h = remaining / steps;
         let mut clock = self.clock;
         if steps > 1.0 {

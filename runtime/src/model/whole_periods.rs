@@ -22,7 +22,7 @@ struct FullTurn {
     parts: [f64; 4],
     /// The third and the fourth part as three parts, the first of which has few bits, too: for larger numbers of turns.
     later_parts: [f64; 3],
-    digits: i32,
+    digits: u32,
 }
 
 /// For scalars with at least the precision of `f64`; `runtime/scripts/full_turn_constants.py` computes the parts.
@@ -69,65 +69,90 @@ impl FullTurn {
         }
     }
 
-    /// Returns the number of turns in the whole periods nearest to an angle, without derivative parts; 0 if there are
-    /// too many.
-    fn turns_in<S: Scalar>(&self, angle: S, period: f64) -> S {
-        let inverse = 1.0 / (period * TAU);
-        let most_turns = libm::ldexp(1.0, self.digits);
-        let (least, most) = (angle.smallest(), angle.largest());
-        if most > least {
-            return Self::turns_in_lanes(angle, period, inverse, most_turns);
+    /// Returns the largest number of turns, a power of two, whose products with the first parts are exact.
+    fn max_turns(&self) -> f64 {
+        f64::from(1_u32 << self.digits)
+    }
+
+    /// Returns the number of units nearest to an angle, times the period, without derivative parts. It is 0 for angles
+    /// that are not larger than `least`, and if there are too many.
+    fn multiple_in<S: Scalar>(&self, angle: S, unit: &Unit) -> S {
+        let Unit {
+            period,
+            inverse,
+            least,
+        } = *unit;
+        let (smallest, largest) = (angle.smallest(), angle.largest());
+        if largest > smallest {
+            return self.multiple_in_lanes(angle, unit);
         }
-        let turns = period * libm::floor(most.abs() * inverse + 0.5);
-        let few = most.abs() > SMALL_ANGLE && turns <= most_turns;
-        S::from_f64(if few { turns.copysign(most) } else { 0.0 })
+        let multiple = period * libm::floor(largest.abs() * inverse + 0.5);
+        let is_counted = largest.abs() > least && multiple <= self.max_turns();
+        S::from_f64(if is_counted {
+            multiple.copysign(largest)
+        } else {
+            0.0
+        })
     }
 
-    /// Returns the turns in lanes that differ; the result of each lane is independent of the others.
-    fn turns_in_lanes<S: Scalar>(angle: S, period: f64, inverse: f64, most_turns: f64) -> S {
+    /// Returns the multiples in lanes that differ; the result of each lane is independent of the others.
+    fn multiple_in_lanes<S: Scalar>(&self, angle: S, unit: &Unit) -> S {
         let size = angle.abs();
-        let periods = size * S::from_f64(inverse) + S::from_f64(0.5);
+        let units = size * S::from_f64(unit.inverse) + S::from_f64(0.5);
         // A larger number is too many in any case.
-        let periods = periods.min(S::from_f64(2.0 * most_turns)).floor();
-        let turns = periods * S::from_f64(period);
-        let too_many = greater(turns, S::from_f64(most_turns));
-        let large = greater(size, S::from_f64(SMALL_ANGLE));
-        turns * large * (S::one() - too_many) * angle.signum()
+        let units = units.min(S::from_f64(2.0 * self.max_turns())).floor();
+        let multiple = units * S::from_f64(unit.period);
+        let is_too_many = greater(multiple, S::from_f64(self.max_turns()));
+        let is_large = greater(size, S::from_f64(unit.least));
+        multiple * is_large * (S::one() - is_too_many) * angle.signum()
     }
 
-    /// Returns the angle and its compensation reduced by whole blocks of periods, if there are more turns than 2 to the
-    /// power `digits`.
+    /// Returns the angle and its compensation reduced by whole blocks of periods, if there are more turns than
+    /// [`max_turns`](Self::max_turns).
     ///
     /// Lanes with fewer turns, or with more turns than the square of this number, are unchanged. A block consists of a
     /// power of two of periods, at most as many turns as this number, so that its products with a number of blocks are
     /// exact.
-    fn less_blocks<S: Scalar>(&self, angle: S, compensation: S, period: f64) -> (S, S) {
-        let most_turns = libm::ldexp(1.0, self.digits);
-        let (_, bits) = libm::frexp(period - 0.5);
-        let block = libm::ldexp(1.0, self.digits - bits.max(0));
-        let size = angle.abs();
-        let is_many = greater(size, S::from_f64((most_turns - 0.5 * period) * TAU));
-        if is_many.largest() <= 0.0 {
+    fn less_blocks<S: Scalar>(&self, angle: S, compensation: S, periods: &Unit) -> (S, S) {
+        let least = (self.max_turns() - 0.5 * periods.period) * TAU;
+        if angle.abs().largest() <= least {
             return (angle, compensation);
         }
-        let blocks = size * S::from_f64(1.0 / (block * period * TAU)) + S::from_f64(0.5);
-        // A larger number is too many in any case; the number has no derivative parts.
-        let blocks = blocks.min(S::from_f64(2.0 * most_turns)).floor();
-        let count = blocks * S::from_f64(period);
-        let is_too_many = greater(count, S::from_f64(most_turns));
-        let count = count * is_many * (S::one() - is_too_many) * angle.signum();
+        let mut block = self.max_turns();
+        while block * periods.period > self.max_turns() {
+            block *= 0.5;
+        }
+        let unit = Unit {
+            inverse: periods.inverse / block,
+            least,
+            ..*periods
+        };
+        let count = self.multiple_in(angle, &unit);
         let [first, second, ..] = self.parts;
         let [third, fourth, fifth] = self.later_parts;
         let product = |part: f64| count * S::from_f64(part) * S::from_f64(block);
-        let (rest, lost) = difference(angle - product(first), product(second));
-        let (rest, lost_then) = difference(rest, product(third));
-        let lost = lost + lost_then - product(fourth) - product(fifth);
+        let (mut rest, mut lost) = (angle, S::zero());
+        for part in [first, second, third] {
+            let (less, rounding) = difference(rest, product(part));
+            (rest, lost) = (less, lost + rounding);
+        }
+        lost = lost - product(fourth) - product(fifth);
         let (rest, compensation_of_rest) = difference(rest, -(compensation + lost));
         let pair = [rest, compensation_of_rest].into();
         let other = [angle, compensation].into();
         let [rest, compensation] = Vector2::select(pair, other, count.abs().signum()).into();
         (rest, compensation)
     }
+}
+
+/// Whole periods, or blocks of them, by which an angle is reduced.
+struct Unit {
+    /// The number of turns in a period.
+    period: f64,
+    /// The reciprocal of the angle of the unit.
+    inverse: f64,
+    /// Larger angles are reduced.
+    least: f64,
 }
 
 /// Returns x − y and its rounding error (T. J. Dekker, *A floating-point technique for extending the available
@@ -156,8 +181,14 @@ pub(crate) fn less_whole_periods<S: Scalar>(angle: S, compensation: S, period: u
     let Some(full_turn) = FullTurn::of::<S>() else {
         return angle;
     };
-    let (angle, compensation) = full_turn.less_blocks(angle, compensation, f64::from(period));
-    let turns = full_turn.turns_in(angle, f64::from(period));
+    let period = f64::from(period);
+    let periods = Unit {
+        period,
+        inverse: 1.0 / (period * TAU),
+        least: SMALL_ANGLE,
+    };
+    let (angle, compensation) = full_turn.less_blocks(angle, compensation, &periods);
+    let turns = full_turn.multiple_in(angle, &periods);
     let [first, second, third, fourth] = full_turn.parts.map(S::from_f64);
     // The differences are exact in `f64`: they are small multiples of the last bit of the angle or of the product.
     let rest = (angle - turns * first) - turns * second;
@@ -205,7 +236,7 @@ mod tests {
             let rest = double(parts[2]) + double(parts[3]);
             assert!((later - rest).to_f64().abs() < bound);
             // The product with the largest number of turns is exact.
-            let most = libm::ldexp(1.0, digits) - 1.0;
+            let most = full_turn.max_turns() - 1.0;
             for part in parts[..2].iter().chain(&later_parts[..1]) {
                 let product = double(*part) * double(most);
                 assert!(product.low().abs() <= 0.0);

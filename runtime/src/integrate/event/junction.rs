@@ -187,7 +187,10 @@ where
         let (mut sign, mut fraction) = (1.0, 0.0);
         let moved = x.map(|component| {
             sign *= alternation;
-            fraction = (fraction + GOLDEN_RATIO_CONJUGATE) % 1.0;
+            fraction += GOLDEN_RATIO_CONJUGATE;
+            if fraction >= 1.0 {
+                fraction -= 1.0;
+            }
             component + component * S::from_f64(sign * (0.5 + fraction)) * epsilon
         });
         let time = t - alternation * t * MOVED_EPSILONS * f64::EPSILON.min(part);

@@ -17,7 +17,7 @@ use crate::integrate::outcome::Outcome;
 use crate::integrate::part::{KeptSoFar, Part};
 use crate::integrate::reactions::Reactions;
 use crate::integrate::sample_times::SampleTimes as _;
-use crate::integrate::stepper::Stepper as _;
+use crate::integrate::stepper::{Statistics, Stepper as _};
 use crate::scalar::Scalar;
 
 /// A problem in progress. It takes its own steps, or shares the steps of an ensemble.
@@ -73,7 +73,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
             Ok(stepper) => stepper,
             Err(error) => {
                 let outcome = Outcome::at(start);
-                let ended = (outcome, Err(error));
+                let ended = (outcome, Statistics::default(), Err(error));
                 return Err(limits.found::<_, _, _, K>(ended, collection, Events::default()));
             }
         };
@@ -138,7 +138,7 @@ where
     /// Returns the result of the integration.
     #[inline]
     pub(crate) fn finish(self) -> Found<S, D::State, K::Kept> {
-        let ended = (self.outcome, self.result);
+        let ended = (self.outcome, self.stepper.statistics(), self.result);
         self.limits
             .found::<_, _, _, K>(ended, self.collection, self.events)
     }

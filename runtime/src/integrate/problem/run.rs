@@ -350,7 +350,8 @@ where
             Err(error) => (Outcome::at(start), Err(error)),
         };
         self.kept = kept;
-        limits.found::<_, _, _, K>((outcome, result), collection, events)
+        let ended = (outcome, self.statistics(), result);
+        limits.found::<_, _, _, K>(ended, collection, events)
     }
 
     /// Advances, then restarts the stepper at the time at which the integration has stopped.

@@ -52,12 +52,17 @@ pub(crate) type Events<S, X> = Vec<Occurrence<X, S>>;
 pub(crate) type Events<S, X> = core::marker::PhantomData<(X, S)>;
 
 impl<S: Scalar, X, K> Solution<S, X, K> {
-    pub(crate) fn new(kept: K, events: Events<S, X>, outcome: Outcome<X>) -> Self {
+    pub(crate) fn new(
+        kept: K,
+        events: Events<S, X>,
+        outcome: Outcome<X>,
+        statistics: Statistics,
+    ) -> Self {
         Self {
             last: outcome.last.on_scalar(),
             reason: outcome.reason,
             met: outcome.met,
-            statistics: outcome.statistics,
+            statistics,
             events,
             kept,
         }
