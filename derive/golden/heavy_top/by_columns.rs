@@ -271,17 +271,6 @@ for HeavyTop {
             w1.mul_add(w2 * (i1 - i2), theta_dot * x10),
         ])
     }
-    fn generalized_forces(
-        &self,
-        _state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        ::lagrangian::__private::vector([
-            __S::from_f64(0.0),
-            __S::from_f64(0.0),
-            __S::from_f64(0.0),
-        ])
-    }
     type Prepared = [__S; 13usize];
     fn prepare(&self) -> [__S; 13usize] {
         let i1: __S = ::lagrangian::__private::parameter(self.i1);

@@ -1,5 +1,6 @@
 //! The methods of the table: their bodies, and the impls of `Quantities`, `Lagrangian` and `Energies`.
 
+use lagrangian_symbolic::{Operand, Rational};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
@@ -7,7 +8,7 @@ use super::emitter::Emitter;
 use super::members_in_lanes::members_in_lanes;
 use super::parameters::marked_if_unused;
 use crate::limits::COSTLIEST_INLINED_ACCELERATIONS;
-use crate::plan::{Interface, Method, MethodOutputs, MethodRow, ResultType};
+use crate::plan::{EmittedMethod, Interface, Method, MethodOutputs, MethodRow, ResultType};
 
 impl Emitter<'_> {
     /// The impls of `Quantities`, and of `Lagrangian`, whose methods evaluate them.
@@ -44,6 +45,7 @@ impl Emitter<'_> {
     /// The impl of a trait of the table: these items, and the methods that the model has.
     pub(super) fn interface(&self, interface: Interface, mut items: TokenStream) -> TokenStream {
         let methods = self.methods.all();
+        let methods = methods.filter(|(emitted, method)| !is_provided(*emitted, method));
         let methods = methods.map(|(emitted, method)| (emitted.row(), method));
         for (row, method) in methods.filter(|(row, _)| row.interface == interface) {
             if row.result == ResultType::Prepared {
@@ -74,6 +76,20 @@ impl Emitter<'_> {
         let signature = quote!(#prepared #inline fn #name(&self, #parameters) -> #output);
         with_body(signature, body)
     }
+}
+
+/// Whether the trait provides the method: for a model without forces, there are none by default.
+fn is_provided(emitted: EmittedMethod, method: &Method) -> bool {
+    let mut outputs = method
+        .program
+        .groups
+        .iter()
+        .flat_map(|group| &group.outputs);
+    emitted == EmittedMethod::GeneralizedForces && outputs.all(is_zero)
+}
+
+fn is_zero(operand: &Operand) -> bool {
+    matches!(operand, Operand::Constant(number) if *number == Rational::ZERO)
 }
 
 /// A function with its body, which is moved: `quote` would copy it, token by token.

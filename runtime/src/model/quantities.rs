@@ -59,8 +59,11 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         prepared: &Self::Prepared,
     ) -> SVector<S, N>;
 
-    /// [`Lagrangian::generalized_forces`](crate::Lagrangian::generalized_forces) under these inputs.
-    fn generalized_forces(&self, state: &State<S, N>, inputs: &Self::Inputs) -> SVector<S, N>;
+    /// [`Lagrangian::generalized_forces`](crate::Lagrangian::generalized_forces) under these inputs; none by default.
+    fn generalized_forces(&self, state: &State<S, N>, inputs: &Self::Inputs) -> SVector<S, N> {
+        let _ = (state, inputs);
+        SVector::from_element(S::zero())
+    }
 
     /// [`Lagrangian::accelerations`](crate::Lagrangian::accelerations) under these inputs.
     fn accelerations(
