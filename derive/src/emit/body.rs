@@ -28,6 +28,7 @@ use block::{Block, Form};
 use constant::constant;
 use fragment::{Fragment, Precedence, infix};
 use pieces::Read;
+use symbols::last_call;
 pub(crate) use symbols::{Array, Element, SymbolReader};
 use variables::Variables;
 
@@ -103,12 +104,28 @@ impl<'a> Body<'a> {
     /// The statements of a group, and the expressions of its outputs.
     pub(crate) fn group(&mut self, group: &OutputGroup) -> (TokenStream, Vec<TokenStream>) {
         self.is_long = group.is_long();
-        self.load_symbols(group);
-        let done = self.angles(group);
+        let symbols = self.name_symbols(group);
+        let angles = self.angles_at_once(group);
+        let mut done = vec![false; group.instructions.len()];
+        for index in angles.iter().flat_map(Angles::instructions) {
+            done[index] = true;
+        }
+        let last_call = last_call(group, &done);
+        let (first, rest) = self.split_at_call(group, symbols, (&done, last_call));
+        self.load_symbols(&first);
+        if let Some(angles) = angles {
+            self.angles(group, angles);
+        }
+        if last_call.is_none() {
+            self.load_symbols(&rest);
+        }
         for (index, instruction) in group.instructions.iter().enumerate() {
             if !done[index] {
                 self.load_operands(instruction.operation.operands());
                 self.instruction(instruction);
+            }
+            if last_call == Some(index) {
+                self.load_symbols(&rest);
             }
         }
         self.load_operands(group.outputs.iter());
@@ -123,18 +140,17 @@ impl<'a> Body<'a> {
         (written, outputs)
     }
 
-    /// Computes the sines and cosines that are computed at once; returns which instructions are done.
-    fn angles(&mut self, group: &OutputGroup) -> Vec<bool> {
-        let mut done = vec![false; group.instructions.len()];
-        if !self.passes.has(Pass::Vectors) {
-            return done;
-        }
+    /// The sines and cosines that are computed at once, and before everything else.
+    fn angles_at_once(&self, group: &OutputGroup) -> Option<Angles> {
         let is_written = |value: usize| matches!(self.fragments.get(value), Some(Some(_)));
-        let Some(angles) = Angles::of(group, is_written) else {
-            return done;
-        };
-        for index in angles.operands_of_angles.iter().chain(&angles.pairs) {
-            self.load_operands(group.instructions[*index].operation.operands());
+        let has_pass = self.passes.has(Pass::Vectors);
+        has_pass.then(|| Angles::of(group, is_written)).flatten()
+    }
+
+    /// Computes these sines and cosines.
+    fn angles(&mut self, group: &OutputGroup, angles: Angles) {
+        for index in angles.instructions() {
+            self.load_operands(group.instructions[index].operation.operands());
         }
         for index in &angles.operands_of_angles {
             self.instruction(&group.instructions[*index]);
@@ -157,10 +173,6 @@ impl<'a> Body<'a> {
         let value = quote!(#functions::sines_and_cosines([#(#arguments),*]));
         self.block
             .define(defines, pattern, value, reads, false, self.scalar);
-        for index in angles.operands_of_angles.into_iter().chain(angles.pairs) {
-            done[index] = true;
-        }
-        done
     }
 
     /// Names the two values of an instruction that computes a sine and a cosine.

@@ -222,7 +222,9 @@ where
             return Ok(());
         }
         let end = self.stepper.time();
-        self.visit_events_until(end)?;
+        if C::COUNT > 0 || self.waiting.next().is_some() {
+            self.visit_events_until(end)?;
+        }
         self.record_until(end);
         self.state.is_visited = true;
         self.outcome.last = self.at(end);

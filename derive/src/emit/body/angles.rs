@@ -41,6 +41,11 @@ impl Arithmetic {
 }
 
 impl Angles {
+    /// All these instructions: the operands, and then the sines and cosines.
+    pub(super) fn instructions(&self) -> impl Iterator<Item = usize> + '_ {
+        self.operands_of_angles.iter().chain(&self.pairs).copied()
+    }
+
     /// The angles known at the beginning of a group, if they are two or more; `earlier` tells which
     /// values are those of groups before.
     pub(super) fn of(group: &OutputGroup, earlier: impl Fn(usize) -> bool) -> Option<Self> {

@@ -1,6 +1,6 @@
-//! Where a body reads symbols: at its beginning, or where a long one needs them first.
+//! Where a body reads symbols: at its beginning and behind its last call, or where a long one needs them first.
 
-use lagrangian_symbolic::{Operand, OutputGroup, Symbol};
+use lagrangian_symbolic::{Operand, Operation, OutputGroup, Symbol};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens as _, quote};
 
@@ -40,9 +40,24 @@ pub(crate) struct Element {
     pub(crate) index: usize,
 }
 
+/// The last instruction that may be a call of a function, among those that are not done.
+pub(super) fn last_call(group: &OutputGroup, done: &[bool]) -> Option<usize> {
+    let mut instructions = group.instructions.iter().zip(done);
+    instructions.rposition(|(instruction, done)| {
+        let is_call = matches!(
+            instruction.operation,
+            Operation::SineAndCosine(_)
+                | Operation::Unary(..)
+                | Operation::Binary(..)
+                | Operation::Application(..)
+        );
+        is_call && !done
+    })
+}
+
 impl Body<'_> {
-    /// Names the symbols that no group before has read, and reads those of a short group.
-    pub(super) fn load_symbols(&mut self, group: &OutputGroup) {
+    /// Names the symbols that no group before has read, and returns those that a short group reads.
+    pub(super) fn name_symbols(&mut self, group: &OutputGroup) -> Vec<Symbol> {
         let in_pieces = self.block.is_in_pieces();
         let mut needed = Vec::new();
         for symbol in group.symbols() {
@@ -61,11 +76,36 @@ impl Body<'_> {
                 needed.push(symbol);
             }
         }
-        if !in_pieces {
-            self.load_by_patterns(&needed);
+        needed
+    }
+
+    /// The symbols that are read before the last call, and the others. What is read before a call waits for its end, in registers
+    /// or on the stack.
+    pub(super) fn split_at_call(
+        &self,
+        group: &OutputGroup,
+        symbols: Vec<Symbol>,
+        (done, last_call): (&[bool], Option<usize>),
+    ) -> (Vec<Symbol>, Vec<Symbol>) {
+        let instructions = group.instructions.iter().zip(done).enumerate();
+        let before = instructions.filter(|(index, (_, done))| {
+            **done || last_call.is_some_and(|last_call| *index <= last_call)
+        });
+        let read = before.flat_map(|(_, (instruction, _))| instruction.operation.operands());
+        let read: Vec<_> = read.collect();
+        let is_read = |symbol: &Symbol| read.contains(&&Operand::Symbol(*symbol));
+        let in_pieces = self.block.is_in_pieces();
+        let symbols = symbols.into_iter();
+        symbols.partition(|symbol| in_pieces || is_read(symbol))
+    }
+
+    /// Reads some symbols.
+    pub(super) fn load_symbols(&mut self, symbols: &[Symbol]) {
+        if !self.block.is_in_pieces() {
+            self.load_by_patterns(symbols);
         }
-        for symbol in needed {
-            self.load(symbol);
+        for symbol in symbols {
+            self.load(*symbol);
         }
     }
 

@@ -103,13 +103,12 @@ impl<X> Dop853Stepper<X> {
     ) where
         X: VectorSpace<S>,
     {
-        for (i, node) in NODES.iter().enumerate().take(STAGES).skip(1) {
+        for (i, node) in (1..STAGES).zip(&NODES[1..STAGES]) {
             let mut at = x.clone();
             at.add_scaled(S::from_f64(h), sums.slope(i));
             let t = S::from_f64(self.clock.after(node * h));
-            let derivative = dynamics.derivative(t, &at);
-            sums.add(i, &derivative);
-            self.stages[i] = derivative;
+            self.stages[i] = dynamics.derivative(t, &at);
+            sums.add(i, &self.stages[i]);
         }
         self.statistics.evaluations += STAGES as u64 - 1;
     }
