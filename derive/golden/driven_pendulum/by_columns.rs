@@ -120,9 +120,10 @@ for DrivenPendulum {
         _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 8usize],
     ) -> __S {
-        let [m, g, l, ..] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let l: __S = prepared[2];
+        let [m, g, ..] = *prepared;
         let x0 = m
             * (l
                 * g
@@ -139,9 +140,9 @@ for DrivenPendulum {
     ) -> __S {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let l: __S = ::lagrangian::__private::parameter(self.l);
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
         let x0 = m
             * (l
                 * (-g)
@@ -179,9 +180,10 @@ for DrivenPendulum {
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let [m, g, l, friction, ..] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let friction: __S = prepared[3];
+        let [m, g, l, ..] = *prepared;
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([
             (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
@@ -222,9 +224,10 @@ for DrivenPendulum {
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let [_, _, _, friction, c0, c1, ..] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let friction: __S = prepared[3];
+        let [_, _, _, _, c0, c1, ..] = *prepared;
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([
             (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
@@ -237,9 +240,10 @@ for DrivenPendulum {
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let [_, _, _, friction, _, _, c2, c3] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let friction: __S = prepared[3];
+        let [_, _, _, _, _, _, c2, c3] = *prepared;
         let theta_ddot: __S = accelerations[0];
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([
@@ -405,10 +409,10 @@ for DrivenPendulum {
             &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
         );
         let theta: __S = state.x.q[0];
+        let (sin_theta, cos_theta) = theta.sin_cos();
         let theta_dot: __S = state.x.v[0];
         let theta_ddot: __S = accelerations[0];
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let (sin_theta, cos_theta) = theta.sin_cos();
         let y = -(l * cos_theta);
         DrivenPendulumOutputs {
             height: y,

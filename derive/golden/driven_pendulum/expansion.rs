@@ -116,9 +116,10 @@ for DrivenPendulum {
         _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 8usize],
     ) -> __S {
-        let [m, g, l, ..] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let l: __S = prepared[2];
+        let [m, g, ..] = *prepared;
         let x0 = m
             * (l
                 * g
@@ -135,9 +136,9 @@ for DrivenPendulum {
     ) -> __S {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let l: __S = ::lagrangian::__private::parameter(self.l);
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
         let x0 = m
             * (l
                 * (-g)
@@ -170,9 +171,10 @@ for DrivenPendulum {
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let [m, g, l, friction, ..] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let friction: __S = prepared[3];
+        let [m, g, l, ..] = *prepared;
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([
             (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
@@ -213,9 +215,10 @@ for DrivenPendulum {
         inputs: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let [_, _, _, friction, c0, c1, ..] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let friction: __S = prepared[3];
+        let [_, _, _, _, c0, c1, ..] = *prepared;
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([
             (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
@@ -228,9 +231,10 @@ for DrivenPendulum {
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let [_, _, _, friction, _, _, c2, c3] = *prepared;
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let friction: __S = prepared[3];
+        let [_, _, _, _, _, _, c2, c3] = *prepared;
         let theta_ddot: __S = accelerations[0];
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([
@@ -245,12 +249,12 @@ for DrivenPendulum {
     ) -> ::lagrangian::Linearization<__S, 1usize> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
+        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let (sin_theta, cos_theta) = theta.sin_cos();
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
-        let (sin_theta, cos_theta) = theta.sin_cos();
         let x0 = __S::from_f64(1.0) / l;
         let x1 = x0 * (__S::from_f64(1.0) / m * x0);
         ::lagrangian::Linearization {
@@ -354,10 +358,10 @@ for DrivenPendulum {
             &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
         );
         let theta: __S = state.x.q[0];
+        let (sin_theta, cos_theta) = theta.sin_cos();
         let theta_dot: __S = state.x.v[0];
         let theta_ddot: __S = accelerations[0];
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let (sin_theta, cos_theta) = theta.sin_cos();
         let y = -(l * cos_theta);
         DrivenPendulumOutputs {
             height: y,

@@ -139,12 +139,12 @@ for HeavyTop {
         prepared: &[__S; 13usize],
     ) -> __S {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        let [i1, i2, i3, m, g, l, ..] = *prepared;
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
         ]);
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let [i1, i2, i3, m, g, l, ..] = *prepared;
         let x0 = phi_dot * sin_theta;
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
@@ -163,6 +163,10 @@ for HeavyTop {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> __S {
         let [_, theta, psi] = state.x.q.data.0[0];
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
         let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
@@ -170,10 +174,6 @@ for HeavyTop {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
         let x0 = phi_dot * sin_theta;
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
@@ -192,12 +192,12 @@ for HeavyTop {
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        let [i1, i2, i3, ..] = *prepared;
         let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
         ]);
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let [i1, i2, i3, ..] = *prepared;
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
         let x0 = i3 * w3;
         let x1 = phi_dot * sin_theta;
@@ -231,12 +231,12 @@ for HeavyTop {
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        let [i1, i2, i3, m, g, l, ..] = *prepared;
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
         ]);
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let [i1, i2, i3, m, g, l, ..] = *prepared;
         let x0 = theta_dot * sin_psi;
         let x1 = phi_dot * sin_theta;
         let w2 = cos_psi.mul_add(x1, -x0);
@@ -305,12 +305,12 @@ for HeavyTop {
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        let [_, _, _, _, _, _, c0, c1, c2, c3, c4, ..] = *prepared;
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
         ]);
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let [_, _, _, _, _, _, c0, c1, c2, c3, c4, ..] = *prepared;
         let x0 = phi_dot * cos_theta;
         let x1 = theta_dot * cos_psi;
         let x2 = phi_dot * sin_theta;
@@ -343,13 +343,13 @@ for HeavyTop {
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        let [phi_ddot, theta_ddot, psi_ddot] = accelerations.data.0[0];
-        let [i1, i2, i3, _, _, _, _, _, _, _, _, c5, c6] = *prepared;
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
         ]);
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let [phi_ddot, theta_ddot, psi_ddot] = accelerations.data.0[0];
+        let [i1, i2, i3, _, _, _, _, _, _, _, _, c5, c6] = *prepared;
         let x0 = theta_dot * sin_psi;
         let x1 = phi_dot * sin_theta;
         let w2 = cos_psi.mul_add(x1, -x0);
@@ -465,14 +465,14 @@ for HeavyTop {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> __S {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        let i1: __S = ::lagrangian::__private::parameter(self.i1);
-        let i2: __S = ::lagrangian::__private::parameter(self.i2);
-        let i3: __S = ::lagrangian::__private::parameter(self.i3);
         let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
         ]);
+        let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        let i1: __S = ::lagrangian::__private::parameter(self.i1);
+        let i2: __S = ::lagrangian::__private::parameter(self.i2);
+        let i3: __S = ::lagrangian::__private::parameter(self.i3);
         let x0 = phi_dot * sin_theta;
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);

@@ -134,15 +134,15 @@ for HeavyTop {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 13usize],
     ) -> __S {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
-        cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
+        let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
+        psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1]: [__S; 20usize];
         [_, theta, psi] = state.x.q.data.0[0];
-        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        [i1, i2, i3, m, g, l, ..] = *prepared;
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
         ]);
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [i1, i2, i3, m, g, l, ..] = *prepared;
         x0 = phi_dot * sin_theta;
         w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
@@ -160,9 +160,13 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> __S {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
-        cos_psi, sin_theta, cos_theta, x0, w2, w1, w3, x1]: [__S; 20usize];
+        let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
+        psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1]: [__S; 20usize];
         [_, theta, psi] = state.x.q.data.0[0];
+        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+            psi,
+            theta,
+        ]);
         [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         i1 = ::lagrangian::__private::parameter(self.i1);
         i2 = ::lagrangian::__private::parameter(self.i2);
@@ -170,10 +174,6 @@ for HeavyTop {
         m = ::lagrangian::__private::parameter(self.m);
         g = ::lagrangian::__private::parameter(self.g);
         l = ::lagrangian::__private::parameter(self.l);
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
         x0 = phi_dot * sin_theta;
         w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
@@ -191,15 +191,15 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_theta, cos_theta,
-        sin_psi, cos_psi, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
+        let [theta, psi, sin_theta, cos_theta, sin_psi, cos_psi, phi_dot, theta_dot,
+        psi_dot, i1, i2, i3, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
         [_, theta, psi] = state.x.q.data.0[0];
-        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        [i1, i2, i3, ..] = *prepared;
         ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
         ]);
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [i1, i2, i3, ..] = *prepared;
         w3 = phi_dot.mul_add(cos_theta, psi_dot);
         x0 = i3 * w3;
         x1 = phi_dot * sin_theta;
@@ -218,14 +218,14 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
-        let [theta, psi, i1, i2, i3, sin_theta, cos_theta, sin_psi, cos_psi, x0, x1, x2,
+        let [theta, psi, sin_theta, cos_theta, sin_psi, cos_psi, i1, i2, i3, x0, x1, x2,
         x3]: [__S; 13usize];
         [_, theta, psi] = state.x.q.data.0[0];
-        [i1, i2, i3, ..] = *prepared;
         ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
             psi,
         ]);
+        [i1, i2, i3, ..] = *prepared;
         x0 = i3 * cos_theta;
         x1 = cos_psi * cos_psi;
         x2 = sin_psi * sin_psi;
@@ -246,16 +246,16 @@ for HeavyTop {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, m, g, l, sin_psi,
-        cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3,
-        x9, x10, x11]: [__S; 30usize];
+        let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
+        psi_dot, i1, i2, i3, m, g, l, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3, x9,
+        x10, x11]: [__S; 30usize];
         [_, theta, psi] = state.x.q.data.0[0];
-        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        [i1, i2, i3, m, g, l, ..] = *prepared;
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
         ]);
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [i1, i2, i3, m, g, l, ..] = *prepared;
         x0 = theta_dot * sin_psi;
         x1 = phi_dot * sin_theta;
         w2 = cos_psi.mul_add(x1, -x0);
@@ -323,16 +323,16 @@ for HeavyTop {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, c0, c1, c2, c3, c4, sin_psi,
-        cos_psi, sin_theta, cos_theta, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
+        let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
+        psi_dot, c0, c1, c2, c3, c4, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
         ]: [__S; 24usize];
         [_, theta, psi] = state.x.q.data.0[0];
-        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        [_, _, _, _, _, _, c0, c1, c2, c3, c4, ..] = *prepared;
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
         ]);
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        [_, _, _, _, _, _, c0, c1, c2, c3, c4, ..] = *prepared;
         x0 = phi_dot * cos_theta;
         x1 = theta_dot * cos_psi;
         x2 = phi_dot * sin_theta;
@@ -895,17 +895,17 @@ for HeavyTop {
         state: &::lagrangian::State<__S, 3usize>,
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> __S {
-        let [theta, psi, phi_dot, theta_dot, psi_dot, i1, i2, i3, sin_psi, cos_psi,
-        sin_theta, cos_theta, x0, w2, w1, w3]: [__S; 16usize];
+        let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
+        psi_dot, i1, i2, i3, x0, w2, w1, w3]: [__S; 16usize];
         [_, theta, psi] = state.x.q.data.0[0];
-        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        i1 = ::lagrangian::__private::parameter(self.i1);
-        i2 = ::lagrangian::__private::parameter(self.i2);
-        i3 = ::lagrangian::__private::parameter(self.i3);
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
             theta,
         ]);
+        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
+        i1 = ::lagrangian::__private::parameter(self.i1);
+        i2 = ::lagrangian::__private::parameter(self.i2);
+        i3 = ::lagrangian::__private::parameter(self.i3);
         x0 = phi_dot * sin_theta;
         w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);

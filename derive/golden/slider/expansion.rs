@@ -141,9 +141,10 @@ for Slider {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let [_, k, weight, width, ..] = *prepared;
+        let [_, _, weight, width, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
+        let k: __S = prepared[1];
         let x0 = -k
             .mul_add(
                 x,
@@ -196,9 +197,10 @@ for Slider {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let [_, _, weight, _, c0, c1, c2, ..] = *prepared;
+        let [_, _, weight, _, c0, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
+        let [_, _, _, _, _, c1, c2, ..] = *prepared;
         let x0 = -(__S::from_f64(10.0)
             .mul_add(
                 self.__value_of_friction::<__S>(x_dot * c0, weight),
@@ -213,9 +215,10 @@ for Slider {
         accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let [m, k, weight, _, c0, _, _, c3] = *prepared;
+        let [_, _, weight, _, c0, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
+        let [m, k, _, _, _, _, _, c3] = *prepared;
         let x_ddot: __S = accelerations[0];
         ::lagrangian::__private::vector([
             m
@@ -241,12 +244,12 @@ for Slider {
     ) -> ::lagrangian::Linearization<__S, 1usize> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let k: __S = ::lagrangian::__private::parameter(self.k);
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
         let x0 = __S::from_f64(1.0) / width;
         let x1 = x_dot * x0;
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let k: __S = ::lagrangian::__private::parameter(self.k);
         let x2 = __S::from_f64(1.0) / m;
         let x3 = __S::ratio(1.0, 10.0)
             * (__S::from_f64(10.0)
@@ -328,8 +331,8 @@ impl Slider {
         arguments: [__S; 2usize],
     ) -> __S {
         let v: __S = arguments[0];
-        let load: __S = arguments[1];
         let x0 = v.sech();
+        let load: __S = arguments[1];
         load * (x0 * x0)
     }
     #[inline]

@@ -161,16 +161,16 @@ where
             if self.members[lane].is_some() {
                 continue;
             }
-            let Some(mut begun) = self.next() else {
+            let Some(begun) = self.next() else {
                 break;
             };
+            let begun = self.members[lane].insert(begun);
             let steppers = self.steppers.get_or_insert_with(|| {
                 let (dynamics, stepper) = (begun.member.dynamics(), begun.member.stepper());
                 let lanes = TaylorLanes::new(self.method, stepper.time(), stepper.state());
                 (lanes, dynamics.parameters())
             });
             begun.set(lane, steppers);
-            self.members[lane] = Some(begun);
         }
         self.park();
         self.members.iter().any(Option::is_some)
