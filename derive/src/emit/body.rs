@@ -114,7 +114,7 @@ impl<'a> Body<'a> {
         let (first, rest) = self.split_at_call(group, symbols, (&done, last_call));
         self.load_symbols(&first);
         if let Some(angles) = angles {
-            self.angles(group, angles);
+            self.angles(group, &angles);
         }
         if last_call.is_none() {
             self.load_symbols(&rest);
@@ -148,7 +148,7 @@ impl<'a> Body<'a> {
     }
 
     /// Computes these sines and cosines.
-    fn angles(&mut self, group: &OutputGroup, angles: Angles) {
+    fn angles(&mut self, group: &OutputGroup, angles: &Angles) {
         for index in angles.instructions() {
             self.load_operands(group.instructions[index].operation.operands());
         }
