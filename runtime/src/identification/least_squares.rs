@@ -84,8 +84,8 @@ impl<const B: usize> Identification<B> {
         self
     }
 
-    /// Adds the equations Y π = τ − r of one instant, where τ are the forces that act in addition to those of the
-    /// model.
+    /// Adds the equations Y π = τ − r of one instant, where τ are the forces that act in addition to the
+    /// model's own.
     pub fn add<M, const N: usize>(
         &mut self,
         model: &M,

@@ -222,6 +222,7 @@ where
             return Ok(());
         }
         let end = self.stepper.time();
+        // Nearly no step contains anything to visit, if no events are watched.
         if C::COUNT > 0 || self.waiting.next().is_some() {
             self.visit_events_until(end)?;
         }

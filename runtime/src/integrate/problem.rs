@@ -229,8 +229,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
 
 impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     /// Limits the number of steps, including rejected ones; in a [`Run`], the number for each call. At the limit the
-    /// integration ends with [`StopReason::StepLimit`](crate::StopReason::StepLimit). Without this setting, more than
-    /// 10⁸ steps are an error, [`TooManySteps`](crate::IntegrationError::TooManySteps).
+    /// integration ends with [`StopReason::StepLimit`](crate::StopReason::StepLimit). Without this setting, 10⁸ steps
+    /// that do not reach the end are an error, [`TooManySteps`](crate::IntegrationError::TooManySteps).
     pub fn max_steps(mut self, steps: u64) -> Self {
         self.limits.max_steps = Some(steps);
         self

@@ -4,8 +4,8 @@ use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use crate::limits::{MAX_TIME_SCALE, USABLE_TIME_SCALE};
 use crate::linalg::lane_select::{is_zero, one_if_zero};
-use crate::linalg::{ErrorTolerance, VectorSpace};
-use crate::scalar::Scalar;
+use crate::linalg::{ErrorTolerance, LaneStates, VectorSpace};
+use crate::scalar::{Lanes, Scalar};
 
 /// The tolerances of the error of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,4 +143,21 @@ pub(crate) fn squares_over_step<S: Scalar, X: VectorSpace<S>>(
 fn squares_one_by_one<S: Scalar, X: VectorSpace<S>>(vector: &X, allowed: &X) -> f64 {
     let ratios = ratios(vector, allowed, f64::INFINITY);
     ratios.fold(0.0, |sum, ratio| sum + ratio * ratio)
+}
+
+/// Returns the largest ratio of a component to its tolerance in each lane, given the reciprocals of the tolerances. The
+/// result is NaN if a component is not finite; components without a tolerance do not count.
+#[inline]
+pub(crate) fn largest_ratios<X: LaneStates<L>, const L: usize>(
+    vector: &X,
+    weights: &X,
+) -> Lanes<L> {
+    let mut largest = Lanes::from_f64(0.0);
+    let mut finite = Lanes::from_f64(0.0);
+    for (component, weight) in vector.components().zip(weights.components()) {
+        largest = Scalar::max(largest, component.abs() * weight);
+        // Adds 0, or NaN if the component is not finite.
+        finite += component * Lanes::from_f64(0.0);
+    }
+    largest + finite
 }

@@ -7,7 +7,7 @@ use super::law::{Law, LawStates as _};
 use crate::integrate::{EventDynamics, TaylorCoefficients};
 use crate::scalar::Scalar;
 
-/// Under the inputs that the law sets; where their series are not known, neither are those of the events.
+/// The inputs follow the law. Events have series if the inputs have series.
 impl<M, S, const N: usize, L> EventDynamics<S> for EquationsOfMotion<M, S, N, L>
 where
     M: Lagrangian<N, S, Model: Events<N, S>>,

@@ -190,8 +190,8 @@ fn descend<M, S, const N: usize>(
 }
 
 /// Returns the mass matrix without the rows and columns of velocities at which it is not finite, such as at rest for
-/// L = |q̇|^(3/2), and which velocities are regular. The removed rows and columns are replaced by those of the identity
-/// matrix.
+/// L = |q̇|^(3/2), and which velocities are regular. The removed rows and columns are replaced by rows and
+/// columns of the identity matrix.
 fn without_infinite<S: Scalar, const N: usize>(
     mass: &SMatrix<S, N, N>,
 ) -> (SMatrix<S, N, N>, SVector<S, N>) {

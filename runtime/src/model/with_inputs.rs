@@ -1,4 +1,4 @@
-//! Models under other inputs than those of their fields.
+//! Models whose inputs differ from their fields.
 
 use nalgebra::SVector;
 

@@ -336,3 +336,11 @@ fn a_steep_force_is_no_singularity_of_the_coordinates() {
     let x = [ComponentName::Coordinate("x"), ComponentName::Velocity("x")];
     assert!(named.is_some_and(|named| x.contains(&named)), "{error}");
 }
+
+#[test]
+fn an_error_of_a_setting_does_not_speak_of_a_solution() {
+    let error = Problem::new(&FALLING, State::new(0.0, [0.0; 2], [0.0; 2]))
+        .solve(1.0, Dop853::new().relative_tolerance(-1.0))
+        .unwrap_err();
+    assert_eq!(error.to_string(), error.error().to_string());
+}

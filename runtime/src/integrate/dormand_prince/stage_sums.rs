@@ -1,5 +1,5 @@
 //! The sums of stages, column by column. As soon as a stage is known, its multiples are added to the sums for all later
-//! stages, for the step and for the error, so that the stage is read while it is in registers.
+//! stages, for the step and for the error, so that each stage is loaded once.
 
 use super::STAGES;
 use super::coefficients::{FIFTH_ORDER_ERROR, MATRIX, THIRD_ORDER, WEIGHTS};

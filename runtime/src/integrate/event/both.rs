@@ -1,4 +1,4 @@
-//! Two lists of conditions and events that are numbered together: the numbers of the second list follow those of the
+//! Two lists of conditions and events that are numbered together: the second list is numbered after the
 //! first.
 
 use super::memory::Remembers;

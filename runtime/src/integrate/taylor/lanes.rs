@@ -4,14 +4,14 @@
 //! arrays: times, units of time, and which lanes still move. Lanes do not depend on each other, except that every
 //! series is computed as often as the lane that needs most requires.
 
+mod arrivals;
 mod checks;
 mod expansion;
 mod last_step;
 mod passage;
 mod projection;
 
-use expansion::largest_ratios;
-use passage::Arrivals;
+use arrivals::Arrivals;
 
 use super::coefficients::{TaylorCoefficients, number};
 use super::interpolant::difference;
@@ -20,7 +20,7 @@ use super::{Series, Taylor};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Statistics;
-use crate::integrate::tolerance::{Tolerance, time_scale};
+use crate::integrate::tolerance::{Tolerance, largest_ratios, time_scale};
 use crate::limits::taylor::{FIRST_UNIT, LANDING, MIN_STEP};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;

@@ -115,8 +115,8 @@ impl<const K: usize> DeclaredEvents<K> {
     }
 
     /// Returns the time of an event at a root, moved by rounding errors until its function has reached zero. Where
-    /// terms of the polynomial cancel, its rounding errors are larger than those of the function, and the zero of the
-    /// function counts. `None` if that is after the window.
+    /// terms of the polynomial cancel, it has larger rounding errors than the function, whose zero then
+    /// counts. `None` if that is after the window.
     fn time_of<S, D, T>(
         &mut self,
         event: usize,

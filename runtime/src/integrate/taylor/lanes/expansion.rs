@@ -5,7 +5,7 @@ use crate::integrate::binary_logarithm::{exp2_of_each, log2_of_each};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::step_size::reached;
-use crate::integrate::tolerance::Tolerance;
+use crate::integrate::tolerance::{Tolerance, largest_ratios};
 use crate::limits::taylor::{FIRST_UNIT, UNIT_CHANGE, UNIT_CHANGES, VELOCITY_TIMES};
 use crate::linalg::{ErrorTolerance, LaneStates};
 use crate::scalar::{Lanes, Scalar};
@@ -133,21 +133,4 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let tolerance = self.method.tolerance::<Lanes<L>>();
         tolerance.over(time_scale * Lanes::from_f64(VELOCITY_TIMES))
     }
-}
-
-/// Returns the largest ratio of a component to its tolerance in each lane, given the reciprocals of the tolerances. The
-/// result is NaN if a component is not finite; components without a tolerance do not count.
-#[inline]
-pub(super) fn largest_ratios<X: LaneStates<L>, const L: usize>(
-    vector: &X,
-    weights: &X,
-) -> Lanes<L> {
-    let mut largest = Lanes::from_f64(0.0);
-    let mut finite = Lanes::from_f64(0.0);
-    for (component, weight) in vector.components().zip(weights.components()) {
-        largest = Scalar::max(largest, component.abs() * weight);
-        // Adds 0, or NaN if the component is not finite.
-        finite += component * Lanes::from_f64(0.0);
-    }
-    largest + finite
 }

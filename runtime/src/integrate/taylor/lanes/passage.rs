@@ -1,8 +1,8 @@
 //! Steps of lanes that end at discontinuity surfaces, and motions that cannot leave them.
 
 use super::TaylorLanes;
+use super::arrivals::Arrivals;
 use super::checks::Verdict;
-use crate::integrate::compensated::Compensated;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::Crossing;
@@ -14,30 +14,6 @@ use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{BEFORE, MAX_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAGE, SHORTENING};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
-
-/// The ends of the steps of some lanes at discontinuity surfaces.
-pub(super) struct Arrivals<X, const L: usize> {
-    /// The times; `None` for a step that ends elsewhere.
-    time: [Option<f64>; L],
-    state: Compensated<X>,
-    /// The switching functions that are zero there.
-    function: [usize; L],
-    slides: [bool; L],
-}
-
-impl<X: LaneStates<L>, const L: usize> Arrivals<X, L> {
-    /// Returns the time at which the step of a lane ends at a surface.
-    pub(super) fn time(&self, lane: usize) -> Option<f64> {
-        self.time.get(lane).copied().flatten()
-    }
-
-    /// Copies the states of the lanes whose steps end at a surface.
-    pub(super) fn copy_to(&self, state: &mut Compensated<X>) {
-        for lane in (0..L).filter(|&lane| self.time[lane].is_some()) {
-            state.copy_lane(lane, &self.state);
-        }
-    }
-}
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Returns the fraction of the step of a lane that is to be tried next, with the component in which the polynomial

@@ -1,7 +1,7 @@
 //! Projection of the ends of steps of motions in lanes onto the manifold of the dynamics.
 
 use super::TaylorLanes;
-use super::passage::Arrivals;
+use super::arrivals::Arrivals;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::projected::{Projected, corrected};
 use crate::integrate::projection::Projection;
