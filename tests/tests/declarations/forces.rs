@@ -228,3 +228,28 @@ fn forces_on_velocities_give_power_with_them() {
         assert_close("power", &[power], &[torque.dot(&w)], 1e-13);
     }
 }
+
+/// A pendulum that nothing drives or slows down.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(theta),
+    kinetic = 0.5 * m * (l * dot(theta)).powi(2),
+    potential = -m * g * l * cos(theta),
+)]
+struct Free {
+    m: f64,
+    g: f64,
+    l: f64,
+}
+
+#[test]
+fn a_model_without_forces_has_zeros() {
+    let pendulum = Free {
+        m: 0.4,
+        g: 9.81,
+        l: 1.3,
+    };
+    let state: State<f64, 1> = State::new(0.3, [0.7], [1.1]);
+    assert_eq!(pendulum.generalized_forces(&state)[0].to_bits(), 0);
+    assert_eq!(pendulum.power(&state).to_bits(), 0);
+}
