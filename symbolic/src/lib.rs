@@ -31,6 +31,7 @@ pub use matrix::axis::Axis;
 pub use matrix::dense::Matrix;
 pub use matrix::ldlt::Ldlt;
 pub use mechanics::conservation::Conservation;
+pub use mechanics::constraints::{Constraint, ConstraintDefect, ConstraintEquations};
 pub use mechanics::coordinate_properties::CoordinateProperties;
 pub use mechanics::defects::Defect;
 pub use mechanics::energy_functions::EnergyFunctions;

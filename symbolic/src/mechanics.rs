@@ -2,6 +2,7 @@
 
 pub(crate) mod model;
 pub(crate) mod defects;
+pub(crate) mod constraints;
 pub(crate) mod lagrange;
 pub(crate) mod coordinate_properties;
 pub(crate) mod conservation;

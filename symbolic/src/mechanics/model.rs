@@ -1,5 +1,6 @@
 //! A mechanical system as declared: what comes into the derivation.
 
+use crate::mechanics::constraints::Constraint;
 use crate::{Expression, Graph, Symbol};
 
 /// The energies and forces of a system with `coordinates` degrees of freedom.
@@ -23,6 +24,8 @@ pub struct Model {
     pub dissipation: Expression,
     /// The declared generalized force of each coordinate.
     pub forces: Vec<Expression>,
+    /// What holds in every motion.
+    pub constraints: Vec<Constraint>,
     /// Quantities for observers.
     pub outputs: Vec<Expression>,
     /// The energies once more, with vectors that are resolved last; none where nothing turns.

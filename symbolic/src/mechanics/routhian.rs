@@ -119,6 +119,7 @@ impl Reduction {
             evaluated,
             dissipation: graph.zero(),
             forces: system.forces,
+            constraints: Vec::new(),
             outputs: Vec::new(),
             in_frames: None,
             graph,

@@ -157,6 +157,7 @@ impl Draft {
             evaluated: None,
             dissipation: zero,
             forces: vec![zero; self.coordinates as usize],
+            constraints: Vec::new(),
             outputs: Vec::new(),
             in_frames: None,
             graph,

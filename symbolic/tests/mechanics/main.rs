@@ -1,6 +1,7 @@
 //! Systems: Lagrange's equations, their solution, and what is known of a system symbolically.
 
 mod angular_velocities;
+mod constraints;
 mod dynamics;
 mod equations;
 mod pivots;

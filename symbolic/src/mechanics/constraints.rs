@@ -1,0 +1,305 @@
+//! Constraints, and the equations that they add to Lagrange's: with multipliers λ, M q̈ = f + Gᵀ λ and G q̈ + γ = 0.
+//!
+//! A holonomic constraint g(q, t) = 0 holds for the velocities as w = ġ = G q̇ + ∂g/∂t = 0, a nonholonomic one,
+//! w = A(q, t) q̇ + a(q, t) = 0, as it is declared, with G = A. From either follows G q̈ + γ = 0 with
+//! γ = (∂w/∂q) q̇ + ∂w/∂t (Whittaker, Analytical Dynamics, 1937, sections 25 and 87).
+//!
+//! What is wrong in every motion is decided exactly, by identity tests: relations that are not linear in the velocities, that
+//! restrict none, or that follow from others for all q, t and parameters. Rows that depend on each other only where the
+//! constraints hold, or for some parameters, are regular here.
+
+use crate::identity::identity_testing::IdentityTest;
+use crate::identity::modular_point::ModularPoint;
+use crate::identity::residue;
+use crate::identity::row_echelon::RowEchelon;
+use crate::{Expression, Graph, Model, Symbol};
+
+/// A relation that holds in every motion: an expression that is zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Constraint {
+    /// g(q, t) = 0.
+    Holonomic(Expression),
+    /// A(q, t) q̇ + a(q, t) = 0.
+    Nonholonomic(Expression),
+}
+
+/// The equations of the constraints of a model, the holonomic ones first.
+#[derive(Clone, Debug, Default)]
+pub struct ConstraintEquations {
+    /// The position of each in the declaration.
+    pub declared: Vec<usize>,
+    /// g of the holonomic constraints.
+    pub positions: Vec<Expression>,
+    /// w = G q̇ + a.
+    pub velocities: Vec<Expression>,
+    /// G, row by row.
+    pub jacobian: Vec<Vec<Expression>>,
+    /// γ in G q̈ + γ = 0.
+    pub rates: Vec<Expression>,
+}
+
+/// Why a model has no equations for its constraints. Constraints are counted as they are declared.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ConstraintDefect {
+    /// A holonomic constraint contains velocities.
+    Velocity(usize),
+    /// A constraint contains an input.
+    Input(usize),
+    /// A nonholonomic constraint is not linear in the velocities.
+    Nonlinear(usize),
+    /// A constraint restricts no velocity: it is no relation between coordinates, or none between velocities.
+    NoVelocity(usize),
+    /// A constraint restricts no other velocities than those before it, for all values of coordinates, time and
+    /// parameters.
+    Dependent {
+        /// The constraint.
+        constraint: usize,
+        /// The constraints from which it follows.
+        others: Vec<usize>,
+        /// Whether it contradicts them: then no motion fulfils all.
+        contradicts: bool,
+    },
+}
+
+impl Constraint {
+    /// The expression that is zero.
+    #[must_use]
+    pub const fn expression(self) -> Expression {
+        match self {
+            Self::Holonomic(expression) | Self::Nonholonomic(expression) => expression,
+        }
+    }
+}
+
+impl ConstraintEquations {
+    /// Derives the equations of the constraints of `model`.
+    ///
+    /// # Errors
+    ///
+    /// The first [`ConstraintDefect`].
+    pub fn derive(model: &mut Model) -> Result<Self, ConstraintDefect> {
+        let constraints = model.constraints.clone();
+        for (position, constraint) in constraints.iter().enumerate() {
+            check_symbols(&model.graph, position, *constraint)?;
+        }
+        let is_holonomic = |i: &usize| matches!(constraints[*i], Constraint::Holonomic(_));
+        let (mut declared, others): (Vec<_>, Vec<_>) =
+            (0..constraints.len()).partition(is_holonomic);
+        let expressions = declared.iter().map(|i| constraints[*i].expression());
+        let positions: Vec<_> = expressions.collect();
+        let graph = &mut model.graph;
+        let direction = graph.constant_velocity_direction(model.coordinates);
+        let mut velocities = graph.directional_derivatives(&positions, &direction);
+        velocities.extend(others.iter().map(|i| constraints[*i].expression()));
+        declared.extend(others);
+        let symbols: Vec<_> = (0..model.coordinates).map(Symbol::Velocity).collect();
+        let columns = graph.jacobian(&velocities, &symbols);
+        let rows = 0..velocities.len();
+        let jacobian = rows.map(|i| columns.iter().map(|column| column[i]).collect());
+        let equations = Self {
+            rates: graph.directional_derivatives(&velocities, &direction),
+            jacobian: jacobian.collect(),
+            declared,
+            positions,
+            velocities,
+        };
+        equations.check(model)?;
+        Ok(equations)
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.velocities.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.velocities.is_empty()
+    }
+
+    /// The constraints that are declared as nonholonomic and can be integrated, together with the holonomic ones: they restrict the
+    /// coordinates, and not the velocities alone.
+    ///
+    /// They are the largest set of declared relations ωⱼ = Aⱼ dq + aⱼ dt with dωⱼ = 0 for all displacements that the set
+    /// allows (the theorem of Frobenius: Bryant et al., Exterior Differential Systems, 1991, chapter II.1).
+    pub fn integrable(&self, model: &mut Model) -> Vec<usize> {
+        let forms = self.forms(model);
+        let holonomic = self.positions.len();
+        let mut set: Vec<_> = (0..self.len()).collect();
+        loop {
+            let kept: Vec<_> = set
+                .iter()
+                .copied()
+                .filter(|row| *row < holonomic || forms.is_closed_on(&model.graph, *row, &set))
+                .collect();
+            if kept.len() == set.len() {
+                let kept = kept.into_iter().filter(|row| *row >= holonomic);
+                return kept.map(|row| self.declared[row]).collect();
+            }
+            set = kept;
+        }
+    }
+
+    /// The relations as differential forms in (q, t), with their derivatives.
+    fn forms(&self, model: &mut Model) -> Forms {
+        let graph = &mut model.graph;
+        let zero = graph.zero();
+        let at_rest = (0..model.coordinates).map(|i| (Symbol::Velocity(i), zero));
+        let constant = graph.substitute(&self.velocities, &at_rest.collect());
+        let rows = self.jacobian.iter().zip(constant);
+        let coefficients: Vec<Vec<_>> = rows
+            .map(|(row, constant)| row.iter().copied().chain([constant]).collect())
+            .collect();
+        let mut symbols: Vec<_> = (0..model.coordinates).map(Symbol::Coordinate).collect();
+        symbols.push(Symbol::Time);
+        let derivatives = coefficients
+            .iter()
+            .map(|row| graph.jacobian(row, &symbols))
+            .collect();
+        Forms {
+            coefficients,
+            derivatives,
+        }
+    }
+
+    fn check(&self, model: &Model) -> Result<(), ConstraintDefect> {
+        let graph = &model.graph;
+        let entries = self.jacobian.concat();
+        for (row, declared) in self.jacobian.iter().zip(&self.declared) {
+            if (0..model.coordinates).any(|i| graph.depends_on(row, Symbol::Velocity(i))) {
+                return Err(ConstraintDefect::Nonlinear(*declared));
+            }
+            if graph.vanishes(row) {
+                return Err(ConstraintDefect::NoVelocity(*declared));
+            }
+        }
+        let test = IdentityTest::of(graph, &entries);
+        for row in 1..self.len() {
+            let before: Vec<_> = (0..row).collect();
+            if !self.depends(graph, test, row, &before, None) {
+                continue;
+            }
+            // Each that can be left out is not among those from which it follows.
+            let mut others = before;
+            for left_out in (0..row).rev() {
+                let fewer: Vec<_> = others.iter().copied().filter(|i| *i != left_out).collect();
+                if self.depends(graph, test, row, &fewer, None) {
+                    others = fewer;
+                }
+            }
+            let whole = [entries.as_slice(), &self.velocities].concat();
+            let of_velocities = IdentityTest::of(graph, &whole);
+            let is_known = self.depends(graph, of_velocities, row, &others, Some(&self.velocities));
+            return Err(ConstraintDefect::Dependent {
+                constraint: self.declared[row],
+                others: others.iter().map(|i| self.declared[*i]).collect(),
+                contradicts: !is_known,
+            });
+        }
+        Ok(())
+    }
+
+    /// Whether a row of G depends on others for all values of the symbols, as far as random points tell; with a column of further
+    /// values, the row with its value.
+    fn depends(
+        &self,
+        graph: &Graph,
+        test: IdentityTest,
+        row: usize,
+        others: &[usize],
+        column: Option<&[Expression]>,
+    ) -> bool {
+        let rows = others.iter().chain([&row]).map(|i| {
+            let further = column.map(|column| column[*i]);
+            let entries = self.jacobian[*i].iter().copied();
+            entries.chain(further).collect::<Vec<_>>()
+        });
+        let rows: Vec<_> = rows.collect();
+        let width = rows.first().map_or(0, Vec::len).max(1);
+        test.holds(|point: ModularPoint| {
+            let values = point.evaluate(graph, &rows.concat())?;
+            let mut echelon = RowEchelon::new(point.p());
+            let independent = values.chunks(width).map(|row| echelon.add(row.to_vec()));
+            // The last one is the row itself.
+            Some(!independent.last().unwrap_or(true))
+        })
+    }
+}
+
+/// What a constraint may contain.
+fn check_symbols(
+    graph: &Graph,
+    position: usize,
+    constraint: Constraint,
+) -> Result<(), ConstraintDefect> {
+    let symbols = graph.symbols(&[constraint.expression()]);
+    let contains = |kind: fn(&Symbol) -> bool| symbols.iter().any(kind);
+    if contains(|symbol| matches!(symbol, Symbol::Input(_))) {
+        return Err(ConstraintDefect::Input(position));
+    }
+    let has_velocity = contains(|symbol| matches!(symbol, Symbol::Velocity(_)));
+    if has_velocity && matches!(constraint, Constraint::Holonomic(_)) {
+        return Err(ConstraintDefect::Velocity(position));
+    }
+    Ok(())
+}
+
+/// Differential forms ωⱼ = Σ cⱼᵢ dxᵢ in x = (q, t).
+struct Forms {
+    /// cⱼᵢ, form by form.
+    coefficients: Vec<Vec<Expression>>,
+    /// ∂cⱼᵢ/∂xₖ, for each form by columns k.
+    derivatives: Vec<Vec<Vec<Expression>>>,
+}
+
+impl Forms {
+    /// Whether dω(u, v) = Σ ∂cᵢ/∂xₖ (uₖ vᵢ − vₖ uᵢ) vanishes for all u and v on which the forms of a set vanish.
+    fn is_closed_on(&self, graph: &Graph, form: usize, set: &[usize]) -> bool {
+        let width = self.coefficients.first().map_or(0, Vec::len);
+        let rows: Vec<_> = set.iter().map(|i| self.coefficients[*i].clone()).collect();
+        let columns = self.derivatives[form].concat();
+        let roots = [rows.concat(), columns].concat();
+        let test = IdentityTest::of(graph, &roots);
+        test.holds(|point: ModularPoint| {
+            let values = point.evaluate(graph, &roots)?;
+            let (rows, columns) = values.split_at(set.len() * width);
+            let p = point.p();
+            let basis = null_space(rows.chunks(width), width, p);
+            // (∂cᵢ/∂xₖ) stands in column k, row i.
+            let slope = |u: &[u64], v: &[u64]| {
+                let mut sum = 0;
+                for (column, u) in columns.chunks(width).zip(u) {
+                    for (entry, v) in column.iter().zip(v) {
+                        let product = residue::multiply(*entry, residue::multiply(*u, *v, p), p);
+                        sum = residue::add(sum, product, p);
+                    }
+                }
+                sum
+            };
+            let mut pairs = basis.iter().enumerate();
+            Some(pairs.all(|(i, u)| basis[..i].iter().all(|v| slope(u, v) == slope(v, u))))
+        })
+    }
+}
+
+/// A basis of the vectors on which rows vanish, modulo the prime p.
+fn null_space<'a>(rows: impl Iterator<Item = &'a [u64]>, width: usize, p: u64) -> Vec<Vec<u64>> {
+    let mut echelon = RowEchelon::new(p);
+    for row in rows {
+        echelon.add(row.to_vec());
+    }
+    let reduced = echelon.reduced();
+    let is_free = |column: &usize| reduced.iter().all(|(pivot, _)| pivot != column);
+    let free = (0..width).filter(is_free);
+    let vector = |column: usize| {
+        let mut vector = vec![0; width];
+        vector[column] = 1;
+        for (pivot, row) in &reduced {
+            vector[*pivot] = residue::negate(row[column], p);
+        }
+        vector
+    };
+    free.map(vector).collect()
+}
