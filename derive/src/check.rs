@@ -10,6 +10,7 @@ mod scalar;
 
 use std::collections::BTreeSet;
 
+use crate::defects::constraints::refuse_clauses;
 use crate::diagnostics::{Diagnostics, similar};
 use crate::plan::is_method;
 use crate::syntax::clauses::Clause;
@@ -27,6 +28,8 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_forces(declaration, diagnostics);
     check_outputs(declaration, diagnostics);
     check_events(declaration, diagnostics);
+    check_constraints(declaration, diagnostics);
+    refuse_clauses(declaration, diagnostics);
     parameter_lists::check(declaration, diagnostics);
     check_gravity(declaration, diagnostics);
     check_reduced_name(declaration, diagnostics);
@@ -134,6 +137,29 @@ fn check_events(declaration: &Declaration, diagnostics: &mut Diagnostics) {
                 event.name
             );
             diagnostics.error(&event.name, message);
+        }
+    }
+}
+
+/// Constraints of both kinds have names of their own.
+fn check_constraints(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let clauses = &declaration.clauses;
+    let (mut seen, mut families) = (BTreeSet::new(), BTreeSet::new());
+    for (is_holonomic, constraints) in
+        [(true, &clauses.constraints), (false, &clauses.nonholonomic)]
+    {
+        for constraint in constraints {
+            let name = unraw(&constraint.name);
+            let is_member = !constraint.indices.is_empty();
+            let member = is_member.then(|| (name.clone(), is_holonomic));
+            let is_known = member.is_some_and(|member| !families.insert(member));
+            if !is_known && !seen.insert(name) {
+                let message = format!(
+                    "the constraint `{}` is declared twice: give one of them another name",
+                    constraint.name
+                );
+                diagnostics.error(&constraint.name, message);
+            }
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Errors of the equations of motion, reported where the declaration can be corrected.
 
+pub(crate) mod constraints;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use lagrangian_symbolic::{
@@ -228,6 +230,7 @@ pub(crate) fn report(
             );
             report_at_energy(declaration, &message, diagnostics);
         }
+        Defect::Constraint(defect) => constraints::report(defect, lowered, model, diagnostics),
         Defect::MomentumOfInput(inputs) => {
             for i in inputs {
                 let name = &lowered.quantities.inputs[*i as usize].field;

@@ -8,6 +8,7 @@ mod constants_of_motion;
 mod inputs;
 mod outputs;
 mod events;
+mod constraints;
 mod requested;
 mod external_functions;
 mod routhian;
@@ -45,6 +46,8 @@ pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {
         emitter.constants(),
         emitter.system(),
         emitter.quantities(),
+        emitter.state_jacobian(),
+        emitter.constraints(),
         emitter.energies(),
         emitter.constants_of_motion(),
         emitter.inputs(),

@@ -10,6 +10,7 @@ mod hints;
 mod expression;
 mod energies;
 mod events;
+pub(crate) mod constraints;
 mod forces;
 mod at_rest;
 mod rest;
@@ -24,6 +25,7 @@ use syn::Expr;
 
 use crate::diagnostics::Diagnostics;
 use crate::lower::ablation::passes;
+use crate::lower::constraints::Constraints;
 use crate::lower::expression::{ExpressionContext, Lowerer};
 use crate::lower::in_frames::energies_in_frames;
 use crate::lower::quantities::Quantities;
@@ -43,6 +45,8 @@ pub(crate) struct Lowered {
     pub(crate) outputs: Vec<Shape>,
     /// The same of the events, which are outputs behind the others.
     pub(crate) events: Vec<Shape>,
+    /// The constraints, as far as they are free of errors.
+    pub(crate) constraints: Constraints,
     /// The bodies of kinetic energies, as their masses, with the components of their angular velocities.
     pub(crate) turning: Vec<(Expression, Vec<Expression>)>,
 }
@@ -65,6 +69,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         definitions: &declaration.clauses.definitions,
         defining: None,
         turning: Vec::new(),
+        known_constraints: None,
     };
     let parts = lowerer.parts(declaration);
     let complete = lowerer.diagnostics.is_empty() && lowerer.scope.unknown().next().is_none();
@@ -73,6 +78,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
     let events = parts.events.iter().map(shape).collect();
     let coordinates = lowerer.coordinates;
     let turning = mem::take(&mut lowerer.turning);
+    let constraints = lowerer.known_constraints.take().unwrap_or_default();
     let in_frames = (complete && lowerer.rotations > 0)
         .then(|| energies_in_frames(&mut lowerer, declaration))
         .flatten();
@@ -84,6 +90,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         evaluated: None,
         dissipation: parts.dissipation,
         forces: parts.forces,
+        constraints: constraints.components.clone(),
         outputs: components(&mut graph, &[parts.outputs, parts.events].concat()),
         in_frames,
         graph,
@@ -94,6 +101,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         quantities,
         outputs,
         events,
+        constraints,
         turning,
     }
 }
@@ -149,6 +157,7 @@ impl Lowerer<'_> {
         let lagrangian = self.total(&clauses.lagrangian);
         let dissipation = self.dissipation(&clauses.dissipation);
         let forces = self.forces(declaration);
+        self.known_constraints = self.constraints(clauses);
         let outputs = self.observed(&clauses.outputs, ExpressionContext::Observation);
         let events = self.observed(&clauses.events, ExpressionContext::Energy);
         self.check_events(&clauses.events, &events);
@@ -250,7 +259,7 @@ impl Lowerer<'_> {
     }
 
     /// Rejects a variable that shadows the name whose members it enumerates.
-    fn check_not_bound(&mut self, name: &Ident, iterations: &[ForClause]) -> Option<()> {
+    pub(super) fn check_not_bound(&mut self, name: &Ident, iterations: &[ForClause]) -> Option<()> {
         let hiding = iterations.iter().find(|iteration| iteration.index == *name);
         match hiding {
             None => Some(()),

@@ -2,6 +2,7 @@
 
 mod methods;
 mod method;
+mod constraint_methods;
 mod derivatives;
 mod outputs;
 mod by_columns;

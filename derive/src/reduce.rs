@@ -11,6 +11,7 @@ use proc_macro2::Ident;
 
 use crate::check::check;
 use crate::diagnostics::{Diagnostics, similar};
+use crate::lower::constraints::Constraints;
 use crate::lower::quantities::Quantities;
 use crate::lower::scope::Scope;
 use crate::lower::{Lowered, count};
@@ -67,6 +68,7 @@ impl ReducedDeclaration {
             scope: Scope::new(&reduced, &mut Graph::new()),
             quantities: Quantities::new(&reduced),
             outputs: retained(&clauses.outputs, &lowered.outputs),
+            constraints: Constraints::default(),
             events: retained(&clauses.events, &lowered.events),
             turning: Vec::new(),
         };

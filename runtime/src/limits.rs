@@ -24,6 +24,10 @@ pub(crate) const VANISHING_INERTIA: f64 = 1e-6;
 /// three offsets without a common period, so that not all of them meet the next zero of a sine.
 pub(crate) const REFERENCE_OFFSETS: [f64; 3] = [-1.0, 0.5, 1.0];
 
+/// The smallest ratio of a pivot of the mass matrix of a constrained model to its diagonal entry, below which the saddle point
+/// problem is factored with pivoting. By judgement: L D Lᵀ without pivoting loses at most as many digits as this has zeros.
+pub(crate) const MIN_STABLE_PIVOT: f64 = 1e-2;
+
 /// The number of right-hand sides that are solved together: a vector register of 256 bits holds this number of `f64`.
 pub(crate) const RIGHT_HAND_SIDES_AT_ONCE: usize = 4;
 
@@ -75,6 +79,19 @@ pub(crate) const USABLE_TIME_SCALE: f64 = 1e50;
 
 /// The projection of states onto the manifold on which equations hold.
 pub(crate) mod projection {
+    /// The iterations of Newton's method for the coordinates with the factors of the first: of a relative error e in a
+    /// state they leave e⁴, and of its derivatives e³.
+    pub(crate) const POSITION_SWEEPS: usize = 3;
+
+    /// The iterations for the velocities, in which constraints are linear, with the factors at the unprojected
+    /// coordinates.
+    pub(crate) const VELOCITY_SWEEPS: usize = 2;
+
+    /// The residual of a constraint that a projection may leave, in terms of its gradient times the state: 2⁻²⁶, the
+    /// square root of the machine epsilon, far above rounding errors and far below what a projection that does not
+    /// converge leaves.
+    pub(crate) const MAX_RESIDUAL: f64 = 1.490_116_119_384_765_6e-8;
+
     /// The largest move of the end of a step by a projection, in allowed errors. By judgement: an estimate of the error
     /// may be too small by some factor.
     pub(crate) const MAX_CORRECTION: f64 = 10.0;

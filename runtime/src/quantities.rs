@@ -18,6 +18,6 @@
 //! ```
 
 pub use crate::model::{
-    Energies, EnergyBalance, Events, Hamiltonian, Inputs, MembersInLanes, MotionSeries, Outputs,
-    Quantities, Regressor, RouthianSeries, Sensitivities,
+    Constraints, Energies, EnergyBalance, Events, Hamiltonian, Inputs, MembersInLanes,
+    MotionSeries, Outputs, Quantities, Regressor, RouthianSeries, Sensitivities, StateJacobian,
 };

@@ -59,8 +59,9 @@ pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, P
 pub use program::taylor::{Convolution, NoSeries, SeriesOutputs, TaylorProgram};
 pub use program::verify::Fault;
 pub use validation::{
-    AccelerationProgram, LinearizationProgram, Method, Programs, ReductionCheck, RequestedPrograms,
-    SensitivityProgram, SeriesCheck, Validator, ValueSeriesCheck,
+    AccelerationProgram, ConstraintPrograms, LinearizationProgram, Method, Programs,
+    ReductionCheck, RequestedPrograms, SensitivityProgram, SeriesCheck, Validator,
+    ValueSeriesCheck,
 };
 
 /// No part of the interface.

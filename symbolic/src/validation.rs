@@ -27,7 +27,8 @@ mod sum_with_size;
 mod tape;
 
 pub use programs::{
-    AccelerationProgram, LinearizationProgram, Method, Programs, SensitivityProgram,
+    AccelerationProgram, ConstraintPrograms, LinearizationProgram, Method, Programs,
+    SensitivityProgram,
 };
 pub use reduction_check::ReductionCheck;
 pub use requested_check::RequestedPrograms;

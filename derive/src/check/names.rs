@@ -6,9 +6,9 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
 use crate::plan::constants::{
-    CONSTANTS, CONSTANTS_OF_CONSERVATION, CONSTANTS_OF_EVENTS, CONSTANTS_OF_FUNCTIONS,
-    CONSTANTS_OF_INPUTS, CONSTANTS_OF_REDUCED_MODELS, CONSTANTS_OF_REGRESSORS,
-    CONSTANTS_OF_SENSITIVITIES, CONSTANTS_OF_SYSTEMS,
+    CONSTANTS, CONSTANTS_OF_CONSERVATION, CONSTANTS_OF_CONSTRAINTS, CONSTANTS_OF_EVENTS,
+    CONSTANTS_OF_FUNCTIONS, CONSTANTS_OF_INPUTS, CONSTANTS_OF_REDUCED_MODELS,
+    CONSTANTS_OF_REGRESSORS, CONSTANTS_OF_SENSITIVITIES, CONSTANTS_OF_SYSTEMS,
 };
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
@@ -66,7 +66,7 @@ pub(super) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Each coordinate, each input and each event becomes a constant of the type, beside those that are always there.
+/// Each coordinate, each input, each event and each constraint becomes a constant of the type, beside those that are always there.
 pub(super) fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let mut taken = constants(declaration);
     let coordinates = declaration.clauses.coordinates.iter();
@@ -75,10 +75,17 @@ pub(super) fn check_constants(declaration: &Declaration, diagnostics: &mut Diagn
     let inputs = inputs.map(|field| (&field.name, "input"));
     let events = declaration.clauses.events.iter();
     let events = events.map(|event| (&event.name, "event"));
-    for (name, quantity) in coordinates.chain(inputs).chain(events) {
+    let clauses = &declaration.clauses;
+    let constraints = [&clauses.constraints, &clauses.nonholonomic];
+    let constraints = constraints
+        .into_iter()
+        .flat_map(|all| first_of_families(all));
+    let constraints = constraints.map(|name| (name, "constraint"));
+    let named = coordinates.chain(inputs).chain(events).chain(constraints);
+    for (name, quantity) in named {
         let constant = constant_name(name);
         let kind = match quantity {
-            "event" => format!("the index of the event `{name}`"),
+            "event" | "constraint" => format!("the index of the {quantity} `{name}`"),
             _ => format!("the index of `{name}`"),
         };
         // The same name twice is reported as such.
@@ -98,8 +105,10 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
     let has_inputs = declaration.fields_with(Role::Input).next().is_some();
     let has_functions = !declaration.clauses.functions.is_empty();
     let has_events = !declaration.clauses.events.is_empty();
+    let clauses = &declaration.clauses;
+    let has_constraints = !clauses.constraints.is_empty() || !clauses.nonholonomic.is_empty();
     let every = "a constant of every model";
-    let all: [(&[&str], bool, &str); 9] = [
+    let all: [(&[&str], bool, &str); 10] = [
         (&CONSTANTS, true, every),
         (&CONSTANTS_OF_SYSTEMS, true, every),
         (
@@ -126,6 +135,11 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
             &CONSTANTS_OF_EVENTS,
             has_events,
             "a constant of every model with events",
+        ),
+        (
+            &CONSTANTS_OF_CONSTRAINTS,
+            has_constraints,
+            "a constant of every model with constraints",
         ),
         (
             &CONSTANTS_OF_SENSITIVITIES,

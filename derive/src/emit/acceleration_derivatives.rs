@@ -54,12 +54,15 @@ impl Columns for StateJacobian {
 impl Columns for OutputSlice {
     fn derivatives(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream) {
         let (statements, columns) = writer.compute(self);
-        (statements, writer.matrix(&columns))
+        let columns = writer.columns(&columns);
+        (statements, writer.emitter.rows_of_accelerations(&columns))
     }
 
     fn solved(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream) {
-        let (statements, columns) = self.derivatives(writer);
-        (statements, quote!(-factors.solve(&#columns)))
+        let (statements, columns) = writer.compute(self);
+        let columns = writer.columns(&columns);
+        let solved = quote!(-factors.solve(&#columns));
+        (statements, writer.emitter.rows_of_accelerations(&solved))
     }
 }
 
@@ -80,14 +83,15 @@ impl Writer<'_> {
                 let (_, accelerations) = self.compute(accelerations);
                 let accelerations = self.if_positive(&pivots, &accelerations);
                 let is_used = self.reads_accelerations() || !pivots.is_empty();
-                let accelerations = is_used.then(|| quote!(let accelerations = #accelerations;));
                 let (more, derivatives) = derivatives.derivatives(self);
                 let Some(residuals) = residuals else {
-                    let accelerations = accelerations.unwrap_or_default();
+                    let accelerations = is_used
+                        .then(|| self.emitter.parts_of_solution(&accelerations, &more))
+                        .unwrap_or_default();
                     return joined([statements, accelerations, more, derivatives]);
                 };
                 let (others, solved) = self.solved_beside(residuals);
-                let factors = self.factors_of_mass_matrix();
+                let factors = self.factors_by_methods();
                 let root = &self.emitter.declaration.root;
                 let value = quote! {
                     #root::__private::if_positive([#(#pivots),*], #derivatives, || {
@@ -95,8 +99,11 @@ impl Writer<'_> {
                         #solved
                     })
                 };
-                let accelerations = accelerations.unwrap_or_default();
-                joined([statements, accelerations, more, others, value])
+                let behind = joined([more, others, value]);
+                let accelerations = is_used
+                    .then(|| self.emitter.parts_of_solution(&accelerations, &behind))
+                    .unwrap_or_default();
+                joined([statements, accelerations, behind])
             }
             DerivativeOutputs::Numerical {
                 mass,
@@ -107,8 +114,10 @@ impl Writer<'_> {
                 let (_, forcing) = self.compute(forcing);
                 let forcing = self.vector(&forcing);
                 let (more, solved) = residuals.solved(self);
-                let accelerations = quote!(let accelerations = factors.solve(&#forcing););
-                joined([statements, factors, accelerations, more, solved])
+                let behind = joined([more, solved]);
+                let solution = quote!(factors.solve(&#forcing));
+                let accelerations = self.emitter.parts_of_solution(&solution, &behind);
+                joined([statements, factors, accelerations, behind])
             }
         }
     }
@@ -150,16 +159,19 @@ impl Writer<'_> {
             } => {
                 let (statements, pivots) = self.compute(pivots);
                 let (more, derivatives) = self.compute(derivatives);
-                let derivatives = self.matrix(&derivatives);
+                let derivatives = self.columns(&derivatives);
+                let derivatives = self.emitter.rows_of_accelerations(&derivatives);
                 let Some(residuals) = residuals else {
                     return joined([statements, more, derivatives]);
                 };
                 let (others, residuals) = self.compute(residuals);
-                let residuals = self.matrix(&residuals);
-                let factors = self.factors_of_mass_matrix();
+                let residuals = self.columns(&residuals);
+                let factors = self.factors_by_methods();
+                let solved = quote!(-#factors.solve(&#residuals));
+                let solved = self.emitter.rows_of_accelerations(&solved);
                 let value = quote! {
                     #root::__private::if_positive([#(#pivots),*], #derivatives, || {
-                        -#factors.solve(&#residuals)
+                        #solved
                     })
                 };
                 joined([statements, more, others, value])
@@ -167,8 +179,9 @@ impl Writer<'_> {
             InputJacobianOutputs::Numerical { mass, residuals } => {
                 let (statements, factors) = self.factors(mass);
                 let (more, residuals) = self.compute(residuals);
-                let residuals = self.matrix(&residuals);
+                let residuals = self.columns(&residuals);
                 let solved = quote!(-factors.solve(&#residuals));
+                let solved = self.emitter.rows_of_accelerations(&solved);
                 joined([statements, more, factors, solved])
             }
         }

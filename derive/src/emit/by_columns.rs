@@ -26,7 +26,7 @@ impl Writer<'_> {
     fn linearization_by_columns(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
         let accelerations = self.call(EmittedMethod::Accelerations);
-        let (factors, prepared) = (self.factors_of_mass_matrix(), self.prepared_on_duals());
+        let (factors, prepared) = (self.factors_by_methods(), self.prepared_on_duals());
         let function = self.inverse_dynamics_on_duals();
         quote! {
             let accelerations = #accelerations;
@@ -46,7 +46,7 @@ impl Writer<'_> {
     fn input_jacobian_by_columns(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
         let (n, dual) = (self.emitter.coordinates(), self.dual());
-        let (factors, prepared) = (self.factors_of_mass_matrix(), self.prepared_on_duals());
+        let (factors, prepared) = (self.factors_by_methods(), self.prepared_on_duals());
         let function = self.inverse_dynamics_on_duals();
         quote! {
             let factors = #factors;

@@ -33,6 +33,7 @@ impl Emitter<'_> {
         });
         let inputs = self.input_constants();
         let events = self.event_constants();
+        let constraints = self.constraint_constants();
         let conserved = self.conservation_constants();
         let requested = self.requested_constants();
         // A lifetime of the struct stands in its impl but once.
@@ -47,6 +48,7 @@ impl Emitter<'_> {
                 #(#indices)*
                 #inputs
                 #events
+                #constraints
                 #conserved
                 #requested
                 /// The equations of motion as they were derived, in lines of Unicode.
@@ -63,7 +65,10 @@ impl Emitter<'_> {
     fn operations(&self) -> TokenStream {
         let root = &self.declaration.root;
         let counts = self.methods.counted();
-        let counts = counts.map(|(_, method)| operation_count(&method.count));
+        let counts = counts.map(|(_, method)| {
+            let count = method.map(|method| method.count).unwrap_or_default();
+            operation_count(&count)
+        });
         quote!(#root::__private::operations([#(#counts),*]))
     }
 

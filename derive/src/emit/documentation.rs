@@ -35,7 +35,7 @@ pub(crate) fn of(emitter: &Emitter<'_>, equations: &str) -> String {
             square_roots,
             sines_and_cosines,
             functions,
-        } = method.count;
+        } = method.map(|method| method.count).unwrap_or_default();
         // Writing to a `String` does not fail.
         let _ = writeln!(
             text,
@@ -44,11 +44,11 @@ pub(crate) fn of(emitter: &Emitter<'_>, equations: &str) -> String {
         );
     }
     for (name, method) in emitter.methods.counted() {
-        if let MethodOutputs::ByColumns(columns) = method.outputs {
+        if let Some(MethodOutputs::ByColumns(columns)) = method.map(|method| &method.outputs) {
             let _ = writeln!(
                 text,
                 "\n`{name}` is computed column by column: {}.",
-                way(columns)
+                way(*columns)
             );
         }
     }

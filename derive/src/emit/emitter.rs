@@ -8,7 +8,9 @@ use super::signatures::Signatures;
 use crate::limits::MethodLimits;
 use crate::lower::Lowered;
 use crate::lower::quantities::Component;
-use crate::plan::{EmittedMethod, Methods, ParameterSource, PreparedArray, SeriesMethods};
+use crate::plan::{
+    EmittedMethod, Interface, Methods, ParameterSource, PreparedArray, SeriesMethods,
+};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::scalar::Scalar;
 
@@ -124,6 +126,7 @@ impl<'a> Emitter<'a> {
                 .sensitivities
                 .as_ref()
                 .map_or(0, |found| found.parameters.len()),
+            constraints: self.constraint_count(),
             base_parameters: base_parameters.to_token_stream(),
             prepared: quote!([#scalar; #length]),
         }
@@ -133,11 +136,12 @@ impl<'a> Emitter<'a> {
     pub(super) fn call(&self, method: EmittedMethod, source: ParameterSource) -> TokenStream {
         let row = method.row();
         let interface = self.signatures().interface(row.interface);
+        let quantities = self.signatures().interface(Interface::Quantities);
         let name = format_ident!("{}", row.name);
         let inputs = row.takes_inputs.then(|| quote!(, inputs));
         let prepared = row.takes_prepared().then(|| match source {
             ParameterSource::Prepared => quote!(, prepared),
-            ParameterSource::Fields => quote!(, &#interface::prepare(self)),
+            ParameterSource::Fields => quote!(, &#quantities::prepare(self)),
         });
         quote!(#interface::#name(self, state #inputs #prepared))
     }

@@ -3,6 +3,7 @@
 //! Code that uses the model then shows no errors of its own. Unresolved names are accessed as fields here, for
 //! rust-analyzer alone, which completes them to the names of fields.
 
+mod constraints;
 mod functions;
 mod inputs;
 mod observations;
@@ -22,8 +23,8 @@ use super::members_in_lanes::members_in_lanes;
 use super::signatures::Signatures;
 use crate::lower::Lowered;
 use crate::plan::constants::{
-    CONSTANTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS, CONSTANTS_OF_REGRESSORS,
-    CONSTANTS_OF_SENSITIVITIES,
+    CONSTANTS, CONSTANTS_OF_CONSTRAINTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS,
+    CONSTANTS_OF_REGRESSORS, CONSTANTS_OF_SENSITIVITIES,
 };
 use crate::plan::{EmittedMethod, Interface};
 use crate::syntax::coordinate::{Coordinate, indices};
@@ -64,6 +65,9 @@ impl<'a> Fallback<'a> {
         let mut taken: BTreeSet<String> = CONSTANTS.into_iter().map(str::to_owned).collect();
         if !lowered.events.is_empty() {
             taken.extend(CONSTANTS_OF_EVENTS.map(str::to_owned));
+        }
+        if lowered.constraints.len() > 0 {
+            taken.extend(CONSTANTS_OF_CONSTRAINTS.map(str::to_owned));
         }
         if !lowered.quantities.inputs.is_empty() {
             taken.extend(CONSTANTS_OF_INPUTS.map(str::to_owned));
@@ -111,6 +115,8 @@ impl<'a> Fallback<'a> {
             self.constants(),
             self.system(),
             self.quantities(),
+            self.state_jacobian(),
+            self.constraints(),
             self.energies(),
             self.inputs(),
             self.outputs(),
@@ -191,6 +197,7 @@ impl<'a> Fallback<'a> {
             }
         });
         let events = self.event_constants();
+        let constraints = self.constraint_constants();
         let requested = self.requested_constants();
         quote! {
             impl #generics #name #arguments #conditions {
@@ -201,6 +208,7 @@ impl<'a> Fallback<'a> {
                 #(#indices)*
                 #inputs
                 #events
+                #constraints
                 #requested
                 #mentions
             }
@@ -257,6 +265,11 @@ impl<'a> Fallback<'a> {
         self.implement(&path, Some(&self.scalar), &quote!(#items #methods))
     }
 
+    /// Also beside constraints: what is meant is not known.
+    fn state_jacobian(&self) -> TokenStream {
+        self.interface(Interface::StateJacobian, &TokenStream::new())
+    }
+
     /// The energies, also beside a `lagrangian`: what is meant is not known.
     fn energies(&self) -> TokenStream {
         self.interface(Interface::Energies, &TokenStream::new())
@@ -271,6 +284,7 @@ impl<'a> Fallback<'a> {
             dimension: self.dimension.clone(),
             inputs: self.lowered.quantities.inputs.len(),
             parameters: self.parameters().len(),
+            constraints: self.lowered.constraints.len(),
             base_parameters: requested::base_parameters().into_token_stream(),
             prepared: quote!([#scalar; 0]),
         }

@@ -39,7 +39,7 @@ impl<'a> Locals<'a> {
     pub(crate) fn new(graph: &'a Graph, scope: &Scope, quantities: &'a Quantities) -> Self {
         let taken = PARAMETERS
             .into_iter()
-            .chain(["self", "factors"])
+            .chain(["self", "factors", "multipliers"])
             .chain(SERIES);
         let mut definitions = BTreeMap::new();
         let mut is_named = vec![false; graph.len()];

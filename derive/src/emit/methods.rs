@@ -8,7 +8,7 @@ use super::emitter::Emitter;
 use super::members_in_lanes::members_in_lanes;
 use super::parameters::marked_if_unused;
 use crate::limits::COSTLIEST_INLINED_ACCELERATIONS;
-use crate::plan::{EmittedMethod, Interface, Method, MethodOutputs, MethodRow, ResultType};
+use crate::plan::{EmittedMethod, Interface, Method, MethodOutputs, ResultType};
 
 impl Emitter<'_> {
     /// The impls of `Quantities`, and of `Lagrangian`, whose methods evaluate them.
@@ -19,9 +19,11 @@ impl Emitter<'_> {
         let inputs = self.signatures().inputs();
         let components = &self.lowered.quantities.inputs;
         let values = components.iter().map(|input| self.read(input));
+        let projection = self.projection();
         let items = quote! {
             type Inputs = #inputs;
             fn inputs(&self) -> #inputs { #root::__private::vector([#(#values),*]) }
+            #projection
         };
         let quantities = self.interface(Interface::Quantities, items);
         let lagrangian = self.implement(
@@ -46,21 +48,29 @@ impl Emitter<'_> {
     pub(super) fn interface(&self, interface: Interface, mut items: TokenStream) -> TokenStream {
         let methods = self.methods.all();
         let methods = methods.filter(|(emitted, method)| !is_provided(*emitted, method));
-        let methods = methods.map(|(emitted, method)| (emitted.row(), method));
-        for (row, method) in methods.filter(|(row, _)| row.interface == interface) {
+        for (emitted, method) in methods {
+            let row = emitted.row();
+            if row.interface != interface {
+                continue;
+            }
             if row.result == ResultType::Prepared {
-                items.extend(self.method(row, &self.prepared.method(method)));
+                items.extend(self.method(emitted, &self.prepared.method(method)));
             } else {
-                items.extend(self.method(row, method));
+                items.extend(self.method(emitted, method));
             }
         }
         self.implement(&self.signatures().interface(interface), &items)
     }
 
     /// The emitted function of one row, with its body.
-    fn method(&self, row: MethodRow, method: &Method) -> TokenStream {
-        let signatures = self.signatures();
-        let body = self.body(method, row.parameters, &[]);
+    fn method(&self, emitted: EmittedMethod, method: &Method) -> TokenStream {
+        let (row, signatures) = (emitted.row(), self.signatures());
+        let body = if emitted == EmittedMethod::Accelerations && self.is_constrained() {
+            let both = self.call(EmittedMethod::AccelerationsAndMultipliers, row.parameters);
+            quote!(#both.0)
+        } else {
+            self.body(method, row.parameters, &[])
+        };
         let (name, state) = (format_ident!("{}", row.name), signatures.state());
         let output = signatures.result(row.result);
         let state = row.takes_state().then(|| quote!(state: #state,));

@@ -40,7 +40,7 @@ impl SymbolReader for ModelSymbols<'_> {
             Symbol::Time => quote!(state.t),
             Symbol::Coordinate(i) => element(&quote!(state.x.q), i),
             Symbol::Velocity(i) => element(&quote!(state.x.v), i),
-            Symbol::Acceleration(i) => element(&quote!(accelerations), i),
+            Symbol::Acceleration(i) => unknown(i, self.emitter.coordinates()),
             Symbol::RightHandSide(i) => element(&quote!(momenta), i),
             Symbol::Parameter(i) => field(&quantities.parameters, i),
             Symbol::Input(i) => element(&quote!(inputs), i),
@@ -79,7 +79,7 @@ impl SymbolReader for ModelSymbols<'_> {
         let (vector, length, index) = match symbol {
             Symbol::Coordinate(i) => (quote!(state.x.q), n, i),
             Symbol::Velocity(i) => (quote!(state.x.v), n, i),
-            Symbol::Acceleration(i) => (quote!(accelerations), n, i),
+            Symbol::Acceleration(i) if (i as usize) < n => (quote!(accelerations), n, i),
             Symbol::RightHandSide(i) => (quote!(momenta), n, i),
             Symbol::Input(i) => (quote!(inputs), self.emitter.model.inputs as usize, i),
             _ => return None,
@@ -89,6 +89,19 @@ impl SymbolReader for ModelSymbols<'_> {
             length,
             index: index as usize,
         })
+    }
+}
+
+/// The tokens of an acceleration, or of a multiplier behind those.
+pub(super) fn unknown(index: u32, coordinates: usize) -> TokenStream {
+    let multiplier = usize::try_from(index).ok();
+    let multiplier = multiplier.and_then(|index| index.checked_sub(coordinates));
+    match multiplier {
+        Some(index) => {
+            let index = Literal::usize_unsuffixed(index);
+            quote!(multipliers[#index])
+        }
+        None => element(&quote!(accelerations), index),
     }
 }
 

@@ -17,6 +17,8 @@ pub(crate) struct Signatures<'a> {
     pub(crate) inputs: usize,
     /// By how many parameters accelerations are differentiated.
     pub(crate) parameters: usize,
+    /// How many constraints there are.
+    pub(crate) constraints: usize,
     /// How many base parameters there are.
     pub(crate) base_parameters: TokenStream,
     /// The type of the prepared array.
@@ -65,6 +67,7 @@ impl Signatures<'_> {
             inputs: u,
             prepared,
             parameters: p,
+            constraints: c,
             base_parameters: b,
         } = self;
         match result {
@@ -79,6 +82,12 @@ impl Signatures<'_> {
             ResultType::ParameterMatrix => quote!(#root::__private::SMatrix<#scalar, #n, #p>),
             ResultType::Regressor => quote!(#root::__private::SMatrix<#scalar, #n, #b>),
             ResultType::BaseParameters => quote!(#root::__private::SVector<#scalar, #b>),
+            ResultType::ConstraintVector => quote!(#root::__private::SVector<#scalar, #c>),
+            ResultType::ConstraintJacobian => quote!(#root::__private::SMatrix<#scalar, #c, #n>),
+            ResultType::AccelerationsAndMultipliers => {
+                let accelerations = self.vector();
+                quote!((#accelerations, #root::__private::SVector<#scalar, #c>))
+            }
         }
     }
 
@@ -106,11 +115,14 @@ impl Signatures<'_> {
             dimension: n,
             inputs: u,
             parameters: p,
+            constraints: c,
             base_parameters: b,
             ..
         } = self;
         let (name, counts) = match interface {
             Interface::Quantities => ("Quantities", quote!(#n)),
+            Interface::StateJacobian => ("StateJacobian", quote!(#n)),
+            Interface::Constraints => ("Constraints", quote!(#n, #c)),
             Interface::Energies => ("Energies", quote!(#n)),
             Interface::Inputs => ("Inputs", quote!(#n, #u)),
             Interface::Outputs => ("Outputs", quote!(#n)),

@@ -10,9 +10,9 @@ use quote::quote;
 use super::body::{Body, SymbolReader};
 use super::emitter::Emitter;
 use super::locals::Locals;
-use super::model_symbols::element;
+use super::model_symbols::{element, unknown};
 use super::printed_names::printed_names;
-use super::writer::Writer;
+use super::writer::{Writer, joined};
 use crate::limits::MAX_SWITCHING_FUNCTION_LENGTH;
 use crate::plan::{AccelerationOutputs, BranchSeries, ParameterSource, Rates, TaylorMethod};
 
@@ -23,8 +23,8 @@ const REGISTER: usize = 4;
 /// done for each pair of a block. Blocks of 32 were functions that are called; ten links took twice the time.
 const MAX_BLOCK: usize = 24;
 
-/// Reads the symbols of the recurrence for the terms of order k.
-struct TermSymbols;
+/// Reads the symbols of the recurrence for the terms of order k, in a model with so many coordinates.
+struct TermSymbols(usize);
 
 impl SymbolReader for TermSymbols {
     fn read(&self, symbol: Symbol) -> TokenStream {
@@ -33,7 +33,7 @@ impl SymbolReader for TermSymbols {
             Symbol::Coordinate(i) => element(&quote!(term.q), i),
             Symbol::Velocity(i) | Symbol::QuasiVelocity(i) => element(&quote!(term.v), i),
             Symbol::Input(i) => element(&quote!(term_of_inputs), i),
-            Symbol::Acceleration(i) => element(&quote!(accelerations), i),
+            Symbol::Acceleration(i) => unknown(i, self.0),
             Symbol::Order => quote!(term.order),
             Symbol::ReciprocalOrder => quote!(term.reciprocal_order),
             Symbol::Convolution(i) => element(&quote!(term.convolutions), i),
@@ -139,9 +139,16 @@ impl Emitter<'_> {
             let pairs = pairs.into_iter().map(indices_of);
             let count = invariants.len();
             let next_inputs = self.next_inputs();
+            let is_solution = matches!(method.rates, Rates::Accelerations(_));
+            let parts = if is_solution {
+                let readers = quote!(#more accelerations);
+                self.parts_of_solution(&rates, &readers)
+            } else {
+                quote!(let accelerations = #rates;)
+            };
             quote! {
                 #statements
-                let accelerations = #rates;
+                #parts
                 #more
                 let invariants: [#scalar; #count] = [#(#invariants),*];
                 #root::__private::#expansion::<_, #n, #of_variables #factors, #count_of_pairs, #lanes, HALF>(
@@ -156,7 +163,7 @@ impl Emitter<'_> {
     fn term(&self, method: &TaylorMethod, writer: &Writer<'_>) -> TokenStream {
         let [(statements, computed), (more, factors)] = self.recurrence(&method.program);
         let vector = writer.vector(&computed);
-        let accelerations = match &method.rates {
+        let solution = match &method.rates {
             Rates::Accelerations(AccelerationOutputs::Symbolic { .. }) => vector,
             Rates::Accelerations(AccelerationOutputs::Numerical { .. }) => {
                 quote!(factors.solve(&#vector))
@@ -167,12 +174,12 @@ impl Emitter<'_> {
                 return quote!(#statements #more (#velocities, #rates, [#(#factors),*]));
             }
         };
-        quote! {
-            #statements
-            let accelerations = #accelerations;
+        let behind = quote! {
             #more
             (accelerations, [#(#factors),*])
-        }
+        };
+        let parts = self.parts_of_solution(&solution, &behind);
+        joined([statements, parts, behind])
     }
 
     /// The statements and the results of the two groups of a recurrence.
@@ -185,7 +192,7 @@ impl Emitter<'_> {
             &self.lowered.scope,
             &self.lowered.quantities,
         );
-        let symbols = TermSymbols;
+        let symbols = TermSymbols(self.coordinates());
         let mut body = Body::new(
             &taylor.recurrence,
             self.model.graph.passes,

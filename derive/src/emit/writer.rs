@@ -5,6 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::body::Body;
+use super::constraints::pattern_of_parts;
 use super::emitter::Emitter;
 use super::item_names::{outputs_name, value_name};
 use super::locals::Locals;
@@ -92,7 +93,7 @@ impl Writer<'_> {
         match &method.outputs {
             MethodOutputs::Scalar(value) => {
                 let (statements, value) = self.compute(value);
-                joined([statements].into_iter().chain(value))
+                self.behind_accelerations(joined([statements].into_iter().chain(value)))
             }
             MethodOutputs::Vector(vector) => {
                 let (statements, elements) = self.compute(vector);
@@ -104,13 +105,21 @@ impl Writer<'_> {
                 let matrix = self.matrix(&elements);
                 joined([statements, matrix])
             }
+            MethodOutputs::ConstraintJacobian(columns) => {
+                let (statements, elements) = self.compute(columns);
+                let matrix = self.matrix_of(&elements, self.emitter.constraint_count());
+                joined([statements, matrix])
+            }
             MethodOutputs::Invariants(values) | MethodOutputs::Events(values) => {
                 let (statements, values) = self.compute(values);
-                joined([statements, quote!([#(#values),*])])
+                self.behind_accelerations(joined([statements, quote!([#(#values),*])]))
             }
             MethodOutputs::Accelerations(outputs) => {
-                let (statements, accelerations) = self.accelerations(outputs);
-                joined([statements, accelerations])
+                let (statements, solution) = self.accelerations(outputs);
+                if self.emitter.is_constrained() {
+                    return joined([statements, self.emitter.split(&solution)]);
+                }
+                joined([statements, solution])
             }
             MethodOutputs::Linearization(outputs) => self.acceleration_derivatives(outputs),
             MethodOutputs::InputJacobian(outputs) => self.input_jacobian(outputs),
@@ -148,7 +157,8 @@ impl Writer<'_> {
         (statements, slice.of(&self.computed).to_vec())
     }
 
-    /// The statements before the accelerations, and the accelerations.
+    /// The statements before the solution of the equations of motion, and the solution: the accelerations, and with constraints
+    /// the multipliers behind.
     pub(super) fn accelerations(
         &mut self,
         outputs: &AccelerationOutputs,
@@ -174,7 +184,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Accelerations that hold where all pivots are positive; elsewhere M is factored numerically.
+    /// A solution that holds where all pivots are positive; elsewhere the matrix is factored numerically.
     pub(super) fn if_positive(
         &self,
         pivots: &[TokenStream],
@@ -185,19 +195,18 @@ impl Writer<'_> {
         if pivots.is_empty() {
             return accelerations;
         }
-        let factors = self.factors_of_mass_matrix();
-        let forcing = self.call(EmittedMethod::Forcing);
+        let factors = self.factors_by_methods();
+        let right = self.emitter.right_hand_side(self.parameters);
         quote! {
             #root::__private::if_positive([#(#pivots),*], #accelerations, || {
-                #factors.solve(&#forcing)
+                #factors.solve(&#right)
             })
         }
     }
 
-    pub(super) fn factors_of_mass_matrix(&self) -> TokenStream {
-        let root = &self.emitter.declaration.root;
-        let mass = self.call(EmittedMethod::MassMatrix);
-        quote!(#root::Factorization::new(#mass))
+    /// The factors of M, or of the saddle point problem, by other methods.
+    pub(super) fn factors_by_methods(&self) -> TokenStream {
+        self.emitter.factors(self.parameters)
     }
 
     /// A call of another method at the same state and inputs.
@@ -237,7 +246,7 @@ impl Writer<'_> {
         if positive.is_empty() {
             return quote!(#statements #more #relative);
         }
-        let factors = self.factors_of_mass_matrix();
+        let factors = self.factors_by_methods();
         quote! {
             #statements #more
             #root::__private::if_positive([#(#positive),*], #relative, || {
@@ -246,29 +255,46 @@ impl Writer<'_> {
         }
     }
 
-    /// Factors M, of which a program computes the lower triangle.
+    /// Factors M, or the matrix of the saddle point problem, of which a program computes the lower triangle.
     pub(super) fn factors(&mut self, mass: &LowerTriangle) -> (TokenStream, TokenStream) {
         let root = &self.emitter.declaration.root;
         let functions = self.emitter.scalar.functions();
         let zero = quote!(#functions::from_f64(0.0));
-        let n = self.emitter.coordinates();
+        let n = self.emitter.unknowns();
         let (statements, lower) = self.compute(&mass.0);
         let entries = (0..n).flat_map(|column| (0..n).map(move |row| (row, column)));
         let entries = entries.map(|(row, column)| {
             let entry = lower.get(LowerTriangle::position(row, column));
             entry.filter(|_| row >= column).unwrap_or(&zero).clone()
         });
-        let mass = self.matrix(&entries.collect::<Vec<_>>());
-        let factors = quote!(let factors = #root::Factorization::new(#mass););
-        (statements, factors)
+        let matrix = self.matrix_of(&entries.collect::<Vec<_>>(), n);
+        let factors = if self.emitter.is_constrained() {
+            let coordinates = self.emitter.coordinates();
+            quote!(#root::__private::saddle_point_factors(#matrix, #coordinates))
+        } else {
+            quote!(#root::Factorization::new(#matrix))
+        };
+        (statements, quote!(let factors = #factors;))
+    }
+
+    /// Statements that may read accelerations and multipliers, behind the call that computes them.
+    fn behind_accelerations(&self, statements: TokenStream) -> TokenStream {
+        if !self.reads_accelerations() {
+            return statements;
+        }
+        let call = if self.emitter.is_constrained() {
+            let pattern = pattern_of_parts(&statements);
+            let both = self.call(EmittedMethod::AccelerationsAndMultipliers);
+            quote!(let #pattern = #both;)
+        } else {
+            let accelerations = self.call(EmittedMethod::Accelerations);
+            quote!(let accelerations = #accelerations;)
+        };
+        joined([call, statements])
     }
 
     /// The struct of the declared outputs.
     fn declared_outputs(&mut self, outputs: &[(Shape, OutputSlice)]) -> TokenStream {
-        let accelerations = self.reads_accelerations().then(|| {
-            let accelerations = self.call(EmittedMethod::Accelerations);
-            quote!(let accelerations = #accelerations;)
-        });
         let mut statements = TokenStream::new();
         let mut fields = Vec::with_capacity(outputs.len());
         let declaration = self.emitter.declaration;
@@ -279,7 +305,7 @@ impl Writer<'_> {
             fields.push(quote!(#name: #value));
         }
         let results = outputs_name(declaration);
-        quote!(#accelerations #statements #results { #(#fields),* })
+        self.behind_accelerations(quote!(#statements #results { #(#fields),* }))
     }
 
     /// A value from its components.
@@ -294,6 +320,11 @@ impl Writer<'_> {
     pub(super) fn vector(&self, elements: &[TokenStream]) -> TokenStream {
         let root = &self.emitter.declaration.root;
         quote!(#root::__private::vector([#(#elements),*]))
+    }
+
+    /// A matrix with a row for each unknown, from its elements, column by column.
+    pub(super) fn columns(&self, elements: &[TokenStream]) -> TokenStream {
+        self.matrix_of(elements, self.emitter.unknowns())
     }
 
     /// A matrix with a row for each coordinate, from its elements, column by column.

@@ -82,7 +82,7 @@ pub(super) fn functions() -> impl Iterator<Item = &'static str> {
         .chain(OF_ROTATIONS)
         .chain(OF_BODIES)
         .chain(OF_BLOCKS.map(|(name, _)| name))
-        .chain(["vector"])
+        .chain(["vector", "reaction"])
 }
 
 /// Those of scalars.

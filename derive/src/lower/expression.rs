@@ -16,6 +16,7 @@ mod derivative;
 mod repetition;
 mod rotation;
 
+pub(crate) use component::base_and_indices;
 use lagrangian_symbolic::{Expression, Graph, Rational};
 use proc_macro2::Ident;
 use quote::ToTokens;
@@ -24,6 +25,7 @@ use syn::{Expr, ExprLit, ExprUnary, Lit, Stmt, UnOp};
 use crate::diagnostics::Diagnostics;
 use crate::limits::in_range;
 use crate::lower::builtins;
+use crate::lower::constraints::Constraints;
 use crate::lower::hints;
 use crate::lower::rest::Rest;
 use crate::lower::scope::{Binding, Origin, Scope};
@@ -62,6 +64,8 @@ pub(crate) struct Lowerer<'a> {
     pub(crate) defining: Option<(Ident, Vec<usize>)>,
     /// The bodies whose kinetic energies were lowered, as their masses, with their angular velocities.
     pub(crate) turning: Vec<(Expression, Vec<Expression>)>,
+    /// The constraints, whose reactions outputs and events may contain; none while they are not known.
+    pub(crate) known_constraints: Option<Constraints>,
 }
 
 impl Lowerer<'_> {

@@ -201,7 +201,10 @@ impl Quantities {
             Symbol::Time => "t".to_owned(),
             Symbol::Coordinate(i) => coordinate(i, ""),
             Symbol::Velocity(i) => coordinate(i, "_dot"),
-            Symbol::Acceleration(i) => coordinate(i, "_ddot"),
+            Symbol::Acceleration(i) => match (i as usize).checked_sub(self.coordinates.len()) {
+                Some(multiplier) => format!("lambda{multiplier}"),
+                None => coordinate(i, "_ddot"),
+            },
             Symbol::Parameter(i) => component(&self.parameters, i),
             Symbol::Input(i) => component(&self.inputs, i),
             Symbol::Invariant(i) => format!("c{i}"),

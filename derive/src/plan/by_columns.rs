@@ -30,6 +30,7 @@ impl ByColumns {
             mass: graph.cost(&mass) > limits.costliest_mass_matrix
                 && mass.iter().all(|entry| is_constant(*entry)),
             derivatives: requested.is_on_every_scalar
+                && kinetics.constraints.is_empty()
                 && graph.functions().next().is_none()
                 && columns.saturating_mul(graph.cost(&kinetics.inverse_dynamics))
                     > limits.costliest_derivatives,

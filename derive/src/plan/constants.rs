@@ -31,3 +31,5 @@ pub(crate) const CONSTANTS_OF_REGRESSORS: [&str; 2] = ["BASE_PARAMETERS", "WITHO
 pub(crate) const CONSTANTS_OF_REDUCED_MODELS: [&str; 1] = ["ELIMINATED"];
 /// The constants of a model with events.
 pub(crate) const CONSTANTS_OF_EVENTS: [&str; 1] = ["EVENTS"];
+/// The constants of a model with constraints.
+pub(crate) const CONSTANTS_OF_CONSTRAINTS: [&str; 1] = ["CONSTRAINTS"];

@@ -13,6 +13,8 @@ pub(super) struct Derivatives {
     outputs: MethodOutputs,
     /// How many right-hand sides are solved for numerically, if they are.
     right_hand_sides: Option<usize>,
+    /// How many unknowns there are: the accelerations and the multipliers.
+    unknowns: usize,
 }
 
 impl Derivatives {
@@ -72,6 +74,7 @@ impl Derivatives {
                     residuals,
                 }),
                 right_hand_sides: None,
+                unknowns: kinetics.system.forcing.len(),
             };
         }
         let residuals = kinetics.system_derivatives(&mut model.graph, symbols);
@@ -88,6 +91,7 @@ impl Derivatives {
                 residuals,
             }),
             right_hand_sides: Some(symbols.len() + 1),
+            unknowns: kinetics.system.forcing.len(),
         }
     }
 
@@ -112,6 +116,7 @@ impl Derivatives {
                     residuals,
                 }),
                 right_hand_sides: None,
+                unknowns: kinetics.system.forcing.len(),
             };
         }
         let residuals = kinetics.system_derivatives(&mut model.graph, &symbols);
@@ -126,13 +131,14 @@ impl Derivatives {
                 residuals,
             }),
             right_hand_sides: Some(symbols.len()),
+            unknowns: kinetics.system.forcing.len(),
         }
     }
 
     pub(super) fn schedule(self, model: &Model) -> Method {
         let method = Method::schedule(model, &self.layout, self.outputs);
         match self.right_hand_sides {
-            Some(count) => method.with_solution(model.coordinates as usize, count),
+            Some(count) => method.with_solution(self.unknowns, count),
             None => method,
         }
     }
@@ -162,10 +168,11 @@ fn residuals_beside(
     can_fail.then(|| kinetics.residual_derivatives(&mut model.graph, symbols, &beside))
 }
 
-/// Expressions with zero accelerations.
+/// Expressions with zero accelerations and multipliers.
 fn without_accelerations(model: &mut Model, roots: &[Expression]) -> Vec<Expression> {
     let zero = model.graph.zero();
-    let rest = (0..model.coordinates).map(|i| (Symbol::Acceleration(i), zero));
+    let unknowns = model.coordinates + u32::try_from(model.constraints.len()).unwrap_or(u32::MAX);
+    let rest = (0..unknowns).map(|i| (Symbol::Acceleration(i), zero));
     model.graph.substitute(roots, &rest.collect())
 }
 

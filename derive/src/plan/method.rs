@@ -59,7 +59,7 @@ impl Method {
             program: kernel,
         };
         let accelerations = if is_numerical {
-            accelerations.with_solution(model.coordinates as usize, 1)
+            accelerations.with_solution(kinetics.system.forcing.len(), 1)
         } else {
             accelerations
         };

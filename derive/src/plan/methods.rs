@@ -3,6 +3,7 @@
 use lagrangian_symbolic::{Equations, Expression, Kinetics, Model, Rational, SolvedForm};
 
 use super::by_columns::ByColumns;
+use super::constraint_methods::ConstraintMethods;
 use super::derivatives::Derivatives;
 use super::method::Method;
 use super::outputs::{MethodOutputs, PivotOutputs, ProgramLayout};
@@ -23,7 +24,10 @@ pub(crate) struct Methods {
     pub(crate) prepare: Method,
     pub(crate) accelerations: Method,
     pub(crate) inverse_dynamics: Method,
-    pub(crate) linearize: Method,
+    /// Without constraints.
+    pub(crate) linearize: Option<Method>,
+    /// With constraints.
+    pub(crate) constraints: Option<ConstraintMethods>,
     /// Where q̈ is solved for symbolically.
     pub(crate) relative_pivots: Option<Method>,
     /// Whether no pivot can come to vanish in the course of a motion.
@@ -57,6 +61,7 @@ impl Methods {
         let energies = self.energies.as_ref();
         let requested = &self.requested;
         let regressor = requested.regressor.as_ref();
+        let constraints = self.constraints.as_ref();
         match method {
             EmittedMethod::Lagrangian => Some(&self.lagrangian),
             EmittedMethod::Energy => Some(&self.energy),
@@ -67,7 +72,12 @@ impl Methods {
             EmittedMethod::Prepare => Some(&self.prepare),
             EmittedMethod::Accelerations => Some(&self.accelerations),
             EmittedMethod::InverseDynamics => Some(&self.inverse_dynamics),
-            EmittedMethod::Linearize => Some(&self.linearize),
+            EmittedMethod::Linearize => self.linearize.as_ref(),
+            EmittedMethod::AccelerationsAndMultipliers => constraints.map(|_| &self.accelerations),
+            EmittedMethod::ConstraintPositions => constraints.map(|methods| &methods.positions),
+            EmittedMethod::ConstraintVelocities => constraints.map(|methods| &methods.velocities),
+            EmittedMethod::ConstraintJacobian => constraints.map(|methods| &methods.jacobian),
+            EmittedMethod::ConstraintRates => constraints.map(|methods| &methods.rates),
             EmittedMethod::RelativePivots => self.relative_pivots.as_ref(),
             EmittedMethod::KineticEnergy => energies.map(|[kinetic, _]| kinetic),
             EmittedMethod::PotentialEnergy => energies.map(|[_, potential]| potential),
@@ -93,11 +103,11 @@ impl Methods {
         all.filter_map(|method| Some((*method, self.get(*method)?)))
     }
 
-    /// The methods that are counted, with their names.
-    pub(crate) fn counted(&self) -> impl Iterator<Item = (&'static str, &Method)> {
-        let rows = self.all().map(|(emitted, method)| (emitted.row(), method));
-        let counted = rows.filter(|(row, _)| row.is_counted);
-        counted.map(|(row, method)| (row.name, method))
+    /// The names of the methods that are counted, each with its program, where the model has it.
+    pub(crate) fn counted(&self) -> impl Iterator<Item = (&'static str, Option<&Method>)> {
+        let counted = EmittedMethod::ALL.iter();
+        let counted = counted.filter(|method| method.row().is_counted);
+        counted.map(|method| (method.row().name, self.get(*method)))
     }
 
     /// Differentiates what is still to be differentiated, and schedules each method. The declared outputs have
@@ -110,11 +120,14 @@ impl Methods {
     ) -> Self {
         let kinetics = Kinetics::cheapest(model, equations);
         let by_columns = ByColumns::of(model, &kinetics, requested);
+        let is_free = equations.constraints.is_empty();
         let derivatives = (!by_columns.derivatives).then(|| {
-            let linearize = Derivatives::of_state(model, &kinetics);
-            [linearize, Derivatives::of_inputs(model, &kinetics)]
+            let linearize = is_free.then(|| Derivatives::of_state(model, &kinetics));
+            (linearize, Derivatives::of_inputs(model, &kinetics))
         });
-        let pivots = PivotExpressions::of(model, equations, &kinetics);
+        let pivots = is_free
+            .then(|| PivotExpressions::of(model, equations, &kinetics))
+            .flatten();
         let stays_regular = stays_regular(model, &kinetics);
         let requested = RequestedMethods::schedule(model, equations, &kinetics, requested);
         let energies = kinetics.energies.evaluated(model);
@@ -129,13 +142,17 @@ impl Methods {
         };
         let [mut prepare, accelerations] = Method::accelerations(model, &kinetics);
         let inverse_dynamics = prepare.inverse_dynamics(model, &kinetics);
-        let [linearize, input_jacobian] = match derivatives {
-            Some(derivatives) => derivatives.map(|derivatives| derivatives.schedule(model)),
-            None => Method::derivatives_by_columns(
-                model,
-                &inverse_dynamics,
-                [&prepare, &accelerations, &mass_matrix],
-            ),
+        let (linearize, input_jacobian) = match derivatives {
+            Some((linearize, inputs)) => {
+                let linearize = linearize.map(|derivatives| derivatives.schedule(model));
+                (linearize, inputs.schedule(model))
+            }
+            None => {
+                let methods = [&prepare, &accelerations, &mass_matrix];
+                let [linearize, inputs] =
+                    Method::derivatives_by_columns(model, &inverse_dynamics, methods);
+                (Some(linearize), inputs)
+            }
         };
         Self {
             lagrangian: scalar(energies.lagrangian),
@@ -148,6 +165,7 @@ impl Methods {
             accelerations,
             inverse_dynamics,
             linearize,
+            constraints: ConstraintMethods::schedule(model, &equations.constraints),
             relative_pivots: pivots.map(|pivots| pivots.schedule(model)),
             stays_regular,
             energies: energies.natural.map(|energies| energies.map(scalar)),

@@ -77,12 +77,13 @@ pub(crate) struct StateJacobian {
 /// What a program for q̈ returns.
 #[derive(Clone, Debug)]
 pub(crate) enum AccelerationOutputs {
-    /// q̈ was solved for symbolically, which holds where all pivots are positive.
+    /// q̈, with the multipliers behind, was solved for symbolically, which holds where all pivots are positive.
     Symbolic {
         pivots: OutputSlice,
         accelerations: OutputSlice,
     },
-    /// M and f, up to a common factor: M q̈ = f is solved numerically.
+    /// M and f, up to a common factor: M q̈ = f is solved numerically. With constraints they are those of the saddle point
+    /// problem for q̈ and the multipliers.
     Numerical {
         mass: LowerTriangle,
         forcing: OutputSlice,
@@ -189,6 +190,8 @@ pub(crate) enum MethodOutputs {
     Vector(OutputSlice),
     /// Column by column.
     SquareMatrix(OutputSlice),
+    /// Column by column, with a row for each constraint.
+    ConstraintJacobian(OutputSlice),
     /// The values of the event functions.
     Events(OutputSlice),
     /// What depends on the parameters alone.

@@ -8,6 +8,8 @@
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Interface {
     Quantities,
+    StateJacobian,
+    Constraints,
     Energies,
     Inputs,
     Outputs,
@@ -42,6 +44,12 @@ pub(crate) enum ResultType {
     Regressor,
     /// One component for each base parameter.
     BaseParameters,
+    /// One component for each constraint.
+    ConstraintVector,
+    /// A row for each constraint and a column for each coordinate.
+    ConstraintJacobian,
+    /// One component for each coordinate, and one for each constraint.
+    AccelerationsAndMultipliers,
 }
 
 /// What a method takes besides the inputs and the prepared array.
@@ -122,8 +130,13 @@ table! {
     Prepare:           "prepare",            Quantities, Prepared,      Parameters,    Fields,    false, true;
     Accelerations:     "accelerations",      Quantities, Vector,        StateOnly,     Prepared,  true,  true;
     InverseDynamics:   "inverse_dynamics",   Quantities, Vector,        Accelerations, Prepared,  true,  true;
-    Linearize:         "linearize",          Quantities, Linearization, StateOnly,     Fields,    true,  true;
+    Linearize:         "linearize",          StateJacobian, Linearization, StateOnly,     Fields,    true,  true;
     RelativePivots:    "relative_pivots",    Quantities, Vector,        StateOnly,     Prepared,  false, false;
+    AccelerationsAndMultipliers: "accelerations_and_multipliers", Constraints, AccelerationsAndMultipliers, StateOnly, Prepared, true, false;
+    ConstraintPositions: "constraint_positions", Constraints, ConstraintVector, StateOnly, Prepared, false, false;
+    ConstraintVelocities: "constraint_velocities", Constraints, ConstraintVector, StateOnly, Prepared, false, false;
+    ConstraintJacobian: "constraint_jacobian", Constraints, ConstraintJacobian, StateOnly, Prepared, false, false;
+    ConstraintRates:   "constraint_rates",  Constraints, ConstraintVector, StateOnly,  Prepared,  false, false;
     KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        StateOnly,     Fields,    true,  false;
     PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     Fields,    true,  false;
     InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     Fields,    true,  false;
@@ -139,7 +152,8 @@ table! {
 }
 
 /// The methods that the traits of the runtime have besides.
-const PROVIDED: [&str; 8] = [
+const PROVIDED: [&str; 9] = [
+    "multipliers",
     "dynamics",
     "into_dynamics",
     "taylor_series",

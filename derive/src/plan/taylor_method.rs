@@ -53,11 +53,11 @@ impl Methods {
             choices.extend(self.series_of_implicit_equations(model, &choice));
         }
         choices.sort_by_key(|(_, method)| method.program.cost());
-        let coordinates = model.coordinates as usize;
+        let unknowns = self.kinetics.system.forcing.len();
         for (preparation, method) in choices {
             let accelerations = self.programs(&[]).accelerations;
             let (graph, program) = (&model.graph, &method.program);
-            let check = SeriesCheck::new(graph, &preparation, accelerations, program, coordinates);
+            let check = SeriesCheck::new(graph, &preparation, accelerations, program, unknowns);
             if check.agrees() {
                 self.prepare = Method::preparation(preparation);
                 return Ok(method);

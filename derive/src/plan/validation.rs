@@ -11,6 +11,7 @@ use lagrangian_symbolic::{
     Validator,
 };
 
+use super::constraint_methods::ConstraintMethods;
 use crate::plan::{Method, MethodOutputs, Methods, Requested};
 use crate::syntax::shape::Shape;
 
@@ -47,18 +48,23 @@ impl Methods {
     /// The programs as they are validated.
     pub(crate) fn programs<'a>(&'a self, outputs: &'a [&'a Program]) -> Programs<'a> {
         let accelerations = &self.accelerations.program;
-        let (state, inputs) = (&self.linearize.program, &self.input_jacobian.program);
-        let linearization = || match self.linearize.outputs.pivots() {
-            Some(pivots) => LinearizationProgram::Solved {
-                state,
-                inputs,
-                pivots,
-                is_along_variation: self.linearize.outputs.is_along_variation(),
-            },
-            None => LinearizationProgram::System { state, inputs },
+        let inputs = &self.input_jacobian.program;
+        let linearization = |linearize: &'a Method| {
+            let state = &linearize.program;
+            match linearize.outputs.pivots() {
+                Some(pivots) => LinearizationProgram::Solved {
+                    state,
+                    inputs,
+                    pivots,
+                    is_along_variation: linearize.outputs.is_along_variation(),
+                },
+                None => LinearizationProgram::System { state, inputs },
+            }
         };
         let has_program = |method: &Method| !matches!(method.outputs, MethodOutputs::ByColumns(_));
         let energies = self.energies.as_ref();
+        let linearize = self.linearize.as_ref();
+        let constraints = self.constraints.as_ref();
         Programs {
             lagrangian: &self.lagrangian.program,
             energies: energies.map(|energies| [&energies[0].program, &energies[1].program]),
@@ -73,7 +79,11 @@ impl Methods {
                 Some(pivots) => AccelerationProgram::Solved(accelerations, pivots),
                 None => AccelerationProgram::System(accelerations),
             },
-            linearization: has_program(&self.linearize).then(linearization),
+            linearization: linearize
+                .filter(|method| has_program(method))
+                .map(linearization),
+            input_jacobian: constraints.map(|_| (inputs, self.input_jacobian.outputs.pivots())),
+            constraints: constraints.map(ConstraintMethods::programs),
             outputs,
             requested: self.requested.programs(),
         }

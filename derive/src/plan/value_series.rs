@@ -1,7 +1,8 @@
 //! The Taylor series of values along a motion.
 
 use lagrangian_symbolic::{
-    Equations, Expression, Graph, Model, Program, SeriesOutputs, TaylorProgram, ValueSeriesCheck,
+    Equations, Expression, Graph, Model, Program, SeriesOutputs, Symbol, TaylorProgram,
+    ValueSeriesCheck,
 };
 
 use super::method::Method;
@@ -34,8 +35,8 @@ pub(crate) struct ValueSeries {
 }
 
 impl Methods {
-    /// The Taylor series of the event functions; none where there are no events, or where they apply external functions
-    /// without series.
+    /// The Taylor series of the event functions; none where there are no events, where they apply external functions
+    /// without series, or contain reactions.
     pub(crate) fn event_series(
         &self,
         graph: &Graph,
@@ -47,6 +48,10 @@ impl Methods {
         let MethodOutputs::Events(values) = &method.outputs else {
             return Err(NoTaylorSeries::Wrong);
         };
+        let has_reaction = |symbol: &Symbol| matches!(symbol, Symbol::Acceleration(_));
+        if method.program.symbols().iter().any(has_reaction) {
+            return Ok(None);
+        }
         let series = ValueSeries::of(graph, &method.program, values)?;
         Ok(series.map(|series| EventSeries { series, branches }))
     }
@@ -83,7 +88,14 @@ impl BranchSeries {
         equations: &Equations,
     ) -> Result<Option<Self>, NoTaylorSeries> {
         let mass = equations.mass.iter().flatten();
-        let of_equations: Vec<_> = mass.chain(&equations.forcing).copied().collect();
+        let constraints = &equations.constraints;
+        let of_constraints = constraints
+            .jacobian
+            .iter()
+            .flatten()
+            .chain(&constraints.rates);
+        let of_equations = mass.chain(&equations.forcing).chain(of_constraints);
+        let of_equations: Vec<_> = of_equations.copied().collect();
         let mut roots = vec![equations.lagrangian, model.dissipation];
         roots.extend(model.forces.iter().chain(&of_equations));
         let functions = model.graph.branch_arguments(&roots);

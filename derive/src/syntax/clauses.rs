@@ -31,6 +31,9 @@ pub(crate) struct Clauses {
     pub(crate) dissipation: Vec<Clause>,
     /// The forces of each clause: those of one clause act on different coordinates, several clauses add up.
     pub(crate) forces: Vec<Vec<NamedExpression>>,
+    /// The holonomic constraints.
+    pub(crate) constraints: Vec<NamedExpression>,
+    pub(crate) nonholonomic: Vec<NamedExpression>,
     pub(crate) outputs: Vec<NamedExpression>,
     pub(crate) events: Vec<NamedExpression>,
     /// The word `taylor`.
@@ -63,7 +66,7 @@ pub(crate) struct Clause {
     pub(crate) expression: Expr,
 }
 
-const KEYWORDS: [&str; 19] = [
+const KEYWORDS: [&str; 21] = [
     "coordinates",
     "function",
     "define",
@@ -74,6 +77,8 @@ const KEYWORDS: [&str; 19] = [
     "gravity",
     "dissipation",
     "force",
+    "constraint",
+    "nonholonomic",
     "output",
     "event",
     "scalar",
@@ -216,6 +221,8 @@ impl Clauses {
                     named_expressions(&keyword, input, forces)?;
                 }
             }
+            "constraint" => named_expressions(&keyword, input, &mut self.constraints)?,
+            "nonholonomic" => named_expressions(&keyword, input, &mut self.nonholonomic)?,
             "output" => named_expressions(&keyword, input, &mut self.outputs)?,
             "event" => named_expressions(&keyword, input, &mut self.events)?,
             "kinetic" => self.kinetic.push(Clause::read(keyword, input)?),
@@ -231,10 +238,6 @@ impl Clauses {
             "sensitivities" => ParameterList::read(keyword, input, &mut self.sensitivities)?,
             "regressor" => ParameterList::read(keyword, input, &mut self.regressor)?,
             "routhian" => self.read_routhian(keyword, input)?,
-            "constraint" | "constraints" | "holonomic" | "nonholonomic" | "rolling" | "lambda"
-            | "multiplier" | "multipliers" => {
-                return Err(syn::Error::new(keyword.span(), NO_CONSTRAINTS));
-            }
             written => {
                 if let Some(place) = other_clauses::said_elsewhere(written) {
                     let message = format!("unknown clause `{written}`: {place}");
@@ -272,11 +275,6 @@ impl Clause {
         })
     }
 }
-
-const NO_CONSTRAINTS: &str = "there are no constraints yet: choose coordinates that fulfil a holonomic one, \
-                              f(q, t) = 0, or hold it by a stiff spring and damper, or a multiplier of your own, under \
-                              `force`; do not put a nonholonomic one, such as rolling, into the energies, which gives \
-                              wrong equations unless it can be integrated, as that of a disc on a straight line";
 
 /// The clause that is the first word of what was written: `kinetic_energy` is `kinetic`.
 fn abbreviated(written: &str) -> Option<&'static str> {

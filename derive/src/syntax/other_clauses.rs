@@ -15,6 +15,8 @@ pub(super) fn called_otherwise(written: &str) -> Option<&'static str> {
         "damping" | "damper" | "rayleigh" => "dissipation",
         "torque" | "torques" | "moment" | "generalized_force" | "generalized_forces"
         | "external_force" | "external_forces" | "drag" => "force",
+        "constraints" | "holonomic" | "loop" | "closure" | "loops" => "constraint",
+        "rolling" | "no_slip" | "nonholonomic_constraint" => "nonholonomic",
         "observables" | "measurements" => "output",
         "definitions" | "with" => "define",
         "bodies" | "links" => "body",
@@ -41,6 +43,10 @@ pub(super) fn said_elsewhere(written: &str) -> Option<&'static str> {
             "integrators and their settings are chosen where the motion is integrated, as in `Dop853::new()`"
         }
         "linearize" | "linearization" => "every model has it, `model.linearize(&state)`",
+        "lambda" | "multiplier" | "multipliers" | "reaction" | "reactions" => {
+            "the multipliers of `constraint(name = …)` are computed: `model.multipliers(&state)` has them, and an output or an \
+             event reads them as `reaction(name)`"
+        }
         "friction" => {
             "write `dissipation = 0.5 * b * dot(x).powi(2)` for friction that is linear in the velocity, and \
              `force(x = …)` for any other"

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::jacobian_rows::{Residuals, Variables};
 use crate::integrate::SingleNumber;
-use crate::model::{Inputs, Lagrangian, Linearization, State};
+use crate::model::{Inputs, Lagrangian, Linearization, State, StateJacobian};
 use crate::scalar::Scalar;
 
 /// The quantities of a model that a search evaluates, with `U` inputs that the search may change.
@@ -43,7 +43,7 @@ pub struct FreeInputs<'a, M: ?Sized>(pub(super) &'a M);
 impl<S, M, const N: usize> Balance<S, N, 0> for HeldInputs<'_, M>
 where
     S: Scalar,
-    M: Lagrangian<N, S> + ?Sized,
+    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
 {
     const COORDINATES: [&'static str; N] = M::COORDINATES;
     const IGNORABLE: [bool; N] = M::IGNORABLE;
@@ -84,7 +84,7 @@ where
 impl<S, M, const N: usize, const U: usize> Balance<S, N, U> for FreeInputs<'_, M>
 where
     S: Scalar,
-    M: Inputs<N, U, S> + ?Sized,
+    M: Inputs<N, U, S> + StateJacobian<N, S> + ?Sized,
 {
     const COORDINATES: [&'static str; N] = M::COORDINATES;
     const IGNORABLE: [bool; N] = M::IGNORABLE;

@@ -12,7 +12,7 @@ use super::newton::Newton;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{EQUILIBRIUM_TOLERANCE, NEWTON_STEPS};
 use crate::linalg::IntoVector;
-use crate::model::{Inputs, Lagrangian, State};
+use crate::model::{Inputs, Lagrangian, State, StateJacobian};
 use crate::scalar::Scalar;
 
 /// A search for equilibria, q̈ = 0 at q̇ = 0, and for steady motions (relative equilibria), in which only ignorable
@@ -116,7 +116,7 @@ pub struct EquilibriumSearch<B, S: Scalar, const N: usize, const U: usize> {
 
 impl<'a, M, S, const N: usize> EquilibriumSearch<HeldInputs<'a, M>, S, N, 0>
 where
-    M: Lagrangian<N, S> + ?Sized,
+    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
     S: SingleNumber,
 {
     /// Searches for equilibria and steady motions of a model. If it has inputs, they are held at the values of its
@@ -128,7 +128,7 @@ where
 
 impl<'a, M, S, const N: usize, const U: usize> EquilibriumSearch<FreeInputs<'a, M>, S, N, U>
 where
-    M: Inputs<N, U, S> + ?Sized,
+    M: Inputs<N, U, S> + StateJacobian<N, S> + ?Sized,
     S: SingleNumber,
 {
     /// Searches for equilibria and steady motions of a model with inputs, some of which may be unknown. The fields of

@@ -16,7 +16,7 @@ use crate::integrate::SingleNumber;
 use crate::limits::analysis::{
     ENERGY_SAMPLES, EQUILIBRIUM_TOLERANCE, FARTHEST, FIRST_DISTANCE, POSITION_ERRORS, SINGULAR,
 };
-use crate::model::{Lagrangian, State};
+use crate::model::{Lagrangian, State, StateJacobian};
 use crate::scalar::Scalar;
 
 /// The sign patterns in which principal directions are combined.
@@ -32,7 +32,7 @@ pub(super) fn linear_errors<S, M, const N: usize>(
 ) -> [SMatrix<S, N, N>; 2]
 where
     S: SingleNumber,
-    M: Lagrangian<N, S> + ?Sized,
+    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
 {
     let place = Place {
         model,
@@ -86,7 +86,7 @@ struct Place<'a, M: ?Sized, S: Scalar, const N: usize> {
 impl<M, S, const N: usize> Place<'_, M, S, N>
 where
     S: SingleNumber,
-    M: Lagrangian<N, S> + ?Sized,
+    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
 {
     /// Returns the displaced state, with unchanged constant momenta.
     fn moved(&self, displacement: &SVector<S, N>) -> State<S, N> {
@@ -216,7 +216,7 @@ pub(super) fn gives_energy<S, M, const N: usize>(
 ) -> bool
 where
     S: SingleNumber,
-    M: Lagrangian<N, S> + ?Sized,
+    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
 {
     let steepest = reduced
         .position

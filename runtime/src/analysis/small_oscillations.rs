@@ -20,7 +20,7 @@ use super::time_dependence::contains_time;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::NEGLIGIBLE;
 use crate::linalg::Factorization;
-use crate::model::{Lagrangian, Linearization, State};
+use crate::model::{Lagrangian, Linearization, State, StateJacobian};
 use crate::scalar::Scalar;
 
 /// The linear equations of small oscillations about an equilibrium, or about a steady motion in which only ignorable
@@ -99,7 +99,7 @@ impl<S: SingleNumber, const N: usize> Reduced<S, N> {
     /// Evaluates the reduced linear equations at a state.
     pub(super) fn at<M>(model: &M, state: &State<S, N>, parts: &[Part; N]) -> Self
     where
-        M: Lagrangian<N, S> + ?Sized,
+        M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
     {
         let mass = model.mass_matrix(state);
         let gradients = momentum_gradients(&HeldInputs(model), &under_held_inputs(state));
@@ -175,7 +175,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     /// [`EquilibriumSearch`]: crate::analysis::EquilibriumSearch
     pub fn about<M>(model: &M, state: &State<S, N>) -> Result<Self, OscillationError>
     where
-        M: Lagrangian<N, S> + ?Sized,
+        M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
     {
         let slopes = model.linearize(state);
         let (position, velocity) = (slopes.position, slopes.velocity);
@@ -310,7 +310,7 @@ fn check_steady<S, M, const N: usize>(
 ) -> Result<(), OscillationError>
 where
     S: SingleNumber,
-    M: Lagrangian<N, S> + ?Sized,
+    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
 {
     let steepest = slopes
         .iter()
@@ -352,7 +352,7 @@ fn constant_momenta<S, M, const N: usize>(
 ) -> [bool; N]
 where
     S: SingleNumber,
-    M: Lagrangian<N, S> + ?Sized,
+    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
 {
     let by_position = mass * position;
     let by_velocity = mass * velocity + gradients;

@@ -7,7 +7,7 @@ use super::eigenvalues::eigenvalues;
 use super::matrix_exponential::exponential;
 use super::spectrum::Spectrum;
 use crate::integrate::SingleNumber;
-use crate::model::{Inputs, Lagrangian, State};
+use crate::model::{Inputs, Lagrangian, State, StateJacobian};
 use crate::scalar::Scalar;
 
 /// A linear model ẋ = A x + B u + f₀, y = C x + D u + y₀ in the deviations x = (δq, δq̇) and u from the point of
@@ -132,7 +132,7 @@ impl<S: Scalar, const D: usize> StateSpace<S, D, 0, D> {
     /// A `D` other than 2 `N` does not compile.
     pub fn free<M, const N: usize>(model: &M, state: &State<S, N>) -> Self
     where
-        M: Lagrangian<N, S> + ?Sized,
+        M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
     {
         Self {
             a: model.linearize(state).state_matrix(),
@@ -155,7 +155,7 @@ impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
     /// not compile.
     pub fn of<M, const N: usize>(model: &M, state: &State<S, N>) -> Self
     where
-        M: Lagrangian<N, S, Model: Inputs<N, U, S>> + ?Sized,
+        M: Lagrangian<N, S, Model: Inputs<N, U, S> + StateJacobian<N, S>> + ?Sized,
     {
         Self {
             a: model.linearize(state).state_matrix(),

@@ -2,7 +2,7 @@
 
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::OTHER_TIMES;
-use crate::model::{Lagrangian, Linearization, State};
+use crate::model::{Lagrangian, Linearization, State, StateJacobian};
 
 /// Returns whether the linearized equations about a state change with time.
 ///
@@ -14,7 +14,7 @@ pub(super) fn contains_time<S, M, const N: usize>(
 ) -> bool
 where
     S: SingleNumber,
-    M: Lagrangian<N, S> + ?Sized,
+    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
 {
     // NaN differs from itself.
     let differs = |x: &S, y: &S| (*x - *y).abs().largest() != 0.0;

@@ -48,6 +48,23 @@ impl<S: Scalar, X> Projection<S, X> {
         self
     }
 
+    /// Returns the projection with another state in place of its own.
+    #[inline]
+    pub(crate) fn map<Y>(self, state: impl FnOnce(X) -> Y) -> Projection<S, Y> {
+        let Self {
+            state: before,
+            failed,
+            residual,
+            constraint,
+        } = self;
+        Projection {
+            state: state(before),
+            failed,
+            residual,
+            constraint,
+        }
+    }
+
     /// Returns the state on the manifold.
     #[inline]
     pub fn state(&self) -> &X {

@@ -29,6 +29,8 @@ enum Cause {
     Pole,
     /// The Lagrangian is not a number.
     OutsideDomain,
+    /// A constraint restricts no other velocities than others do; its name is that of the coordinate.
+    Constraint,
 }
 
 impl Singularity {
@@ -57,6 +59,18 @@ impl Singularity {
         }
     }
 
+    /// Creates the singularity of a constraint that depends on others.
+    pub(crate) fn of_constraint(
+        relative_pivot: f64,
+        constraint: usize,
+        names: &'static [&'static str],
+    ) -> Self {
+        Self {
+            cause: Cause::Constraint,
+            ..Self::new(relative_pivot, constraint, names, &[], |_| f64::NAN)
+        }
+    }
+
     /// Changes the cause to a pole of a reduced model in its coordinate, which has this value.
     pub(crate) fn at_pole(mut self, value: f64) -> Self {
         self.cause = Cause::Pole;
@@ -72,7 +86,7 @@ impl Singularity {
 
     /// Whether the error of the accelerations can be estimated.
     pub(crate) fn has_estimate(&self) -> bool {
-        self.cause == Cause::MassMatrix || self.relative_pivot > 0.0
+        self.relative_pivot > 0.0 || self.cause == Cause::MassMatrix
     }
 
     /// Returns the number of coordinates that cause the singularity.
@@ -80,18 +94,18 @@ impl Singularity {
         match self.cause {
             Cause::MassMatrix => self.dependencies.len(),
             Cause::Pole => 1,
-            Cause::OutsideDomain => 0,
+            Cause::OutsideDomain | Cause::Constraint => 0,
         }
     }
 
-    /// Returns the relative pivot: the pivot of the factored mass matrix over its diagonal entry before elimination, or
-    /// sin²θ at a pole of θ.
+    /// Returns the relative pivot: the pivot of the factored mass matrix over its diagonal entry before elimination, sin²θ
+    /// at a pole of θ, or sin² of the angle between the gradient of a constraint and those of the others.
     #[must_use]
     pub fn relative_pivot(&self) -> f64 {
         self.relative_pivot
     }
 
-    /// Returns the name of the coordinate to which the pivot belongs.
+    /// Returns the name of the coordinate, or of the constraint, to which the pivot belongs.
     #[must_use]
     pub fn coordinate(&self) -> &'static str {
         usize::try_from(self.coordinate).map_or("?", |index| self.name(index))
@@ -154,6 +168,15 @@ impl fmt::Display for Singularity {
                 return f.write_str(
                     "the Lagrangian is not a number: a root, a logarithm or another function in it is taken outside of its \
                      domain, as where a velocity exceeds the largest one; begin within the domain",
+                );
+            }
+            Cause::Constraint => {
+                let pivot = self.relative_pivot;
+                return write!(
+                    f,
+                    "the constraint {coordinate} depends on others or nearly so (relative pivot {pivot:.1e}), so that the \
+                     reactions are not unique: at a dead centre or a change point of the mechanism begin elsewhere, and \
+                     leave out a constraint that follows from others"
                 );
             }
             Cause::MassMatrix => {}

@@ -10,7 +10,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::lane_select::{LaneSelect, greater};
 use super::pivoting::{self, PivotedLu};
-use crate::limits::RIGHT_HAND_SIDES_AT_ONCE;
+use crate::limits::{MIN_STABLE_PIVOT, RIGHT_HAND_SIDES_AT_ONCE};
 use crate::scalar::Scalar;
 
 /// A factored mass matrix.
@@ -30,8 +30,11 @@ pub struct Factorization<S: Scalar, const N: usize> {
 enum Kind<S, const N: usize> {
     /// L D Lᵀ.
     Ldlt,
-    /// P M = L U, with the row interchanges.
-    PivotedLu(SVector<S, N>),
+    /// P M = L U, with the row interchanges, in the lanes in which the mask of those with L D Lᵀ is 0.
+    PivotedLu {
+        interchanges: SVector<S, N>,
+        ldlt: S,
+    },
 }
 
 impl<S: Scalar, const N: usize> Factorization<S, N> {
@@ -39,18 +42,41 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     #[inline]
     #[must_use]
     pub fn new(mass: SMatrix<S, N, N>) -> Self {
+        Self::with_signs(mass, N)
+    }
+
+    /// Factors the symmetric matrix of a saddle point problem, whose lower triangle alone is read: in its first
+    /// `coordinates` rows it is a mass matrix, and behind those are minus the gradients of constraints and zeros.
+    ///
+    /// Where that mass matrix is well-conditioned, and the gradients are independent, the matrix is quasidefinite, and L D
+    /// Lᵀ without pivoting is stable (R. J. Vanderbei, *Symmetric quasidefinite matrices*, SIAM J. Optim. **5** (1995)
+    /// 100–113; P. E. Gill, M. A. Saunders & J. R. Shinnerl, SIAM J. Matrix Anal. Appl. **17** (1996) 35–46).
+    #[inline]
+    #[must_use]
+    pub(crate) fn of_saddle_point(matrix: SMatrix<S, N, N>, coordinates: usize) -> Self {
+        Self::with_signs(matrix, coordinates)
+    }
+
+    /// Factors a symmetric matrix of which so many pivots are positive, and the others negative.
+    #[inline]
+    fn with_signs(mass: SMatrix<S, N, N>, positive: usize) -> Self {
+        let is_definite = positive == N;
         let mut factors = mass;
         let mut reciprocals = SVector::zeros();
         let mut relative_pivots = SVector::zeros();
         let mut definite = true;
         for j in 0..N {
             let mut pivot = mass[(j, j)];
+            let mut diagonal = pivot;
             for k in 0..j {
                 // The columns to the left hold L D until the row is scaled below.
                 let scaled = factors[(j, k)];
                 let unscaled = scaled * reciprocals[k];
                 factors[(j, k)] = unscaled;
                 pivot -= unscaled * scaled;
+                if k + 1 == positive {
+                    diagonal = pivot;
+                }
             }
             for i in j + 1..N {
                 let mut entry = mass[(i, j)];
@@ -60,8 +86,15 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
                 factors[(i, j)] = entry;
             }
             reciprocals[j] = S::one() / pivot;
-            relative_pivots[j] = pivot / mass[(j, j)];
-            definite &= pivot.smallest() > 0.0;
+            relative_pivots[j] = pivot / diagonal;
+            definite &= if j >= positive {
+                pivot.largest() < 0.0
+            } else if is_definite {
+                pivot.smallest() > 0.0
+            } else {
+                (relative_pivots[j] - S::from_f64(MIN_STABLE_PIVOT)).smallest() > 0.0
+                    && pivot.smallest() > 0.0
+            };
         }
         let ldlt = Self {
             factors,
@@ -72,27 +105,39 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         if definite {
             ldlt
         } else {
-            ldlt.with_pivoting(&mass)
+            ldlt.with_pivoting(&mass, positive)
         }
     }
 
-    /// Factors M with pivoting, on the cold path for an M that is not positive definite in every lane.
+    /// Factors the matrix with pivoting in the lanes in which its pivots do not have the right signs, on the cold path.
     #[cold]
     #[inline(never)]
-    fn with_pivoting(&self, lower: &SMatrix<S, N, N>) -> Self {
+    fn with_pivoting(&self, lower: &SMatrix<S, N, N>, positive: usize) -> Self {
         let full = SMatrix::from_fn(|i, j| lower[(i.max(j), i.min(j))]);
-        let positive = self.reciprocals.iter();
-        let definite = positive.fold(S::one(), |all, pivot| all * greater(*pivot, S::zero()));
+        let least = if positive == N {
+            S::zero()
+        } else {
+            S::from_f64(MIN_STABLE_PIVOT)
+        };
+        let mut ldlt = S::one();
+        for j in 0..N {
+            let is_right = if j < positive {
+                greater(self.reciprocals[j], S::zero()) * greater(self.relative_pivots[j], least)
+            } else {
+                greater(S::zero(), self.reciprocals[j])
+            };
+            ldlt *= is_right;
+        }
         let PivotedLu {
             factors,
             reciprocals,
             interchanges,
         } = PivotedLu::new(full);
         Self {
-            factors,
-            reciprocals,
-            relative_pivots: self.relative_pivots.select(SVector::zeros(), definite),
-            kind: Kind::PivotedLu(interchanges),
+            factors: self.factors.select(factors, ldlt),
+            reciprocals: self.reciprocals.select(reciprocals, ldlt),
+            relative_pivots: self.relative_pivots.select(SVector::zeros(), ldlt),
+            kind: Kind::PivotedLu { interchanges, ldlt },
         }
     }
 
@@ -106,17 +151,15 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     pub fn relative_pivots(&self) -> SVector<S, N> {
         match &self.kind {
             Kind::Ldlt => self.relative_pivots,
-            Kind::PivotedLu(_) => self.reciprocal_conditions(),
+            Kind::PivotedLu { ldlt, .. } => self.reciprocal_conditions(*ldlt),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn reciprocal_conditions(&self) -> SVector<S, N> {
+    fn reciprocal_conditions(&self, ldlt: S) -> SVector<S, N> {
         let conditions = pivoting::reciprocal_conditions(&self.factors);
-        let pivots = self.relative_pivots.iter();
-        let definite = pivots.fold(S::one(), |all, pivot| all * greater(*pivot, S::zero()));
-        self.relative_pivots.select(conditions, definite)
+        self.relative_pivots.select(conditions, ldlt)
     }
 
     /// Returns the solutions X of M X = B, column by column.
@@ -125,7 +168,9 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     pub fn solve<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
         match &self.kind {
             Kind::Ldlt => self.solve_ldlt(right),
-            Kind::PivotedLu(interchanges) => self.solve_pivoted(right, interchanges),
+            Kind::PivotedLu { interchanges, ldlt } => {
+                self.solve_pivoted(right, interchanges, *ldlt)
+            }
         }
     }
 
@@ -179,8 +224,13 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         &self,
         right: &SMatrix<S, N, K>,
         interchanges: &SVector<S, N>,
+        ldlt: S,
     ) -> SMatrix<S, N, K> {
-        pivoting::solve(&self.factors, &self.reciprocals, interchanges, right)
+        let pivoted = pivoting::solve(&self.factors, &self.reciprocals, interchanges, right);
+        if ldlt.largest() <= 0.0 {
+            return pivoted;
+        }
+        self.solve_ldlt(right).select(pivoted, ldlt)
     }
 }
 

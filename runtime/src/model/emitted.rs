@@ -8,6 +8,10 @@ pub use super::by_columns::{
     mass_matrix_by_columns,
 };
 pub use super::operations::operations;
+pub use super::saddle_point::{
+    constrained_pivots, joined, least_pivot, parts, project, rows_of_accelerations, saddle_point,
+    saddle_point_factors,
+};
 
 mod in_every_lane;
 mod series;

@@ -10,7 +10,7 @@ use super::quantities::Quantities;
 use super::singular_configuration;
 use super::state::State;
 use super::whole_periods::{is_large, less_whole_periods};
-use crate::integrate::{ComponentName, Dynamics, IntegrationError, Singularity};
+use crate::integrate::{ComponentName, Dynamics, IntegrationError, Projection, Singularity};
 use crate::linalg::{ErrorTolerance, VectorSpace as _};
 use crate::scalar::Scalar;
 
@@ -299,6 +299,18 @@ where
 
     fn update(&self, t: S, x: &mut Self::State) {
         self.law.update(t, x);
+    }
+
+    #[inline]
+    fn project(&self, t: S, x: &Self::State) -> Option<Projection<S, Self::State>> {
+        let model = self.model.model();
+        let found = model.project(&x.at_time(t), &self.prepared)?;
+        Some(found.map(|phase| phase.with(x.z.clone())))
+    }
+
+    fn constraint_name(&self, index: usize) -> &'static str {
+        let names = <M::Model as Quantities<N, S>>::CONSTRAINTS;
+        names.get(index).copied().unwrap_or("?")
     }
 
     fn component_name(&self, index: usize) -> ComponentName {

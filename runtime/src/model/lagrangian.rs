@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::canonical_equations::CanonicalEquations;
 use super::canonical_phase::CanonicalPhase;
+use super::constraints::Constraints;
 use super::energy_balance::EnergyBalance;
 use super::equations_of_motion::EquationsOfMotion;
 use super::events::Events;
@@ -17,6 +18,7 @@ use super::quantities::{Energies, Quantities};
 use super::regressor::Regressor;
 use super::sensitivities::Sensitivities;
 use super::state::State;
+use super::state_jacobian::StateJacobian;
 use super::with_inputs::WithInputs;
 use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
@@ -120,6 +122,48 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         model.inverse_dynamics(state, &self.inputs(), accelerations, &model.prepare())
     }
 
+    /// The multipliers λ in d/dt (∂L/∂q̇) − ∂L/∂q = Q + Gᵀ λ, for each component of the
+    /// [constraints](crate::quantities::Constraints), if the declaration has some.
+    #[inline]
+    fn multipliers<const C: usize>(&self, state: &State<S, N>) -> SVector<S, C>
+    where
+        Self::Model: Constraints<N, C, S>,
+    {
+        let model = self.model();
+        let prepared = model.prepare();
+        model
+            .accelerations_and_multipliers(state, &self.inputs(), &prepared)
+            .1
+    }
+
+    /// G = ∂w/∂q̇ of the constraints, with a row for each component.
+    #[inline]
+    fn constraint_jacobian<const C: usize>(&self, state: &State<S, N>) -> SMatrix<S, C, N>
+    where
+        Self::Model: Constraints<N, C, S>,
+    {
+        let model = self.model();
+        model.constraint_jacobian(state, &model.prepare())
+    }
+
+    /// The residuals of the constraints: g(q, t) of the holonomic ones, with 0 for the others, and w = G q̇ + a. Both vanish
+    /// at a consistent state.
+    #[inline]
+    fn constraint_residuals<const C: usize>(
+        &self,
+        state: &State<S, N>,
+    ) -> (SVector<S, C>, SVector<S, C>)
+    where
+        Self::Model: Constraints<N, C, S>,
+    {
+        let model = self.model();
+        let prepared = model.prepare();
+        (
+            model.constraint_positions(state, &prepared),
+            model.constraint_velocities(state, &prepared),
+        )
+    }
+
     /// The derivatives of the accelerations with respect to q, q̇ and t, at constant inputs.
     ///
     /// In the first-order form ẋ = A x + B u, x = (q, q̇), they are the lower rows of A, below
@@ -130,7 +174,10 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     ///
     /// [`Factorization::relative_pivots`]: crate::Factorization::relative_pivots
     #[inline]
-    fn linearize(&self, state: &State<S, N>) -> Linearization<S, N> {
+    fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>
+    where
+        Self::Model: StateJacobian<N, S>,
+    {
         self.model().linearize(state, &self.inputs())
     }
 

@@ -3,8 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::generalized_coordinates::GeneralizedCoordinates;
-use super::linearization::Linearization;
+use super::phase::Phase;
 use super::state::State;
+use crate::integrate::Projection;
 use crate::linalg::Factorization;
 use crate::scalar::Scalar;
 
@@ -82,12 +83,36 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         prepared: &Self::Prepared,
     ) -> SVector<S, N>;
 
-    /// [`Lagrangian::linearize`](crate::Lagrangian::linearize) at these inputs, which are held.
-    fn linearize(&self, state: &State<S, N>, inputs: &Self::Inputs) -> Linearization<S, N>;
-
     /// [`Lagrangian::relative_pivots`](crate::Lagrangian::relative_pivots).
     fn relative_pivots(&self, state: &State<S, N>, prepared: &Self::Prepared) -> SVector<S, N> {
         Factorization::new(self.mass_matrix(state, prepared)).relative_pivots()
+    }
+
+    /// The names of the constraints; none by default.
+    const CONSTRAINTS: &'static [&'static str] = &[];
+
+    /// Returns the state on the constraints that is nearest in the metric of M; by default `None`, since there are no
+    /// constraints.
+    #[inline]
+    fn project(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+    ) -> Option<Projection<S, Phase<S, N>>> {
+        let _ = (state, prepared);
+        None
+    }
+
+    /// Returns the constraint that depends most on those before it, in any lane, and its relative pivot: near 1 if it is
+    /// independent of them, 0 if it restricts no other velocities. By default `None`, since there are no constraints.
+    #[inline]
+    fn constraint_pivot(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+    ) -> Option<(usize, f64)> {
+        let _ = (state, prepared);
+        None
     }
 }
 

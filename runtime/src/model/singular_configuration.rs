@@ -29,7 +29,8 @@ where
         .iter()
         .all(|pivot| pivot.abs().smallest() >= min_pivot);
     if regular {
-        at_pole::<M, S, N>(state, min_pivot)
+        dependent_constraint(model, prepared, state, min_pivot)
+            .or_else(|| at_pole::<M, S, N>(state, min_pivot))
     } else {
         let found = report::<M, S, N>(&pivots, state);
         let value = model.lagrangian(state, &model.inputs(), prepared);
@@ -40,6 +41,22 @@ where
             found
         })
     }
+}
+
+/// Returns the constraint that depends on others, if its relative pivot is below `min_pivot`.
+#[inline]
+fn dependent_constraint<M, S, const N: usize>(
+    model: &M,
+    prepared: &M::Prepared,
+    state: &State<S, N>,
+    min_pivot: f64,
+) -> Option<Singularity>
+where
+    M: Quantities<N, S> + ?Sized,
+    S: Scalar,
+{
+    let (constraint, pivot) = model.constraint_pivot(state, prepared)?;
+    (pivot < min_pivot).then(|| Singularity::of_constraint(pivot, constraint, M::CONSTRAINTS))
 }
 
 /// Tests for a singularity in the course of a motion.

@@ -137,9 +137,6 @@ macro_rules! written_model {
                 $crate::common::apply(&Written::mass_matrix(self, state), accelerations)
                     - Written::forcing(self, state)
             }
-            fn linearize(&self, _: &State<S, $n>, _: &SVector<S, 0>) -> Linearization<S, $n> {
-                unimplemented!("no test of the integrators needs it")
-            }
         }
     };
 }

@@ -1,22 +1,24 @@
 //! Conservation laws (Goldstein, Poole and Safko, Classical Mechanics, 3rd edition 2002, sections 2.6 and 2.7): the momenta
 //! of ignorable coordinates, and the energy function.
 //!
-//! dpᵢ/dt = ∂L/∂qᵢ + Qᵢ and dh/dt = Q·q̇ − ∂L/∂t. Whether a right-hand side vanishes identically is decided exactly, by
+//! dpᵢ/dt = ∂L/∂qᵢ + Qᵢ + (Gᵀ λ)ᵢ and dh/dt = Q·q̇ − ∂L/∂t + λᵀ G q̇. Whether a right-hand side vanishes identically is decided exactly, by
 //! polynomial identity testing: an angle that cancels in L, as ψ does in the three squares of a symmetric top, is
 //! ignorable though it is written.
 
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::tested_value::TestedValue;
+use crate::mechanics::constraints::ConstraintEquations;
 use crate::{Expression, Model, Rational, Symbol};
 
 /// Which functions of the state are constants of motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Conservation {
-    /// For each coordinate, whether it is ignorable (cyclic): L does not depend on it, and no generalized force acts on it.
+    /// For each coordinate, whether it is ignorable (cyclic): L does not depend on it, and neither a generalized force nor a
+    /// constraint acts on it.
     /// Then its momentum ∂L/∂q̇ᵢ is constant (4.8).
     pub momenta: Vec<bool>,
     /// Whether the energy function is constant: L depends neither on the time nor on inputs, and the generalized forces
-    /// do no work.
+    /// and the constraints do no work.
     pub energy: bool,
 }
 
@@ -25,12 +27,13 @@ impl Conservation {
     pub(crate) fn of(
         model: &mut Model,
         lagrangian: Expression,
-        generalized_forces: &[Expression],
+        (generalized_forces, constraints): (&[Expression], &ConstraintEquations),
         momenta: Vec<bool>,
     ) -> Self {
         Self {
             momenta,
-            energy: conserves_energy(model, lagrangian, generalized_forces),
+            energy: conserves_energy(model, lagrangian, generalized_forces)
+                && do_no_work(model, constraints),
         }
     }
 
@@ -51,6 +54,12 @@ pub(crate) fn independent_of(
     let roots = [expression];
     let test = IdentityTest::of(graph, &roots);
     test.independent(graph, &roots, symbols, TestedValue::First)
+}
+
+/// Whether the power −λᵀ a of the constraints vanishes.
+fn do_no_work(model: &mut Model, constraints: &ConstraintEquations) -> bool {
+    let rheonomic = constraints.rheonomic(model);
+    model.graph.vanishes(&rheonomic)
 }
 
 fn conserves_energy(model: &mut Model, lagrangian: Expression, forces: &[Expression]) -> bool {

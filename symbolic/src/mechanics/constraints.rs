@@ -26,7 +26,7 @@ pub enum Constraint {
 /// The equations of the constraints of a model, the holonomic ones first.
 #[derive(Clone, Debug, Default)]
 pub struct ConstraintEquations {
-    /// The position of each in the declaration.
+    /// The index of each in the model.
     pub declared: Vec<usize>,
     /// g of the holonomic constraints.
     pub positions: Vec<Expression>,
@@ -48,7 +48,12 @@ pub enum ConstraintDefect {
     /// A nonholonomic constraint is not linear in the velocities.
     Nonlinear(usize),
     /// A constraint restricts no velocity: it is no relation between coordinates, or none between velocities.
-    NoVelocity(usize),
+    NoVelocity {
+        /// The constraint.
+        constraint: usize,
+        /// Whether it is zero in every motion.
+        holds: bool,
+    },
     /// A constraint restricts no other velocities than those before it, for all values of coordinates, time and
     /// parameters.
     Dependent {
@@ -82,16 +87,15 @@ impl ConstraintEquations {
         for (position, constraint) in constraints.iter().enumerate() {
             check_symbols(&model.graph, position, *constraint)?;
         }
-        let is_holonomic = |i: &usize| matches!(constraints[*i], Constraint::Holonomic(_));
-        let (mut declared, others): (Vec<_>, Vec<_>) =
-            (0..constraints.len()).partition(is_holonomic);
-        let expressions = declared.iter().map(|i| constraints[*i].expression());
-        let positions: Vec<_> = expressions.collect();
+        let declared = model.holonomic_first();
+        let is_holonomic = |i: &&usize| matches!(constraints[**i], Constraint::Holonomic(_));
+        let (holonomic, others): (Vec<_>, Vec<_>) = declared.iter().partition(is_holonomic);
+        let expression = |i: &usize| constraints[*i].expression();
+        let positions: Vec<_> = holonomic.into_iter().map(expression).collect();
         let graph = &mut model.graph;
         let direction = graph.constant_velocity_direction(model.coordinates);
         let mut velocities = graph.directional_derivatives(&positions, &direction);
-        velocities.extend(others.iter().map(|i| constraints[*i].expression()));
-        declared.extend(others);
+        velocities.extend(others.into_iter().map(expression));
         let symbols: Vec<_> = (0..model.coordinates).map(Symbol::Velocity).collect();
         let columns = graph.jacobian(&velocities, &symbols);
         let rows = 0..velocities.len();
@@ -105,6 +109,19 @@ impl ConstraintEquations {
         };
         equations.check(model)?;
         Ok(equations)
+    }
+
+    /// The column of G of a coordinate.
+    #[must_use]
+    pub fn column(&self, coordinate: usize) -> Vec<Expression> {
+        self.jacobian.iter().map(|row| row[coordinate]).collect()
+    }
+
+    /// a in w = G q̇ + a.
+    pub fn rheonomic(&self, model: &mut Model) -> Vec<Expression> {
+        let zero = model.graph.zero();
+        let at_rest = (0..model.coordinates).map(|i| (Symbol::Velocity(i), zero));
+        model.graph.substitute(&self.velocities, &at_rest.collect())
     }
 
     /// How many there are.
@@ -144,10 +161,8 @@ impl ConstraintEquations {
 
     /// The relations as differential forms in (q, t), with their derivatives.
     fn forms(&self, model: &mut Model) -> Forms {
+        let constant = self.rheonomic(model);
         let graph = &mut model.graph;
-        let zero = graph.zero();
-        let at_rest = (0..model.coordinates).map(|i| (Symbol::Velocity(i), zero));
-        let constant = graph.substitute(&self.velocities, &at_rest.collect());
         let rows = self.jacobian.iter().zip(constant);
         let coefficients: Vec<Vec<_>> = rows
             .map(|(row, constant)| row.iter().copied().chain([constant]).collect())
@@ -172,8 +187,15 @@ impl ConstraintEquations {
                 return Err(ConstraintDefect::Nonlinear(*declared));
             }
             if graph.vanishes(row) {
-                return Err(ConstraintDefect::NoVelocity(*declared));
+                let expression = model.constraints[*declared].expression();
+                return Err(ConstraintDefect::NoVelocity {
+                    constraint: *declared,
+                    holds: graph.vanishes(&[expression]),
+                });
             }
+        }
+        if self.are_independent(graph, &entries) {
+            return Ok(());
         }
         let test = IdentityTest::of(graph, &entries);
         for row in 1..self.len() {
@@ -199,6 +221,18 @@ impl ConstraintEquations {
             });
         }
         Ok(())
+    }
+
+    /// Whether the rows of G are independent at some random point, and so at almost all.
+    fn are_independent(&self, graph: &Graph, entries: &[Expression]) -> bool {
+        let width = self.jacobian.first().map_or(1, Vec::len).max(1);
+        ModularPoint::attempts().any(|point| {
+            let Some(values) = point.evaluate(graph, entries) else {
+                return false;
+            };
+            let mut echelon = RowEchelon::new(point.p());
+            values.chunks(width).all(|row| echelon.add(row.to_vec()))
+        })
     }
 
     /// Whether a row of G depends on others for all values of the symbols, as far as random points tell; with a column of further

@@ -25,11 +25,11 @@ pub struct CoordinateProperties {
     pub singularities: Vec<Vec<u32>>,
 }
 
+/// Analyzes what the equations are made of, L and forces and constraints, and M or the matrix of the saddle point problem.
 pub(crate) fn analyze(
     model: &Model,
-    lagrangian: Expression,
+    roots: &[Expression],
     mass: &[Vec<Expression>],
-    generalized_forces: &[Expression],
     ignorable: Vec<bool>,
 ) -> Result<CoordinateProperties, Defect> {
     let graph = &model.graph;
@@ -57,6 +57,8 @@ pub(crate) fn analyze(
             singularities[i].clone_from(&depends);
         }
     }
+    singular.retain(|i| *i < model.coordinates);
+    singularities.truncate(coordinates.len());
     let is_still = |i: &u32| graph.vanishes(&mass[*i as usize]);
     let still: Vec<u32> = singular.iter().copied().filter(is_still).collect();
     if !still.is_empty() {
@@ -65,9 +67,7 @@ pub(crate) fn analyze(
     if !singular.is_empty() {
         return Err(Defect::SingularMass(singular));
     }
-    let mut roots = vec![lagrangian];
-    roots.extend(generalized_forces);
-    let mut uses = uses(graph, &roots, model.coordinates);
+    let mut uses = uses(graph, roots, model.coordinates);
     for (x, is_ignorable) in uses.iter_mut().zip(&ignorable) {
         if *is_ignorable {
             *x = Use::NONE;

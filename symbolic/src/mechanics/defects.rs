@@ -1,5 +1,6 @@
 //! Defects: why a declaration has no equations of motion.
 
+use crate::mechanics::constraints::ConstraintDefect;
 use crate::{Expression, Model, Symbol};
 
 /// Why a declaration has no equations of motion.
@@ -14,17 +15,20 @@ pub enum Defect {
     SingularMass(Vec<u32>),
     /// The momenta depend on these inputs, so that the inputs' unknown rates would act.
     MomentumOfInput(Vec<u32>),
+    /// The constraints have no equations.
+    Constraint(ConstraintDefect),
 }
 
-/// Checks the velocities in the momenta, and that no input is in them.
+/// Checks the velocities in the momenta, and that no input is in them. The rows are those of M, or with constraints those of
+/// the saddle point problem, in which a coordinate without mass may be held by constraints.
 pub(crate) fn check_momenta(
     model: &Model,
     momenta: &[Expression],
-    mass: &[Vec<Expression>],
+    rows: &[Vec<Expression>],
 ) -> Result<(), Defect> {
     let graph = &model.graph;
     let massless: Vec<u32> = (0..model.coordinates)
-        .zip(mass)
+        .zip(rows)
         .filter(|(_, row)| row.iter().all(|entry| graph.is_zero(*entry)))
         .map(|(i, _)| i)
         .collect();

@@ -5,6 +5,7 @@
 //! M is differentiated, never inverted: from M q̈ = f follows M ∂q̈/∂x = −∂(M q̈ − f)/∂x at fixed q̈.
 
 use crate::mechanics::conservation::Conservation;
+use crate::mechanics::constraints::ConstraintEquations;
 use crate::mechanics::coordinate_properties::{self, CoordinateProperties};
 use crate::mechanics::defects::{Defect, check_momenta};
 use crate::mechanics::expanded_energy::LagrangeTerms;
@@ -27,6 +28,8 @@ pub struct Equations {
     pub forcing: Vec<Expression>,
     /// The generalized forces Q.
     pub generalized_forces: Vec<Expression>,
+    /// The equations of the constraints.
+    pub constraints: ConstraintEquations,
     /// M q̈ − f with the accelerations as symbols.
     pub inverse_dynamics: Vec<Expression>,
     /// Which coordinates are angles, ignorable or singular.
@@ -47,18 +50,23 @@ impl Equations {
         let velocities: Vec<_> = (0..model.coordinates).map(Symbol::Velocity).collect();
         let momenta = graph.jacobian(&[lagrangian], &velocities).concat();
         let mass = mass_matrix(graph, &momenta, &velocities);
-        check_momenta(model, &momenta, &mass)?;
+        let constraints = ConstraintEquations::derive(model).map_err(Defect::Constraint)?;
+        let matrix = constraints.matrix(&mut model.graph, &mass);
+        check_momenta(model, &momenta, &matrix)?;
         let generalized_forces = model.generalized_forces();
         let forcing = model.forcing(lagrangian, &momenta, &generalized_forces);
         let energy = model.energy(lagrangian, &momenta);
-        let ignorability = Ignorability::of(model, lagrangian, &generalized_forces);
+        let ignorability = Ignorability::of(model, lagrangian, &generalized_forces, &constraints);
         let Ignorability {
             is_ignorable,
             has_constant_momentum,
         } = ignorability;
-        let forces = &generalized_forces;
+        let mut roots = vec![lagrangian];
+        roots.extend(&generalized_forces);
+        roots.extend(constraints.positions.iter().chain(&constraints.velocities));
         let coordinate_properties =
-            coordinate_properties::analyze(model, lagrangian, &mass, forces, is_ignorable)?;
+            coordinate_properties::analyze(model, &roots, &matrix, is_ignorable)?;
+        let forces = (&*generalized_forces, &constraints);
         let conservation = Conservation::of(model, lagrangian, forces, has_constant_momentum);
         let terms = LagrangeTerms {
             momenta,
@@ -81,6 +89,7 @@ impl Equations {
             mass,
             forcing,
             generalized_forces,
+            constraints,
             inverse_dynamics,
             coordinate_properties,
             conservation,

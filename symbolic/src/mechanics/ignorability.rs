@@ -7,14 +7,15 @@
 use std::collections::BTreeSet;
 
 use crate::mechanics::conservation::independent_of;
+use crate::mechanics::constraints::ConstraintEquations;
 use crate::{Expression, Model, Symbol};
 
 /// For each coordinate, what depends on it and whether a force acts on it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Ignorability {
-    /// Neither L nor a generalized force depends on the coordinate: the motion is the same wherever it begins.
+    /// Neither L nor a generalized force nor the velocities that constraints allow depend on the coordinate: the motion is the same wherever it begins.
     pub(crate) is_ignorable: Vec<bool>,
-    /// L does not depend on the coordinate, and no generalized force acts on it: its momentum is constant (4.8).
+    /// L does not depend on the coordinate, and neither a generalized force nor a constraint acts on it: its momentum is constant (4.8).
     pub(crate) has_constant_momentum: Vec<bool>,
 }
 
@@ -23,23 +24,28 @@ impl Ignorability {
         model: &Model,
         lagrangian: Expression,
         generalized_forces: &[Expression],
+        constraints: &ConstraintEquations,
     ) -> Self {
         let coordinates = model.coordinate_symbols();
         let absent = independent_of(model, lagrangian, &coordinates);
         let graph = &model.graph;
-        let forces = absent.iter().zip(generalized_forces);
-        let has_constant_momentum =
-            forces.map(|(absent, force)| *absent && graph.vanishes(&[*force]));
+        let forces = absent.iter().zip(generalized_forces).enumerate();
+        let has_constant_momentum = forces.map(|(i, (absent, force))| {
+            let mut acting = constraints.column(i);
+            acting.push(*force);
+            *absent && graph.vanishes(&acting)
+        });
         let has_constant_momentum = has_constant_momentum.collect();
+        let acting_on_motion = [generalized_forces, &constraints.velocities].concat();
         // Most coordinates are decided by L, or by being written nowhere.
-        let written = graph.symbols(generalized_forces);
+        let written = graph.symbols(&acting_on_motion);
         let candidates = coordinates.iter().zip(&absent);
         let candidates = candidates.filter(|(symbol, absent)| **absent && written.contains(symbol));
         let candidates: Vec<Symbol> = candidates.map(|(symbol, _)| *symbol).collect();
         let mut acting = BTreeSet::new();
         if !candidates.is_empty() {
-            for force in generalized_forces {
-                let independent = independent_of(model, *force, &candidates);
+            for force in acting_on_motion {
+                let independent = independent_of(model, force, &candidates);
                 let dependent = candidates.iter().zip(independent);
                 acting.extend(
                     dependent

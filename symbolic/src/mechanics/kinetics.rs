@@ -11,6 +11,7 @@ use crate::limits::{
     MIN_DIFFERENTIATED_ALONG_LINKS, SCHEDULING_MARGIN,
 };
 use crate::matrix::ldlt::Ldlt;
+use crate::mechanics::constraints::ConstraintEquations;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::energy_functions::EnergyFunctions;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
@@ -37,10 +38,12 @@ pub struct Kinetics {
     pub inverse_dynamics: Vec<Expression>,
     /// The intermediate results of the recursion along links that computes M q̈ − f, in its order; of other ways none.
     pub recursion: Vec<Expression>,
-    /// M q̈ = f for numerical solution.
+    /// M q̈ = f for numerical solution; with constraints, the saddle point problem for q̈ and λ.
     pub system: LinearSystem,
-    /// The accelerations; none for many coupled coordinates, where M is factored numerically.
+    /// The accelerations, and behind them the multipliers of the constraints; none for many coupled coordinates, where M is factored numerically.
     pub solution: Option<Solution>,
+    /// The equations of the constraints.
+    pub constraints: ConstraintEquations,
     /// The equations along the links, where the model is a mechanism.
     links: Option<LinkEquations>,
     /// Whether the derivatives of q̈ by the state are taken along the links.
@@ -105,31 +108,41 @@ impl Kinetics {
         let energies = EnergyFunctions::cheapest(model, equations, links.as_ref());
         let graph = &mut model.graph;
         let has_ldlt = passes.has(Pass::Ldlt);
+        let constraints = &equations.constraints;
+        let ldlt = |graph: &mut Graph, system: &LinearSystem| {
+            let system = system.clone().with_constraints(graph, constraints);
+            ldlt_solver(graph, &system, model.coordinates as usize)
+        };
         let mut solvers = Vec::new();
         if has_ldlt {
-            solvers.extend(ldlt_solver(graph, &cheaper));
+            solvers.extend(ldlt(graph, &cheaper));
         }
         if let Some(links) = &links {
             let along_links = links.system(graph);
             if has_ldlt {
-                solvers.extend(ldlt_solver(graph, &along_links));
+                solvers.extend(ldlt(graph, &along_links));
             }
             cheaper = cheaper.or(graph, along_links);
         }
-        let mut system = cheaper.clone();
+        let is_free = constraints.is_empty();
+        let mut system = cheaper.clone().with_constraints(graph, constraints);
         let mut unit = graph.one();
-        if let Some(tree) = tree {
+        if let Some(tree) = tree.filter(|_| is_free) {
             unit = tree.unit;
             let scaled = tree.divided_by_unit(graph);
             system = system.scaled(graph, &scaled);
             let articulated_bodies = ArticulatedBodies::factor(graph, scaled, MAX_PIVOT_NEIGHBOURS);
             solvers.extend(articulated_bodies.map(Solver::ArticulatedBodies));
         }
-        if let Some(links) = &links {
+        if let Some(links) = links.as_ref().filter(|_| is_free) {
             let solver = ArticulatedLinks::factor(graph, links.clone());
             solvers.extend(solver.map(Solver::ArticulatedLinks));
         }
-        let boltzmann_hamel = boltzmann_hamel_solvers(model, equations, declared);
+        let boltzmann_hamel = if is_free {
+            boltzmann_hamel_solvers(model, equations, declared)
+        } else {
+            Vec::new()
+        };
         solvers.extend(boltzmann_hamel.iter().cloned().map(Solver::BoltzmannHamel));
         let kinetics = Self {
             solution: None,
@@ -139,6 +152,7 @@ impl Kinetics {
             inverse_dynamics: cheaper.inverse_dynamics,
             recursion: cheaper.recursion,
             system,
+            constraints: constraints.clone(),
             links,
             differentiates_along_links: OnceCell::new(),
             unit,
@@ -159,15 +173,16 @@ impl Kinetics {
         if !symbols.iter().any(is_parameter) && self.differentiates_along_links(graph) {
             return solution.derivatives_along_links(graph, symbols);
         }
-        let links = self.links.as_ref();
-        solution.derivatives(graph, &self.inverse_dynamics, links, symbols)
+        let (residuals, links) = self.residuals_and_links();
+        solution.derivatives(graph, residuals, links, symbols)
     }
 
     /// The velocities that have the momenta p, [right-hand sides](Symbol::RightHandSide), by the factors that q̈ is solved for
     /// with: M(q, t) q̇ = p − p(q, 0, t). None where L is not quadratic in the velocities, and where M is factored
     /// numerically.
     pub fn velocities(&self, model: &mut Model) -> Option<Vec<Expression>> {
-        let solution = self.solution.as_ref()?;
+        let solution = self.solution.as_ref();
+        let solution = solution.filter(|_| self.constraints.is_empty())?;
         let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
         let graph = &mut model.graph;
         if graph.contains(&self.mass.concat(), is_velocity) {
@@ -193,7 +208,8 @@ impl Kinetics {
     /// Whether the derivatives of q̈ by the state cost less along the links than by a numerical solution for their columns.
     fn costs_less_along_links(&self, graph: &mut Graph) -> bool {
         let n = self.mass.len();
-        let Some(solution) = self.solution.as_ref() else {
+        let solution = self.solution.as_ref();
+        let Some(solution) = solution.filter(|_| self.constraints.is_empty()) else {
             return false;
         };
         if n < MIN_DIFFERENTIATED_ALONG_LINKS {
@@ -229,8 +245,17 @@ impl Kinetics {
         symbols: &[Symbol],
         beside: &[Expression],
     ) -> Vec<Expression> {
-        let links = self.links.as_ref();
-        cheapest_derivatives(graph, links, &self.inverse_dynamics, symbols, beside).concat()
+        let (residuals, links) = self.residuals_and_links();
+        cheapest_derivatives(graph, links, residuals, symbols, beside).concat()
+    }
+
+    /// M q̈ − f, and the links along which it is differentiated; with constraints, the residuals of the saddle point problem.
+    fn residuals_and_links(&self) -> (&[Expression], Option<&LinkEquations>) {
+        if self.constraints.is_empty() {
+            (&self.inverse_dynamics, self.links.as_ref())
+        } else {
+            (&self.system.inverse_dynamics, None)
+        }
     }
 
     /// δ(M q̈ − f) along a [variation](Symbol::Variation) of the state, where the derivatives of q̈ are found along the links of
@@ -253,7 +278,8 @@ impl Kinetics {
     /// The same of the [`system`](Self::system) for numerical solution.
     pub fn system_derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Expression> {
         let system = &self.system;
-        let links = self.links.as_ref().filter(|_| self.unit == graph.one());
+        let (_, links) = self.residuals_and_links();
+        let links = links.filter(|_| self.unit == graph.one());
         let beside = [&*system.mass.concat(), &system.forcing].concat();
         cheapest_derivatives(graph, links, &system.inverse_dynamics, symbols, &beside).concat()
     }
@@ -269,7 +295,9 @@ impl Kinetics {
         let choices = self.boltzmann_hamel.iter();
         let choices = choices.map(|choice| choice.equations(&mut model.graph, forces).into());
         let mut choices: Vec<_> = choices.collect();
-        choices.extend(motion_of_cosine::equations(model, equations));
+        if self.constraints.is_empty() {
+            choices.extend(motion_of_cosine::equations(model, equations));
+        }
         choices
     }
 
@@ -286,16 +314,21 @@ impl Kinetics {
                 solution: Vec::new(),
             }];
         };
-        let mut residuals = vec![
-            self.inverse_dynamics.clone(),
-            equations.inverse_dynamics.clone(),
-        ];
+        let lagrange = &equations.inverse_dynamics;
+        let mut residuals = vec![self.inverse_dynamics.clone(), lagrange.clone()];
+        if !self.constraints.is_empty() {
+            let residuals = residuals.iter_mut();
+            residuals.for_each(|residuals| {
+                *residuals = self.constraints.residuals(graph, residuals);
+            });
+        }
         residuals.dedup();
         let costs = residuals.iter().map(|residuals| graph.cost(residuals));
         let least = costs.min().unwrap_or(0);
         residuals.retain(|residuals| graph.cost(residuals) <= SCHEDULING_MARGIN * least);
-        let in_differences = (model.coordinates <= MAX_EXPANDED_COORDINATES)
-            .then(|| in_angle_differences(graph, &equations.inverse_dynamics));
+        let in_differences = (model.coordinates <= MAX_EXPANDED_COORDINATES
+            && self.constraints.is_empty())
+        .then(|| in_angle_differences(graph, lagrange));
         let in_differences = in_differences.flatten();
         solution.implicit_equations(graph, residuals, in_differences)
     }
@@ -356,9 +389,13 @@ impl LinearSystem {
     }
 }
 
-/// The solution through the factors of M.
-fn ldlt_solver(graph: &mut Graph, system: &LinearSystem) -> Option<Solver> {
-    let ldlt = Ldlt::factor(graph, &system.mass, MAX_PIVOT_NEIGHBOURS)?;
+/// The solution through the factors of M, or of the matrix of a saddle point problem. There as many pivots as there are
+/// `coordinates` are positive where M is, and those of the multipliers negative; their opposites are the pivots.
+fn ldlt_solver(graph: &mut Graph, system: &LinearSystem, coordinates: usize) -> Option<Solver> {
+    let mut ldlt = Ldlt::factor(graph, &system.mass, MAX_PIVOT_NEIGHBOURS)?;
+    for pivot in ldlt.pivots.iter_mut().skip(coordinates) {
+        *pivot = graph.negate(*pivot);
+    }
     Some(Solver::Ldlt(ldlt, system.forcing.clone()))
 }
 

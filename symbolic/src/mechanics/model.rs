@@ -24,7 +24,7 @@ pub struct Model {
     pub dissipation: Expression,
     /// The declared generalized force of each coordinate.
     pub forces: Vec<Expression>,
-    /// What holds in every motion.
+    /// The constraints.
     pub constraints: Vec<Constraint>,
     /// Quantities for observers.
     pub outputs: Vec<Expression>,
@@ -69,6 +69,15 @@ impl Model {
     #[must_use]
     pub fn velocity_symbols(&self) -> Vec<Symbol> {
         (0..self.coordinates).map(Symbol::Velocity).collect()
+    }
+
+    /// The indices of the constraints, the holonomic ones first.
+    pub(crate) fn holonomic_first(&self) -> Vec<usize> {
+        let is_holonomic = |i: &usize| matches!(self.constraints[*i], Constraint::Holonomic(_));
+        let (mut indices, others): (Vec<_>, Vec<_>) =
+            (0..self.constraints.len()).partition(is_holonomic);
+        indices.extend(others);
+        indices
     }
 
     /// The symbols of the inputs.

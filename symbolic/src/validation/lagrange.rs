@@ -19,7 +19,10 @@ pub(crate) struct Lagrange {
     /// T and V, or L; then D; then the forces.
     tape: Tape,
     outputs: Tape,
+    /// With those that stand for multipliers.
     pub(crate) coordinates: usize,
+    /// How many of them stand for multipliers: their velocities are 0.
+    pub(crate) multipliers: usize,
     pub(crate) inputs: usize,
     energies: usize,
     dissipates: bool,
@@ -72,11 +75,36 @@ impl Variation {
             parameters: BTreeMap::new(),
         }
     }
+
+    /// Leaves the velocities of the last coordinates, which stand for multipliers, as they are.
+    pub(crate) fn without_multipliers(mut self, multipliers: usize) -> Self {
+        let coordinates = self.velocities.len();
+        let free = coordinates - multipliers;
+        self.state[coordinates + free..2 * coordinates].fill(0.0);
+        self.velocities[free..].fill(0.0);
+        self
+    }
+
+    /// A variation of the inputs alone.
+    pub(crate) fn of_inputs(&self) -> Self {
+        Self {
+            state: vec![0.0; self.state.len()],
+            inputs: self.inputs.clone(),
+            velocities: self.velocities.clone(),
+            parameters: BTreeMap::new(),
+        }
+    }
 }
 
 impl Lagrange {
-    /// The equations of `model`, whose graph may have become `graph`.
-    pub(crate) fn new(model: &Model, graph: &Graph, stand_ins: &StandIns) -> Self {
+    /// The equations of `model`, whose graph may have become `graph` and whose last coordinates stand for so many
+    /// multipliers.
+    pub(crate) fn new(
+        model: &Model,
+        graph: &Graph,
+        multipliers: usize,
+        stand_ins: &StandIns,
+    ) -> Self {
         let energies = match model.energies {
             Energies::Natural { kinetic, potential } => vec![kinetic, potential],
             Energies::General(lagrangian) => vec![lagrangian],
@@ -93,6 +121,7 @@ impl Lagrange {
             tape: tape(&roots),
             outputs: tape(&model.outputs),
             coordinates: model.coordinates as usize,
+            multipliers,
             inputs: model.inputs as usize,
             energies: energies.len(),
             dissipates: !model.graph.is_zero(model.dissipation),
@@ -108,7 +137,7 @@ impl Lagrange {
         perturbation: Perturbation,
     ) -> Option<Values> {
         let n = self.coordinates;
-        let symbol = |symbol: Symbol| moving(point, symbol, variation, accelerations);
+        let symbol = |symbol: Symbol| self.moving(point, symbol, variation, accelerations);
         let values = self.tape.run(&symbol, perturbation);
         let largest = values.iter().map(|x| x.value.abs()).fold(0.0, f64::max);
         let slots = self.tape.outputs();
@@ -149,8 +178,10 @@ impl Lagrange {
                 force: at(self.energies + 1 + i),
                 drag: dissipation.velocities[i],
             })?;
-            let power = result.generalized_forces[i] * point.value(Symbol::Velocity(position(i)));
-            result.energy_rate.add(power);
+            let velocity = self.at(point, Symbol::Velocity(position(i)));
+            result
+                .energy_rate
+                .add(result.generalized_forces[i] * velocity);
         }
         result.energy_rate.add(-lagrangian.time.value);
         let state = |symbol: Symbol| match symbol {
@@ -159,6 +190,15 @@ impl Lagrange {
         };
         result.outputs = self.outputs.evaluate(&state, perturbation);
         Some(result)
+    }
+
+    /// The value of a symbol; of a velocity that stands for a multiplier, 0.
+    pub(crate) fn at(&self, point: RealPoint, symbol: Symbol) -> f64 {
+        let free = self.coordinates - self.multipliers;
+        match symbol {
+            Symbol::Velocity(i) if i as usize >= free => 0.0,
+            _ => point.value(symbol),
+        }
     }
 
     /// L as a sum of roots.
@@ -204,7 +244,7 @@ impl Lagrange {
             };
             HyperDual {
                 first,
-                ..HyperDual::constant(point.value(symbol))
+                ..HyperDual::constant(self.at(point, symbol))
             }
         };
         let values = self.tape.run(&symbol, perturbation);
@@ -277,49 +317,52 @@ impl Gradient {
     }
 }
 
-/// A symbol that moves in time and with the variation.
-fn moving(
-    point: RealPoint,
-    symbol: Symbol,
-    variation: &Variation,
-    accelerations: &[f64],
-) -> HyperDual {
-    let n = accelerations.len();
-    let mut number = HyperDual::constant(point.value(symbol));
-    match symbol {
-        Symbol::Coordinate(i) => {
-            let i = i as usize;
-            // q̇ varies, too.
-            number.first = point.value(Symbol::Velocity(position(i)));
-            number.second = variation.state[i];
-            number.mixed = variation.state[n + i];
+impl Lagrange {
+    /// A symbol that moves in time and with the variation.
+    pub(crate) fn moving(
+        &self,
+        point: RealPoint,
+        symbol: Symbol,
+        variation: &Variation,
+        accelerations: &[f64],
+    ) -> HyperDual {
+        let n = accelerations.len();
+        let mut number = HyperDual::constant(self.at(point, symbol));
+        match symbol {
+            Symbol::Coordinate(i) => {
+                let i = i as usize;
+                // q̇ varies, too.
+                number.first = self.at(point, Symbol::Velocity(position(i)));
+                number.second = variation.state[i];
+                number.mixed = variation.state[n + i];
+            }
+            Symbol::Velocity(i) => {
+                number.first = accelerations[i as usize];
+                number.second = variation.state[n + i as usize];
+            }
+            Symbol::Time => {
+                number.first = 1.0;
+                number.second = variation.state[2 * n];
+            }
+            Symbol::Input(i) => number.second = variation.inputs[i as usize],
+            Symbol::Parameter(_) => {
+                number.second = variation.parameters.get(&symbol).copied().unwrap_or(0.0);
+            }
+            Symbol::Acceleration(_)
+            | Symbol::Invariant(_)
+            | Symbol::Argument(_)
+            | Symbol::Order
+            | Symbol::ReciprocalOrder
+            | Symbol::Convolution(_)
+            | Symbol::QuasiVelocity(_)
+            | Symbol::QuasiVelocityRate(_)
+            | Symbol::RightHandSide(_)
+            | Symbol::PositionComponent(_)
+            | Symbol::VelocityComponent(_)
+            | Symbol::Variation(_) => {}
         }
-        Symbol::Velocity(i) => {
-            number.first = accelerations[i as usize];
-            number.second = variation.state[n + i as usize];
-        }
-        Symbol::Time => {
-            number.first = 1.0;
-            number.second = variation.state[2 * n];
-        }
-        Symbol::Input(i) => number.second = variation.inputs[i as usize],
-        Symbol::Parameter(_) => {
-            number.second = variation.parameters.get(&symbol).copied().unwrap_or(0.0);
-        }
-        Symbol::Acceleration(_)
-        | Symbol::Invariant(_)
-        | Symbol::Argument(_)
-        | Symbol::Order
-        | Symbol::ReciprocalOrder
-        | Symbol::Convolution(_)
-        | Symbol::QuasiVelocity(_)
-        | Symbol::QuasiVelocityRate(_)
-        | Symbol::RightHandSide(_)
-        | Symbol::PositionComponent(_)
-        | Symbol::VelocityComponent(_)
-        | Symbol::Variation(_) => {}
+        number
     }
-    number
 }
 
 fn position(index: usize) -> u32 {

@@ -117,6 +117,41 @@ impl LinearizationCheck {
     }
 }
 
+/// What should vanish of the derivatives of q̈ by the inputs alone: M δq̈ + δ(M q̈ − f) where they are solved for, and what is
+/// found of δ(M q̈ − f) less its value.
+pub(crate) fn input_balances(
+    found: &[f64],
+    pivots: Option<usize>,
+    mass: &SquareMatrix,
+    (variations, variation): (&[SumWithSize], &Variation),
+) -> Vec<SumWithSize> {
+    let n = variations.len();
+    let sum = |start: usize| {
+        let mut sums = vec![SumWithSize::default(); n];
+        for (j, weight) in variation.inputs.iter().enumerate() {
+            for (i, sum) in sums.iter_mut().enumerate() {
+                sum.add(weight * found[start + j * n + i]);
+            }
+        }
+        sums
+    };
+    let less_variations = |mut sums: Vec<SumWithSize>| {
+        for (sum, expected) in sums.iter_mut().zip(variations) {
+            sum.total -= expected.total;
+            sum.size += expected.size;
+        }
+        sums
+    };
+    let Some(pivots) = pivots else {
+        return less_variations(sum(n * (n + 1) / 2));
+    };
+    let mut balances = balance(mass, &sum(pivots), variations);
+    if pivots > 0 {
+        balances.extend(less_variations(sum(pivots + n * variation.inputs.len())));
+    }
+    balances
+}
+
 /// M δq̈ + δ(M q̈ − f).
 fn balance(
     mass: &SquareMatrix,

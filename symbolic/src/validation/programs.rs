@@ -39,6 +39,8 @@ pub enum Method {
     Velocities,
     /// Q·q̇ − ∂L/∂t.
     EnergyRate,
+    /// g, w, G and γ of the constraints.
+    Constraints,
     /// The derivatives of q̈ by parameters.
     Sensitivities,
     /// Y, r and π in M q̈ − f = Y π + r.
@@ -56,6 +58,7 @@ impl Method {
             | Self::GeneralizedForces
             | Self::Outputs
             | Self::MomentumRates
+            | Self::Constraints
             | Self::EnergyRate => true,
             Self::MassMatrix
             | Self::Forcing
@@ -114,6 +117,19 @@ pub struct SensitivityProgram<'a> {
     pub parameters: &'a [Symbol],
 }
 
+/// The programs of the constraints of a model.
+#[derive(Clone, Copy)]
+pub struct ConstraintPrograms<'a> {
+    /// g of the holonomic constraints, which are the first ones, and 0 for the others.
+    pub positions: &'a Program,
+    /// w = G q̇ + a.
+    pub velocities: &'a Program,
+    /// G, column by column.
+    pub jacobian: &'a Program,
+    /// γ in G q̈ + γ = 0.
+    pub rates: &'a Program,
+}
+
 /// The programs of a model.
 #[derive(Clone, Copy)]
 pub struct Programs<'a> {
@@ -135,14 +151,27 @@ pub struct Programs<'a> {
     pub inverse_dynamics: &'a Program,
     /// The setup program of q̈ and M q̈ − f, which computes the invariants.
     pub preparation: &'a Program,
-    /// q̈.
+    /// q̈, and behind it the multipliers of the constraints.
     pub accelerations: AccelerationProgram<'a>,
-    /// Derivatives of q̈; none where they are those of the inverse dynamics on dual numbers.
+    /// Those of the constraints, if there are some.
+    pub constraints: Option<ConstraintPrograms<'a>>,
+    /// Derivatives of q̈; none where they are those of the inverse dynamics on dual numbers, and with constraints.
     pub linearization: Option<LinearizationProgram<'a>>,
+    /// The derivatives of q̈ and the multipliers by the inputs, and the number of pivots if they were solved for
+    /// symbolically; of models with constraints.
+    pub input_jacobian: Option<(&'a Program, Option<usize>)>,
     /// Quantities for observers, as one program or one after the other.
     pub outputs: &'a [&'a Program],
     /// What clauses ask for.
     pub requested: RequestedPrograms<'a>,
+}
+
+/// The programs of the constraints as tapes.
+pub(crate) struct ConstraintTapes {
+    pub(crate) positions: Tape,
+    pub(crate) velocities: Tape,
+    pub(crate) jacobian: Tape,
+    pub(crate) rates: Tape,
 }
 
 /// The same as tapes.
@@ -160,6 +189,8 @@ pub(crate) struct Tapes {
     pub(crate) outputs: Tape,
     /// By the state and by the inputs, with what they compute.
     pub(crate) linearization: Option<([Tape; 2], LinearizationOutputs)>,
+    pub(crate) constraints: Option<ConstraintTapes>,
+    pub(crate) input_jacobian: Option<(Tape, Option<usize>)>,
     pub(crate) requested: RequestedTapes,
     preparation: Tape,
     accelerations: Tape,
@@ -209,6 +240,15 @@ impl Tapes {
             inverse_dynamics: tape(programs.inverse_dynamics),
             outputs: tape_of(&mut programs.outputs.iter().copied()),
             linearization: linearization.map(|(programs, outputs)| (programs.map(tape), outputs)),
+            constraints: programs.constraints.map(|programs| ConstraintTapes {
+                positions: tape(programs.positions),
+                velocities: tape(programs.velocities),
+                jacobian: tape(programs.jacobian),
+                rates: tape(programs.rates),
+            }),
+            input_jacobian: programs
+                .input_jacobian
+                .map(|(program, pivots)| (tape(program), pivots)),
             requested: RequestedTapes::new(&programs.requested, stand_ins),
             preparation: tape(programs.preparation),
             accelerations: tape(accelerations),

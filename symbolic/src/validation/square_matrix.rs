@@ -26,6 +26,24 @@ impl SquareMatrix {
         Self { elements, size }
     }
 
+    /// The matrix of the saddle point problem for this mass matrix and the Jacobian G of so many constraints, column by
+    /// column.
+    pub(crate) fn with_constraints(&self, jacobian: &[f64], constraints: usize) -> Self {
+        let size = self.size + constraints;
+        let mut elements = vec![0.0; size * size];
+        for i in 0..self.size {
+            for j in 0..self.size {
+                elements[i * size + j] = self.elements[i * self.size + j];
+            }
+            for j in 0..constraints {
+                let entry = -jacobian[i * constraints + j];
+                elements[i * size + self.size + j] = entry;
+                elements[(self.size + j) * size + i] = entry;
+            }
+        }
+        Self { elements, size }
+    }
+
     /// The product with a vector.
     pub(crate) fn times(&self, vector: &[f64]) -> Vec<SumWithSize> {
         let mut products = vec![SumWithSize::default(); self.size];

@@ -13,10 +13,10 @@ use crate::limits::{
 };
 use crate::validation::comparison::{Comparison, Comparisons};
 use crate::validation::lagrange::{Lagrange, Values, Variation};
-use crate::validation::linearization_check::LinearizationCheck;
+use crate::validation::linearization_check::{LinearizationCheck, input_balances};
 use crate::validation::mixed_derivatives::MixedDerivatives;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::programs::{Method, Programs, Tapes};
+use crate::validation::programs::{ConstraintTapes, Method, Programs, Tapes};
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::sum_with_size::SumWithSize;
 use crate::validation::tape::{StandIns, Tape};
@@ -35,6 +35,15 @@ impl Validator {
     /// The reference for `model`, made before anything is derived from it.
     #[must_use]
     pub fn new(model: &Model) -> Self {
+        let multipliers = model.constraints.len();
+        if multipliers == 0 {
+            return Self::of(model, 0);
+        }
+        Self::of(&model.with_multiplier_coordinates(), multipliers)
+    }
+
+    /// The reference for a model whose last coordinates stand for so many multipliers.
+    fn of(model: &Model, multipliers: usize) -> Self {
         let graph = &model.graph;
         let mut energies = match model.energies {
             Energies::Natural { kinetic, potential } => vec![kinetic, potential],
@@ -49,14 +58,14 @@ impl Validator {
         if !has_several_arguments {
             let stand_ins = StandIns::default();
             return Self {
-                lagrange: Lagrange::new(model, graph, &stand_ins),
+                lagrange: Lagrange::new(model, graph, multipliers, &stand_ins),
                 stand_ins,
                 has_unequal_derivatives: false,
             };
         }
         let mixed = MixedDerivatives::of(graph, &energies);
         Self {
-            lagrange: Lagrange::new(model, &mixed.graph, &mixed.stand_ins),
+            lagrange: Lagrange::new(model, &mixed.graph, multipliers, &mixed.stand_ins),
             stand_ins: mixed.stand_ins,
             has_unequal_derivatives: !mixed.are_equal,
         }
@@ -123,25 +132,37 @@ impl Validator {
         perturbation: Perturbation,
     ) -> Option<Vec<Comparison>> {
         let n = self.lagrange.coordinates;
+        let multipliers = self.lagrange.multipliers;
         let variation = Variation::at(point, n, self.lagrange.inputs);
+        let variation = variation.without_multipliers(multipliers);
         let solved = tapes.accelerations(point, n, perturbation);
         // Methods other than the accelerations are compared at any accelerations.
         let accelerations = solved.as_ref().unwrap_or(&variation.velocities);
         let lagrange = &self.lagrange;
-        let reference = Reference {
-            values: lagrange.values(point, &variation, accelerations, perturbation)?,
+        let values = lagrange.values(point, &variation, accelerations, perturbation)?;
+        let mut reference = Reference {
+            lagrange,
+            values,
             variation: &variation,
             accelerations,
             point,
             perturbation,
         };
         let mut comparisons = Comparisons::default();
-        reference.compare_values(tapes, &mut comparisons);
-        let forcing = reference.at(&tapes.forcing);
-        let mass = match &tapes.mass_matrix {
-            Some(tape) => SquareMatrix::new(reference.at(tape), n),
+        let free = n - multipliers;
+        let mut mass = match &tapes.mass_matrix {
+            Some(tape) => SquareMatrix::new(reference.at(tape), free),
             None => reference.mass_matrix_of(&tapes.momenta),
         };
+        let mut forcing = reference.at(&tapes.forcing);
+        if let Some(constraints) = &tapes.constraints {
+            let jacobian = reference.at(&constraints.jacobian);
+            mass = mass.with_constraints(&jacobian, multipliers);
+            forcing.extend(reference.at(&constraints.rates));
+            reference.add_power(&jacobian);
+            reference.compare_constraints(constraints, &mut comparisons);
+        }
+        reference.compare_values(tapes, &mut comparisons);
         let expected = reference.forcing(&mass);
         comparisons.balances(Method::Forcing, &forcing, &expected);
         reference.compare_velocities(tapes, &mass, &mut comparisons);
@@ -202,6 +223,7 @@ pub(crate) fn unexplained(
 
 /// Lagrange's equations at one point.
 struct Reference<'a> {
+    lagrange: &'a Lagrange,
     values: Values,
     variation: &'a Variation,
     accelerations: &'a [f64],
@@ -249,10 +271,40 @@ impl Reference<'_> {
         SquareMatrix::new(elements, n)
     }
 
+    /// Adds the power λᵀ G q̇ of the constraints to the rate of the energy.
+    fn add_power(&mut self, jacobian: &[f64]) {
+        let multipliers = self.lagrange.multipliers;
+        let free = self.accelerations.len() - multipliers;
+        for (i, column) in (0..).zip(jacobian.chunks(multipliers)) {
+            let velocity = self.point.value(Symbol::Velocity(i));
+            for (entry, multiplier) in column.iter().zip(&self.accelerations[free..]) {
+                self.values.energy_rate.add(entry * multiplier * velocity);
+            }
+        }
+    }
+
+    /// w, which is the opposite of the last momenta, and ġ, which is w.
+    fn compare_constraints(&self, tapes: &ConstraintTapes, comparisons: &mut Comparisons) {
+        let free = self.accelerations.len() - self.lagrange.multipliers;
+        let velocities = self.at(&tapes.velocities);
+        let opposite: Vec<f64> = velocities.iter().map(|w| -w).collect();
+        let momenta = &self.values.momenta[free..];
+        comparisons.values(Method::Constraints, &opposite, momenta);
+        let symbol = |symbol| {
+            let (variation, accelerations) = (self.variation, self.accelerations);
+            self.lagrange
+                .moving(self.point, symbol, variation, accelerations)
+        };
+        let values = tapes.positions.run(&symbol, self.perturbation);
+        let outputs = tapes.positions.outputs().iter();
+        let rates: Vec<f64> = outputs.map(|slot| values[*slot as usize].first).collect();
+        comparisons.values(Method::Constraints, &rates, &velocities);
+    }
+
     /// The energies, momenta, forces and outputs.
     fn compare_values(&self, tapes: &Tapes, comparisons: &mut Comparisons) {
         let values = &self.values;
-        let energy = energy(values, self.point);
+        let energy = energy(values, |symbol| self.lagrange.at(self.point, symbol));
         comparisons.balances(Method::Energy, &self.at(&tapes.energy), &[energy]);
         let forces = &values.generalized_forces;
         for (method, tape, expected) in [
@@ -346,6 +398,10 @@ impl Reference<'_> {
         });
         let residuals: Vec<_> = residuals.collect();
         comparisons.vanishing(Method::Accelerations, &residuals);
+        if let Some((tape, pivots)) = &tapes.input_jacobian {
+            let balances = self.input_balances(&self.at(tape), *pivots, mass);
+            comparisons.vanishing(Method::Linearization, &balances.unwrap_or_default());
+        }
         let Some(([state, inputs], outputs)) = &tapes.linearization else {
             return;
         };
@@ -360,12 +416,33 @@ impl Reference<'_> {
     }
 }
 
+impl Reference<'_> {
+    /// What should vanish of the derivatives by the inputs in a model with constraints.
+    fn input_balances(
+        &self,
+        found: &[f64],
+        pivots: Option<usize>,
+        mass: &SquareMatrix,
+    ) -> Option<Vec<SumWithSize>> {
+        let variation = self.variation.of_inputs();
+        let (point, perturbation) = (self.point, self.perturbation);
+        let lagrange = self.lagrange;
+        let values = lagrange.values(point, &variation, self.accelerations, perturbation)?;
+        Some(input_balances(
+            found,
+            pivots,
+            mass,
+            (&values.variations, &variation),
+        ))
+    }
+}
+
 /// The energy function Σ pᵢ q̇ᵢ − L.
-fn energy(values: &Values, point: RealPoint) -> SumWithSize {
+fn energy(values: &Values, value: impl Fn(Symbol) -> f64) -> SumWithSize {
     let mut energy = SumWithSize::default();
     energy.add(-values.lagrangian);
     for (i, momentum) in (0..).zip(&values.momenta) {
-        energy.add(momentum * point.value(Symbol::Velocity(i)));
+        energy.add(momentum * value(Symbol::Velocity(i)));
     }
     energy
 }

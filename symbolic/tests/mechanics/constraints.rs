@@ -30,10 +30,7 @@ fn defect(
     ConstraintEquations::derive(&mut model).unwrap_err()
 }
 
-fn integrable(
-    coordinates: u32,
-    constraints: impl FnOnce(&Draft) -> Vec<Constraint>,
-) -> Vec<usize> {
+fn integrable(coordinates: u32, constraints: impl FnOnce(&Draft) -> Vec<Constraint>) -> Vec<usize> {
     let mut model = model(coordinates, constraints);
     let equations = ConstraintEquations::derive(&mut model).unwrap();
     equations.integrable(&mut model)

@@ -26,6 +26,9 @@ impl Lowerer<'_> {
         if name == "dot" {
             return self.time_derivative(call, &arguments, context);
         }
+        if name == "reaction" && self.scope.function(name).is_none() {
+            return self.reaction(call, &arguments);
+        }
         if name == "vector" {
             return self.family_as_vector(call, &arguments, context);
         }

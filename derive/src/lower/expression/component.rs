@@ -196,7 +196,7 @@ impl Lowerer<'_> {
 }
 
 /// What stands before all indices behind an expression, and those, the first first.
-pub(super) fn base_and_indices(whole: &Expr) -> (&Expr, Vec<&Expr>) {
+pub(crate) fn base_and_indices(whole: &Expr) -> (&Expr, Vec<&Expr>) {
     let mut indices = Vec::new();
     let mut base = without_parentheses(whole);
     while let Expr::Index(inner) = base {

@@ -1,0 +1,121 @@
+//! Why constraints have no equations, reported at the constraint.
+
+use lagrangian_symbolic::{ConstraintDefect, Model, Symbol};
+use proc_macro2::Ident;
+use syn::Expr;
+
+use crate::diagnostics::Diagnostics;
+use crate::lower::Lowered;
+use crate::syntax::declaration::Declaration;
+
+/// What clauses of a model need that models with constraints do not have.
+pub(crate) fn refuse_clauses(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let clauses = &declaration.clauses;
+    if clauses.constraints.is_empty() && clauses.nonholonomic.is_empty() {
+        return;
+    }
+    let clauses: [(Option<&Ident>, &str); 3] = [
+        (
+            clauses.routhian.as_ref().map(|clause| &clause.keyword),
+            "a model with constraints has no reduced model: leave `routhian` out",
+        ),
+        (
+            clauses.regressor.as_ref().map(|clause| &clause.keyword),
+            "a model with constraints has no regressor: leave `regressor` out, or declare the model once more without constraints",
+        ),
+        (
+            clauses.hamiltonian.as_ref(),
+            "a model with constraints has no canonical equations: leave `hamiltonian` out; momenta are \
+             `model.momenta(&state)`",
+        ),
+    ];
+    for (keyword, message) in clauses {
+        if let Some(keyword) = keyword {
+            diagnostics.error(keyword, message);
+        }
+    }
+}
+
+/// Says at a constraint why it has no equations.
+pub(super) fn report(
+    defect: &ConstraintDefect,
+    lowered: &Lowered,
+    model: &Model,
+    diagnostics: &mut Diagnostics,
+) {
+    let (component, message) = match defect {
+        ConstraintDefect::Velocity(i) => (
+            *i,
+            "a holonomic constraint is a relation of coordinates and the time, and this one contains velocities: write \
+             `nonholonomic(name = …)`"
+                .to_owned(),
+        ),
+        ConstraintDefect::Input(i) => (*i, of_input(*i, lowered, model)),
+        ConstraintDefect::Nonlinear(i) => (
+            *i,
+            "this is not linear in the velocities, and only constraints that are linear in them have reactions without work: \
+             write a relation A q̇ + a = 0, as `dot(x) - r * dot(theta)`"
+                .to_owned(),
+        ),
+        ConstraintDefect::NoVelocity { constraint, holds } => {
+            (*constraint, of_no_velocity(*holds).to_owned())
+        }
+        ConstraintDefect::Dependent {
+            constraint,
+            others,
+            contradicts,
+        } => (*constraint, dependent(others, *contradicts, lowered)),
+    };
+    if let Some(expression) = expression(component, lowered) {
+        diagnostics.error(expression, message);
+    }
+}
+
+fn expression(component: usize, lowered: &Lowered) -> Option<&Expr> {
+    let constraint = lowered.constraints.of_component(component)?;
+    Some(&constraint.expression)
+}
+
+fn of_input(component: usize, lowered: &Lowered, model: &Model) -> String {
+    let roots = [model.constraints[component].expression()];
+    let symbols = model.graph.symbols(&roots);
+    let input = symbols.iter().find_map(|symbol| match symbol {
+        Symbol::Input(i) => lowered.quantities.inputs.get(*i as usize),
+        _ => None,
+    });
+    let name = input.map_or_else(String::new, |input| input.label.to_string());
+    format!(
+        "this contains the input `{name}`, whose rates of change are unknown: make it a function of `t`, or a coordinate that a \
+         force moves"
+    )
+}
+
+fn of_no_velocity(holds: bool) -> &'static str {
+    if holds {
+        "this is zero in every motion, so that it restricts nothing: remove the constraint"
+    } else {
+        "this depends on no coordinate, so that no motion can make it zero: write a relation of coordinates, or of velocities \
+         in `nonholonomic(name = …)`"
+    }
+}
+
+fn dependent(others: &[usize], contradicts: bool, lowered: &Lowered) -> String {
+    let labels = lowered.constraints.labels();
+    let names = others.iter().filter_map(|i| labels.get(*i));
+    let names: Vec<_> = names.map(|label| format!("`{label}`")).collect();
+    let names = match names.as_slice() {
+        [] => "nothing".to_owned(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    };
+    if contradicts {
+        format!(
+            "this contradicts {names}: where they hold, it allows no motion; remove one of them, or change what the time moves"
+        )
+    } else {
+        format!(
+            "the velocities that this allows are those that {names} allow: remove it, since its reaction would not be \
+             unique"
+        )
+    }
+}

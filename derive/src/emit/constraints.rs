@@ -1,0 +1,206 @@
+//! What is emitted for constraints: their names and indices, the impl of `Constraints`, and the projection of states.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::emitter::Emitter;
+use crate::lower::constraints::Constraints;
+use crate::plan::{EmittedMethod, Interface, ParameterSource};
+use crate::syntax::declaration::Declaration;
+use crate::syntax::names::{constant_name, hygienic_ident, unraw};
+
+impl Emitter<'_> {
+    pub(super) fn constraint_count(&self) -> usize {
+        self.equations.constraints.len()
+    }
+
+    /// How many unknowns the equations of motion have: the accelerations and the multipliers.
+    pub(super) fn unknowns(&self) -> usize {
+        self.coordinates() + self.constraint_count()
+    }
+
+    pub(super) fn is_constrained(&self) -> bool {
+        self.constraint_count() > 0
+    }
+
+    /// The impl of `Constraints`, for a model that declares some.
+    pub(super) fn constraints(&self) -> TokenStream {
+        if !self.is_constrained() {
+            return TokenStream::new();
+        }
+        let items = constants_of_trait(&self.lowered.constraints);
+        self.interface(Interface::Constraints, items)
+    }
+
+    /// The impl of `StateJacobian`, for a model without constraints.
+    pub(super) fn state_jacobian(&self) -> TokenStream {
+        if self.is_constrained() {
+            return TokenStream::new();
+        }
+        self.interface(Interface::StateJacobian, TokenStream::new())
+    }
+
+    pub(super) fn constraint_constants(&self) -> TokenStream {
+        constants(self.declaration, &self.lowered.constraints)
+    }
+
+    /// The items of `Quantities` that a model with constraints has besides.
+    pub(super) fn projection(&self) -> TokenStream {
+        if !self.is_constrained() {
+            return TokenStream::new();
+        }
+        let (root, n, c, k) = (
+            &self.declaration.root,
+            self.coordinates(),
+            self.constraint_count(),
+            self.unknowns(),
+        );
+        let signatures = self.signatures();
+        let (state, vector, prepared) = (
+            signatures.state(),
+            signatures.vector(),
+            &signatures.prepared,
+        );
+        let scalar = &self.scalar;
+        quote! {
+            const CONSTRAINTS: &'static [&'static str] = &Self::CONSTRAINTS;
+            fn project(
+                &self,
+                state: #state,
+                prepared: &#prepared,
+            ) -> ::core::option::Option<#root::problem::Projection<#scalar, #root::Phase<#scalar, #n>>> {
+                ::core::option::Option::Some(#root::__private::project::<Self, #scalar, #n, #c, #k>(self, state, prepared))
+            }
+            fn relative_pivots(&self, state: #state, prepared: &#prepared) -> #vector {
+                #root::__private::constrained_pivots::<Self, #scalar, #n, #c, #k>(self, state, prepared).0
+            }
+            fn constraint_pivot(
+                &self,
+                state: #state,
+                prepared: &#prepared,
+            ) -> ::core::option::Option<(::core::primitive::usize, ::core::primitive::f64)> {
+                let pivots = #root::__private::constrained_pivots::<Self, #scalar, #n, #c, #k>(self, state, prepared).1;
+                #root::__private::least_pivot(&pivots)
+            }
+        }
+    }
+
+    /// The statement that names the parts of a solution that these tokens mention: the accelerations, and with constraints
+    /// the multipliers.
+    pub(super) fn parts_of_solution(
+        &self,
+        solution: &TokenStream,
+        readers: &TokenStream,
+    ) -> TokenStream {
+        if !self.is_constrained() {
+            return quote!(let accelerations = #solution;);
+        }
+        let parts = self.split(solution);
+        let pattern = pattern_of_parts(readers);
+        quote!(let #pattern = #parts;)
+    }
+
+    /// The accelerations and the multipliers of a solution.
+    pub(super) fn split(&self, solution: &TokenStream) -> TokenStream {
+        let (root, scalar) = (&self.declaration.root, &self.scalar);
+        let (n, c, k) = (self.coordinates(), self.constraint_count(), self.unknowns());
+        quote!(#root::__private::parts::<#scalar, #n, #c, #k>(&#solution))
+    }
+
+    /// The rows of the accelerations of a matrix with a row for each unknown.
+    pub(super) fn rows_of_accelerations(&self, matrix: &TokenStream) -> TokenStream {
+        if !self.is_constrained() {
+            return matrix.clone();
+        }
+        let root = &self.declaration.root;
+        quote!(#root::__private::rows_of_accelerations(&#matrix))
+    }
+
+    /// The factors of M, or with constraints those of the saddle point problem, by the methods of the model.
+    pub(super) fn factors(&self, source: ParameterSource) -> TokenStream {
+        let root = &self.declaration.root;
+        let mass = self.call(EmittedMethod::MassMatrix, source);
+        if !self.is_constrained() {
+            return quote!(#root::Factorization::new(#mass));
+        }
+        let jacobian = self.call(EmittedMethod::ConstraintJacobian, source);
+        let (scalar, n, c, k) = (
+            &self.scalar,
+            self.coordinates(),
+            self.constraint_count(),
+            self.unknowns(),
+        );
+        quote!(#root::__private::saddle_point::<#scalar, #n, #c, #k>(&#mass, &#jacobian))
+    }
+
+    /// f, and with constraints behind it γ, by the methods of the model.
+    pub(super) fn right_hand_side(&self, source: ParameterSource) -> TokenStream {
+        let root = &self.declaration.root;
+        let forcing = self.call(EmittedMethod::Forcing, source);
+        if !self.is_constrained() {
+            return forcing;
+        }
+        let rates = self.call(EmittedMethod::ConstraintRates, source);
+        let (scalar, n, c, k) = (
+            &self.scalar,
+            self.coordinates(),
+            self.constraint_count(),
+            self.unknowns(),
+        );
+        quote!(#root::__private::joined::<#scalar, #n, #c, #k>(&#forcing, &#rates))
+    }
+}
+
+/// The pattern for accelerations and multipliers, as far as these tokens mention them.
+pub(super) fn pattern_of_parts(readers: &TokenStream) -> TokenStream {
+    let [accelerations, multipliers] = ["accelerations", "multipliers"].map(|name| {
+        if super::parameters::mentions(readers, name) {
+            let name = Ident::new(name, proc_macro2::Span::call_site());
+            quote!(#name)
+        } else {
+            quote!(_)
+        }
+    });
+    quote!((#accelerations, #multipliers))
+}
+
+/// The constants of the impl of `Constraints`.
+pub(super) fn constants_of_trait(constraints: &Constraints) -> TokenStream {
+    let (count, holonomic) = (constraints.len(), constraints.holonomic());
+    quote! {
+        const CONSTRAINTS: [&'static str; #count] = Self::CONSTRAINTS;
+        const HOLONOMIC: usize = #holonomic;
+    }
+}
+
+/// The names and the indices of the constraints, as constants of the type; nothing where there are none.
+pub(super) fn constants(declaration: &Declaration, constraints: &Constraints) -> TokenStream {
+    let count = constraints.len();
+    if count == 0 {
+        return TokenStream::new();
+    }
+    let visibility = &declaration.visibility;
+    let labels = constraints.labels();
+    let labels = labels.iter().map(ToString::to_string);
+    let indices = constraints.names().into_iter().map(|(name, indices, is_single)| {
+        let constant = hygienic_ident(&constant_name(name), name);
+        let written = unraw(name);
+        let length = indices.len();
+        let indices = indices.into_iter().map(Literal::usize_unsuffixed);
+        if is_single {
+            let text = format!("The index of the constraint `{written}`.");
+            quote!(#[doc = #text] #visibility const #constant: ::core::primitive::usize = #(#indices)*;)
+        } else {
+            let text = format!("The indices of the components of the constraint `{written}`.");
+            quote! {
+                #[doc = #text]
+                #visibility const #constant: [::core::primitive::usize; #length] = [#(#indices),*];
+            }
+        }
+    });
+    quote! {
+        /// The names of the constraints, in order.
+        #visibility const CONSTRAINTS: [&'static str; #count] = [#(#labels),*];
+        #(#indices)*
+    }
+}

@@ -1,0 +1,35 @@
+//! The impl of `Constraints` without equations, and its constants.
+
+use proc_macro2::TokenStream;
+
+use super::Fallback;
+use crate::emit::constraints;
+use crate::plan::Interface;
+use crate::syntax::names::constant_name;
+
+impl Fallback<'_> {
+    /// The constants of constraints, unless the names of some are taken.
+    pub(super) fn constraint_constants(&self) -> TokenStream {
+        let mut taken = self.taken.clone();
+        let names = self.lowered.constraints.names();
+        let mut names = names.iter().map(|(name, ..)| constant_name(name));
+        if names.all(|name| taken.insert(name)) {
+            constraints::constants(self.declaration, &self.lowered.constraints)
+        } else {
+            TokenStream::new()
+        }
+    }
+
+    pub(super) fn constraints(&self) -> TokenStream {
+        let constraints = &self.lowered.constraints;
+        if constraints.len() == 0 {
+            return TokenStream::new();
+        }
+        let count = constraints.len();
+        let items = quote::quote! {
+            const CONSTRAINTS: [&'static str; #count] = [""; #count];
+            const HOLONOMIC: usize = 0;
+        };
+        self.interface(Interface::Constraints, &items)
+    }
+}

@@ -1,0 +1,236 @@
+//! Constraints, component by component, and their reactions.
+
+use lagrangian_symbolic::{Constraint, Expression, Symbol};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::Expr;
+
+use crate::lower::count;
+use crate::lower::expression::{ExpressionContext, Lowerer, base_and_indices};
+use crate::lower::value::Value;
+use crate::syntax::clauses::Clauses;
+use crate::syntax::label::{Index, Label};
+use crate::syntax::named::NamedExpression;
+use crate::syntax::names::unraw;
+use crate::syntax::shape::Shape;
+
+/// The constraints of a declaration, the holonomic ones first.
+#[derive(Clone, Default)]
+pub(crate) struct Constraints {
+    /// One for each constraint or member of a family.
+    pub(crate) declared: Vec<DeclaredConstraint>,
+    /// Component by component.
+    pub(crate) components: Vec<Constraint>,
+}
+
+/// A constraint, or a member of a family of constraints.
+#[derive(Clone)]
+pub(crate) struct DeclaredConstraint {
+    pub(crate) name: Ident,
+    pub(crate) expression: Expr,
+    /// The indices of a member.
+    member: Vec<usize>,
+    shape: Shape,
+    /// The index of the first component.
+    first: usize,
+}
+
+impl Constraints {
+    /// How many components there are.
+    pub(crate) fn len(&self) -> usize {
+        self.components.len()
+    }
+
+    /// How many components are holonomic.
+    pub(crate) fn holonomic(&self) -> usize {
+        let components = self.components.iter();
+        components
+            .filter(|constraint| matches!(constraint, Constraint::Holonomic(_)))
+            .count()
+    }
+
+    /// The names of the components.
+    pub(crate) fn labels(&self) -> Vec<Label> {
+        let declared = self.declared.iter();
+        declared.flat_map(DeclaredConstraint::labels).collect()
+    }
+
+    /// The constraint with a component.
+    pub(crate) fn of_component(&self, component: usize) -> Option<&DeclaredConstraint> {
+        let before = self
+            .declared
+            .iter()
+            .take_while(|one| one.first <= component);
+        before.last()
+    }
+
+    /// The names, each with the indices of its components and whether it has a single one.
+    pub(crate) fn names(&self) -> Vec<(&Ident, Vec<usize>, bool)> {
+        let mut names: Vec<(&Ident, Vec<usize>, bool)> = Vec::new();
+        for one in &self.declared {
+            let is_single = one.member.is_empty() && one.shape == Shape::Scalar;
+            match names.last_mut() {
+                Some((name, indices, _)) if unraw(name) == unraw(&one.name) => {
+                    indices.extend(one.indices());
+                }
+                _ => names.push((&one.name, one.indices().collect(), is_single)),
+            }
+        }
+        names
+    }
+}
+
+impl DeclaredConstraint {
+    fn indices(&self) -> core::ops::Range<usize> {
+        self.first..self.first + self.shape.count()
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        let components = 0..self.shape.count();
+        components
+            .map(|component| {
+                let member = self.member.iter().copied().map(Index::One);
+                Label {
+                    stem: unraw(&self.name),
+                    indices: member.chain(self.shape.index(component)).collect(),
+                }
+            })
+            .collect()
+    }
+}
+
+impl Lowerer<'_> {
+    /// The constraints; none if there are errors.
+    pub(super) fn constraints(&mut self, clauses: &Clauses) -> Option<Constraints> {
+        let mut constraints = Constraints::default();
+        let mut understood = true;
+        let kinds: [(_, fn(Expression) -> Constraint); 2] = [
+            (&clauses.constraints, Constraint::Holonomic),
+            (&clauses.nonholonomic, Constraint::Nonholonomic),
+        ];
+        for (named, kind) in kinds {
+            for constraint in named {
+                let done = self.for_each(&constraint.iterations, &mut |lowerer| {
+                    lowerer.constraint(constraint, kind, &mut constraints)
+                });
+                understood &= done.is_some();
+            }
+        }
+        understood.then_some(constraints)
+    }
+
+    fn constraint(
+        &mut self,
+        constraint: &NamedExpression,
+        kind: fn(Expression) -> Constraint,
+        constraints: &mut Constraints,
+    ) -> Option<()> {
+        self.check_not_bound(&constraint.name, &constraint.iterations)?;
+        let member = self.member(&constraint.indices)?;
+        let value = self.lower(&constraint.expression, ExpressionContext::Energy)?;
+        let shape = value.shape();
+        if let Shape::Array { columns: 2.., .. } = shape {
+            let message = format!(
+                "this is {shape}, and a constraint is a scalar or a vector that is zero: write its columns as constraints, \
+                 each with a name"
+            );
+            return self.reject(&constraint.expression, message);
+        }
+        let mut declared = constraints.declared.iter();
+        let name = unraw(&constraint.name);
+        if declared.any(|other| unraw(&other.name) == name && other.member == member) {
+            let message = "this constraint is declared twice: leave one of them out";
+            return self.reject(&constraint.name, message);
+        }
+        if value == Value::EmptySum {
+            let message =
+                "this is a sum without terms, which restricts nothing: remove the constraint";
+            return self.reject(&constraint.expression, message);
+        }
+        constraints.declared.push(DeclaredConstraint {
+            name: constraint.name.clone(),
+            expression: constraint.expression.clone(),
+            member,
+            shape,
+            first: constraints.len(),
+        });
+        let components = value.components().iter().copied();
+        constraints.components.extend(components.map(kind));
+        Some(())
+    }
+
+    /// `reaction(name)`: the multipliers of a constraint, in its shape.
+    pub(super) fn reaction(&mut self, call: &impl ToTokens, arguments: &[&Expr]) -> Option<Value> {
+        let [argument] = arguments else {
+            let message = "`reaction` takes the name of a constraint: write `reaction(name)`";
+            return self.reject(call, message);
+        };
+        let (base, indices) = base_and_indices(argument);
+        let name = match base {
+            Expr::Path(path) => path.path.get_ident(),
+            _ => None,
+        };
+        let Some(name) = name else {
+            let message = "`reaction` takes the name of a constraint: write `reaction(name)`";
+            return self.reject(argument, message);
+        };
+        let Some(constraints) = self.known_constraints.clone() else {
+            let message = "reactions are known after the motion: write `reaction(name)` under `output` or `event`";
+            return self.reject(call, message);
+        };
+        let of_name = |one: &&DeclaredConstraint| unraw(&one.name) == unraw(name);
+        let members: Vec<_> = constraints.declared.iter().filter(of_name).collect();
+        let Some(first) = members.first() else {
+            return self.no_constraint(name, &constraints);
+        };
+        let rank = first.member.len();
+        if indices.len() < rank {
+            let message = format!(
+                "`{name}` is a family of constraints: write one of them, as in `reaction({name}{})`",
+                "[i]".repeat(rank)
+            );
+            return self.reject(argument, message);
+        }
+        let (of_member, of_component) = indices.split_at(rank);
+        let member: Vec<i64> = of_member
+            .iter()
+            .map(|i| self.integer(i))
+            .collect::<Option<_>>()?;
+        let is_meant = |one: &&&DeclaredConstraint| {
+            let indices = one.member.iter().map(|i| i64::try_from(*i).ok());
+            indices.eq(member.iter().map(|i| Some(*i)))
+        };
+        let Some(constraint) = members.iter().find(is_meant) else {
+            let message = format!("there is no constraint `{name}` with this index");
+            return self.reject(argument, message);
+        };
+        let multipliers = constraint.indices().map(|i| {
+            let index = self.coordinates + count(i);
+            self.graph.symbol(Symbol::Acceleration(index))
+        });
+        let multipliers: Vec<_> = multipliers.collect();
+        let value = match constraint.shape {
+            Shape::Scalar => Value::Scalar(*multipliers.first()?),
+            Shape::Array { rows, columns } => {
+                lagrangian_symbolic::Matrix::new(rows, columns, multipliers).map(Value::Array)?
+            }
+        };
+        self.components(value, of_component)
+    }
+
+    fn no_constraint<T>(&mut self, name: &Ident, constraints: &Constraints) -> Option<T> {
+        let names = constraints.declared.iter().map(|one| unraw(&one.name));
+        let mut names: Vec<_> = names.collect();
+        names.dedup();
+        let message = if names.is_empty() {
+            "there are no constraints, and so no reactions: declare one by `constraint(name = …)`"
+                .to_owned()
+        } else {
+            format!(
+                "no constraint is called `{name}`: write one of `{}`",
+                names.join("`, `")
+            )
+        };
+        self.reject(name, message)
+    }
+}

@@ -1,0 +1,48 @@
+//! The programs of a model's constraints.
+
+use lagrangian_symbolic::{ConstraintEquations, ConstraintPrograms, Model};
+
+use super::method::Method;
+use super::outputs::MethodOutputs;
+
+/// The methods for the constraints of a model.
+pub(crate) struct ConstraintMethods {
+    /// g of the holonomic constraints, which are the first ones, and 0 for the others.
+    pub(crate) positions: Method,
+    /// w = G q̇ + a.
+    pub(crate) velocities: Method,
+    /// G, column by column.
+    pub(crate) jacobian: Method,
+    /// γ in G q̈ + γ = 0.
+    pub(crate) rates: Method,
+}
+
+impl ConstraintMethods {
+    /// The methods of a model; none without constraints.
+    pub(super) fn schedule(model: &Model, equations: &ConstraintEquations) -> Option<Self> {
+        if equations.is_empty() {
+            return None;
+        }
+        let mut positions = equations.positions.clone();
+        positions.resize(equations.len(), model.graph.zero());
+        let columns = (0..model.coordinates as usize).flat_map(|i| equations.column(i));
+        let columns: Vec<_> = columns.collect();
+        let vector = |values: &[_]| Method::single(model, values, MethodOutputs::Vector);
+        Some(Self {
+            positions: vector(&positions),
+            velocities: vector(&equations.velocities),
+            jacobian: Method::single(model, &columns, MethodOutputs::ConstraintJacobian),
+            rates: vector(&equations.rates),
+        })
+    }
+
+    /// The programs as they are validated.
+    pub(super) fn programs(&self) -> ConstraintPrograms<'_> {
+        ConstraintPrograms {
+            positions: &self.positions.program,
+            velocities: &self.velocities.program,
+            jacobian: &self.jacobian.program,
+            rates: &self.rates.program,
+        }
+    }
+}

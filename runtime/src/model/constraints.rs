@@ -1,0 +1,59 @@
+//! Models with constraints.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::quantities::Quantities;
+use super::state::State;
+use crate::scalar::Scalar;
+
+/// A model with `C` constraints, component by component: d/dt (∂L/∂q̇) − ∂L/∂q = Q + Gᵀ λ.
+///
+/// The first [`HOLONOMIC`](Self::HOLONOMIC) of them are holonomic, g(q, t) = 0, and hold for the velocities as w = ġ =
+/// G q̇ + ∂g/∂t = 0; the others are nonholonomic, w = A(q, t) q̇ + a(q, t) = 0 with G = A. From either follows
+/// G q̈ + γ = 0. With M q̈ = f + Gᵀ λ these are as many equations as there are accelerations and multipliers (E. T.
+/// Whittaker, *Analytical Dynamics*, 4th edition (1937), 25 and 87).
+///
+/// λ is the force on the coordinates in the direction in which the constraint grows. Its unit is that of an energy over
+/// that of the constraint: for a distance it is a force, positive where it pushes the ends apart; for a loop closed by
+/// `tip - anchor` it is the force on the body of the tip, in the axes of the vector; for a velocity of contact it is the
+/// force times the time in which the velocity is measured, which is the force of friction on the rolling body in that axis.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a model with {N} coordinates and {C} constraints",
+    note = "write the clause `constraint(name = …)` or `nonholonomic(name = …)` in its declaration"
+)]
+pub trait Constraints<const N: usize, const C: usize, S: Scalar = f64>: Quantities<N, S> {
+    /// The names of the constraints, component by component, the holonomic ones first.
+    const CONSTRAINTS: [&'static str; C];
+
+    /// The number of holonomic constraints.
+    const HOLONOMIC: usize;
+
+    /// The accelerations q̈ and the multipliers λ under these inputs.
+    fn accelerations_and_multipliers(
+        &self,
+        state: &State<S, N>,
+        inputs: &Self::Inputs,
+        prepared: &Self::Prepared,
+    ) -> (SVector<S, N>, SVector<S, C>);
+
+    /// g(q, t) of the holonomic constraints, and 0 for the others.
+    fn constraint_positions(&self, state: &State<S, N>, prepared: &Self::Prepared)
+    -> SVector<S, C>;
+
+    /// w = G q̇ + a.
+    fn constraint_velocities(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+    ) -> SVector<S, C>;
+
+    /// G = ∂w/∂q̇.
+    fn constraint_jacobian(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+    ) -> SMatrix<S, C, N>;
+
+    /// γ in G q̈ + γ = 0.
+    fn constraint_rates(&self, state: &State<S, N>, prepared: &Self::Prepared) -> SVector<S, C>;
+}

@@ -1,0 +1,18 @@
+//! Models whose accelerations are differentiated by the state.
+
+use super::linearization::Linearization;
+use super::quantities::Quantities;
+use super::state::State;
+use crate::scalar::Scalar;
+
+/// A model whose coordinates are free of constraints: the derivatives of its accelerations by the state are those of a
+/// linear model.
+#[diagnostic::on_unimplemented(
+    message = "the coordinates of `{Self}` are constrained, and a constrained model has no linearization",
+    note = "the derivatives of a constrained motion are those of an integration on `Dual` numbers; a linear model needs \
+            independent coordinates"
+)]
+pub trait StateJacobian<const N: usize, S: Scalar = f64>: Quantities<N, S> {
+    /// [`Lagrangian::linearize`](crate::Lagrangian::linearize) at these inputs, which are held.
+    fn linearize(&self, state: &State<S, N>, inputs: &Self::Inputs) -> Linearization<S, N>;
+}

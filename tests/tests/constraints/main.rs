@@ -1,0 +1,3 @@
+//! Models with constraints.
+
+mod pendulum;
