@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use lagrangian::quantities::StateJacobian;
 use lagrangian::{At, Dual, Dynamics, Lagrangian, Phase, VectorSpace};
 
 use crate::on_duals::OnDuals;
@@ -40,7 +41,10 @@ impl<M: ?Sized, const N: usize> Clone for ModelJacobian<'_, M, N> {
 
 impl<M: ?Sized, const N: usize> Copy for ModelJacobian<'_, M, N> {}
 
-impl<M: Lagrangian<N>, const N: usize> Jacobian for ModelJacobian<'_, M, N> {
+impl<M, const N: usize> Jacobian for ModelJacobian<'_, M, N>
+where
+    M: Lagrangian<N, Model: StateJacobian<N>>,
+{
     type State = Phase<f64, N>;
 
     fn write(&self, t: f64, x: &Phase<f64, N>, matrix: &mut [f64]) {

@@ -251,6 +251,32 @@ for DrivenPendulum {
                 - torque,
         ])
     }
+    fn relative_pivots(
+        &self,
+        _state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let [m, _, l, ..] = *prepared;
+        let x0 = m * (l * l);
+        ::lagrangian::__private::by_coordinate(
+            [::lagrangian::__private::relative_pivot(x0, x0.abs())],
+            [&[0]],
+        )
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S>
+for DrivenPendulum {
+    type Model = Self;
+    fn model(&self) -> &Self {
+        self
+    }
+}
+#[automatically_derived]
+impl ::lagrangian::__private::SharesLanes for DrivenPendulum {}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1usize, __S>
+for DrivenPendulum {
     fn linearize(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
@@ -290,29 +316,7 @@ for DrivenPendulum {
             >::inverse_dynamics(self, state, &inputs, accelerations, &prepared),
         )
     }
-    fn relative_pivots(
-        &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let [m, _, l, ..] = *prepared;
-        let x0 = m * (l * l);
-        ::lagrangian::__private::by_coordinate(
-            [::lagrangian::__private::relative_pivot(x0, x0.abs())],
-            [&[0]],
-        )
-    }
 }
-#[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S>
-for DrivenPendulum {
-    type Model = Self;
-    fn model(&self) -> &Self {
-        self
-    }
-}
-#[automatically_derived]
-impl ::lagrangian::__private::SharesLanes for DrivenPendulum {}
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
 for DrivenPendulum {

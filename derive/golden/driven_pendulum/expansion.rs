@@ -242,27 +242,6 @@ for DrivenPendulum {
                 - torque,
         ])
     }
-    fn linearize(
-        &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::Linearization<__S, 1usize> {
-        let theta: __S = state.x.q[0];
-        let theta_dot: __S = state.x.v[0];
-        let friction: __S = ::lagrangian::__private::parameter(self.friction);
-        let (sin_theta, cos_theta) = theta.sin_cos();
-        let m: __S = ::lagrangian::__private::parameter(self.m);
-        let g: __S = ::lagrangian::__private::parameter(self.g);
-        let l: __S = ::lagrangian::__private::parameter(self.l);
-        let torque: __S = inputs[0];
-        let x0 = __S::from_f64(1.0) / l;
-        let x1 = x0 * (__S::from_f64(1.0) / m * x0);
-        ::lagrangian::Linearization {
-            position: ::lagrangian::__private::matrix([[-(g * cos_theta / l)]]),
-            velocity: ::lagrangian::__private::matrix([[-(friction * x1)]]),
-            time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
-        }
-    }
     fn relative_pivots(
         &self,
         _state: &::lagrangian::State<__S, 1usize>,
@@ -286,6 +265,31 @@ for DrivenPendulum {
 }
 #[automatically_derived]
 impl ::lagrangian::__private::SharesLanes for DrivenPendulum {}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1usize, __S>
+for DrivenPendulum {
+    fn linearize(
+        &self,
+        state: &::lagrangian::State<__S, 1usize>,
+        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+    ) -> ::lagrangian::Linearization<__S, 1usize> {
+        let theta: __S = state.x.q[0];
+        let theta_dot: __S = state.x.v[0];
+        let friction: __S = ::lagrangian::__private::parameter(self.friction);
+        let (sin_theta, cos_theta) = theta.sin_cos();
+        let m: __S = ::lagrangian::__private::parameter(self.m);
+        let g: __S = ::lagrangian::__private::parameter(self.g);
+        let l: __S = ::lagrangian::__private::parameter(self.l);
+        let torque: __S = inputs[0];
+        let x0 = __S::from_f64(1.0) / l;
+        let x1 = x0 * (__S::from_f64(1.0) / m * x0);
+        ::lagrangian::Linearization {
+            position: ::lagrangian::__private::matrix([[-(g * cos_theta / l)]]),
+            velocity: ::lagrangian::__private::matrix([[-(friction * x1)]]),
+            time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
+        }
+    }
+}
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
 for DrivenPendulum {

@@ -483,6 +483,42 @@ for HeavyTop {
         );
         ::lagrangian::__private::vector([x12, x14, x15])
     }
+    fn relative_pivots(
+        &self,
+        state: &::lagrangian::State<__S, 3usize>,
+        prepared: &[__S; 13usize],
+    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        let [i1, i2, i3, ..] = *prepared;
+        let theta: __S = state.x.q[1];
+        let (sin_theta, cos_theta) = theta.sin_cos();
+        ::lagrangian::__private::by_coordinate(
+            [
+                ::lagrangian::__private::relative_pivot(
+                    -sin_theta,
+                    cos_theta
+                        .abs()
+                        .mul_add(__S::from_f64(1.0).min(theta.abs()), sin_theta.abs()),
+                ),
+                ::lagrangian::__private::relative_pivot(i2, i2.abs()),
+                ::lagrangian::__private::relative_pivot(i1, i1.abs()),
+                ::lagrangian::__private::relative_pivot(i3, i3.abs()),
+            ],
+            [&[0, 1, 2], &[0, 1, 2], &[3]],
+        )
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
+    type Model = Self;
+    fn model(&self) -> &Self {
+        self
+    }
+}
+#[automatically_derived]
+impl ::lagrangian::__private::SharesLanes for HeavyTop {}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<3usize, __S>
+for HeavyTop {
     fn linearize(
         &self,
         state: &::lagrangian::State<__S, 3usize>,
@@ -854,39 +890,7 @@ for HeavyTop {
             ]),
         }
     }
-    fn relative_pivots(
-        &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [i1, i2, i3, ..] = *prepared;
-        let theta: __S = state.x.q[1];
-        let (sin_theta, cos_theta) = theta.sin_cos();
-        ::lagrangian::__private::by_coordinate(
-            [
-                ::lagrangian::__private::relative_pivot(
-                    -sin_theta,
-                    cos_theta
-                        .abs()
-                        .mul_add(__S::from_f64(1.0).min(theta.abs()), sin_theta.abs()),
-                ),
-                ::lagrangian::__private::relative_pivot(i2, i2.abs()),
-                ::lagrangian::__private::relative_pivot(i1, i1.abs()),
-                ::lagrangian::__private::relative_pivot(i3, i3.abs()),
-            ],
-            [&[0, 1, 2], &[0, 1, 2], &[3]],
-        )
-    }
 }
-#[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
-    type Model = Self;
-    fn model(&self) -> &Self {
-        self
-    }
-}
-#[automatically_derived]
-impl ::lagrangian::__private::SharesLanes for HeavyTop {}
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3usize, __S>
 for HeavyTop {

@@ -237,6 +237,30 @@ for Slider {
                 ),
         ])
     }
+    fn relative_pivots(
+        &self,
+        _state: &::lagrangian::State<__S, 1usize>,
+        prepared: &[__S; 8usize],
+    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        let m: __S = prepared[0];
+        ::lagrangian::__private::by_coordinate(
+            [::lagrangian::__private::relative_pivot(m, m.abs())],
+            [&[0]],
+        )
+    }
+}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider {
+    type Model = Self;
+    fn model(&self) -> &Self {
+        self
+    }
+}
+#[automatically_derived]
+impl ::lagrangian::__private::SharesLanes for Slider {}
+#[automatically_derived]
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1usize, __S>
+for Slider {
     fn linearize(
         &self,
         state: &::lagrangian::State<__S, 1usize>,
@@ -266,27 +290,7 @@ for Slider {
             time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
         }
     }
-    fn relative_pivots(
-        &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
-        let m: __S = prepared[0];
-        ::lagrangian::__private::by_coordinate(
-            [::lagrangian::__private::relative_pivot(m, m.abs())],
-            [&[0]],
-        )
-    }
 }
-#[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider {
-    type Model = Self;
-    fn model(&self) -> &Self {
-        self
-    }
-}
-#[automatically_derived]
-impl ::lagrangian::__private::SharesLanes for Slider {}
 #[automatically_derived]
 impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
 for Slider {

@@ -33,7 +33,20 @@ pub(crate) fn printed_names(lowered: &Lowered) -> Names {
         inputs: inputs
             .map(|component| by_axes(&component.label, component.is_of_vector()).to_string())
             .collect(),
+        multipliers: multipliers(lowered),
         ..Names::default()
+    }
+}
+
+/// The names of multipliers: λ where there is one, else with the name of the constraint.
+fn multipliers(lowered: &Lowered) -> Vec<String> {
+    let labels = lowered.constraints.labels();
+    match labels.as_slice() {
+        [_] => vec!["lambda".to_owned()],
+        labels => labels
+            .iter()
+            .map(|label| format!("lambda_{label}"))
+            .collect(),
     }
 }
 

@@ -99,7 +99,7 @@ const SLOTS: [(symbolic::Method, Slot); 3] = [
         &mut methods.inverse_dynamics.program
     }),
     (symbolic::Method::Linearization, |methods| {
-        &mut methods.linearize.program
+        &mut methods.linearize.as_mut().unwrap().program
     }),
 ];
 

@@ -96,7 +96,7 @@ impl Steep {
             program.evaluate(value).concat()
         };
         let acceleration = run(&methods.accelerations.program, 0.0).pop().unwrap();
-        let linearization = run(&methods.linearize.program, acceleration);
+        let linearization = run(&methods.linearize.as_ref().unwrap().program, acceleration);
         let [value, first, second] = match &self.taylor {
             Ok(taylor) if matches!(taylor.rates, Rates::Accelerations(_)) => {
                 series(taylor, &setup, x, acceleration)
@@ -104,7 +104,13 @@ impl Steep {
             Ok(_) => [acceleration; 3],
             Err(_) => [f64::NAN; 3],
         };
-        let pivots = methods.linearize.outputs.pivots().unwrap_or(0);
+        let pivots = methods
+            .linearize
+            .as_ref()
+            .unwrap()
+            .outputs
+            .pivots()
+            .unwrap_or(0);
         [value, linearization[pivots + 1], first, second]
     }
 }

@@ -128,7 +128,7 @@ const SLOTS: [(symbolic::Method, Slot); 18] = {
             &mut methods.accelerations.program
         }),
         (Method::Linearization, |methods| {
-            &mut methods.linearize.program
+            &mut methods.linearize.as_mut().unwrap().program
         }),
         (Method::Linearization, |methods| {
             &mut methods.input_jacobian.program
@@ -271,7 +271,8 @@ fn what_disagrees_is_replaced() {
         };
         methods.accelerations.program = wrong(&methods.accelerations.program);
         methods.forcing.program = wrong(&methods.forcing.program);
-        methods.linearize.program = wrong(&methods.linearize.program);
+        let linearize = methods.linearize.as_mut().unwrap();
+        linearize.program = wrong(&linearize.program);
         let found = methods.validate(
             &validator,
             &mut model,

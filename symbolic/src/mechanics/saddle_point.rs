@@ -9,7 +9,7 @@
 
 use crate::mechanics::constraints::{Constraint, ConstraintEquations};
 use crate::mechanics::model::Energies;
-use crate::{Expression, Graph, LinearSystem, Model, Rational, Symbol};
+use crate::{Equations, Expression, Graph, LinearSystem, Model, Rational, Symbol};
 
 impl ConstraintEquations {
     /// The matrix of the saddle point problem, row by row; M itself without constraints.
@@ -42,13 +42,9 @@ impl ConstraintEquations {
         inverse_dynamics: &[Expression],
     ) -> Vec<Expression> {
         let mut residuals = Vec::with_capacity(inverse_dynamics.len() + self.len());
-        for (i, residual) in inverse_dynamics.iter().enumerate() {
-            let mut terms = vec![(*residual, Rational::ONE)];
-            for (row, multiplier) in self.jacobian.iter().zip(self.multipliers()) {
-                let multiplier = graph.symbol(multiplier);
-                terms.push((graph.multiply(row[i], multiplier), Rational::MINUS_ONE));
-            }
-            residuals.push(graph.sum(terms));
+        let reactions = self.reactions(graph, inverse_dynamics.len());
+        for (residual, reaction) in inverse_dynamics.iter().zip(reactions) {
+            residuals.push(graph.subtract(*residual, reaction));
         }
         for (row, rate) in self.jacobian.iter().zip(&self.rates) {
             let mut terms = vec![(*rate, Rational::MINUS_ONE)];
@@ -61,11 +57,42 @@ impl ConstraintEquations {
         residuals
     }
 
+    /// The reactions Gᵀ λ on the coordinates.
+    pub(crate) fn reactions(&self, graph: &mut Graph, coordinates: usize) -> Vec<Expression> {
+        let mut reactions = Vec::with_capacity(coordinates);
+        for i in 0..coordinates {
+            let mut terms = Vec::with_capacity(self.len());
+            for (row, multiplier) in self.jacobian.iter().zip(self.multipliers()) {
+                let multiplier = graph.symbol(multiplier);
+                terms.push((graph.multiply(row[i], multiplier), Rational::ONE));
+            }
+            reactions.push(graph.sum(terms));
+        }
+        reactions
+    }
+
     /// The symbols of the multipliers.
     pub fn multipliers(&self) -> impl Iterator<Item = Symbol> {
         let coordinates = self.jacobian.first().map_or(0, Vec::len);
         let symbols = (0..).map(Symbol::Acceleration);
         symbols.skip(coordinates).take(self.len())
+    }
+}
+
+impl Equations {
+    /// The equations with the reactions among the forces.
+    pub(crate) fn with_reactions(&self, graph: &mut Graph) -> Self {
+        let mut equations = self.clone();
+        let reactions = self.constraints.reactions(graph, self.mass.len());
+        for (i, reaction) in reactions.into_iter().enumerate() {
+            let force = &mut equations.generalized_forces[i];
+            *force = graph.add(*force, reaction);
+            let forcing = &mut equations.forcing[i];
+            *forcing = graph.add(*forcing, reaction);
+            let residual = &mut equations.inverse_dynamics[i];
+            *residual = graph.subtract(*residual, reaction);
+        }
+        equations
     }
 }
 

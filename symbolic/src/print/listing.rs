@@ -73,7 +73,7 @@ impl Listing {
         };
         let printed = PrintedModel {
             energies: model.energies,
-            equations: equations.clone(),
+            equations: equations.with_reactions(&mut model.graph),
             solved,
             declared: declared.clone(),
         };
@@ -91,6 +91,7 @@ impl Listing {
         let momenta = composer.momenta(equations);
         let energy = composer.energy_function(equations);
         let lagrange = composer.lagrange(equations);
+        let constraints = composer.constraints(equations);
         let recursion = composer.recursion(equations, &lagrange);
         let solved = composer.solved(solved, &equations.mass);
         let coordinates = composer.coordinates();
@@ -103,6 +104,7 @@ impl Listing {
             momenta,
             energy,
             lagrange,
+            constraints,
         ];
         sections.extend(recursion);
         sections.extend(solved);

@@ -22,6 +22,8 @@ pub struct Names {
     pub inputs: Vec<String>,
     /// The names of the quasi-velocities, in order; their rates are those with dots.
     pub quasi_velocities: Vec<String>,
+    /// The names of the multipliers of constraints, in order.
+    pub multipliers: Vec<String>,
     /// Expressions that are printed by name wherever they occur within others.
     pub definitions: BTreeMap<Expression, String>,
 }
@@ -33,6 +35,7 @@ pub struct Letters {
     parameters: Vec<Spelling>,
     inputs: Vec<Spelling>,
     quasi_velocities: Vec<Spelling>,
+    multipliers: Vec<Spelling>,
     definitions: BTreeMap<Expression, Spelling>,
     /// By expression, whether it is printed by name: this is asked of every part of what is printed.
     is_named: Vec<bool>,
@@ -86,6 +89,7 @@ impl Letters {
             parameters: parameters.collect(),
             inputs: list(&names.inputs),
             quasi_velocities: list(&names.quasi_velocities),
+            multipliers: list(&names.multipliers),
             definitions: names
                 .definitions
                 .iter()
@@ -121,6 +125,7 @@ impl Letters {
             &self.parameters,
             &self.inputs,
             &self.quasi_velocities,
+            &self.multipliers,
         ];
         let spellings = lists.into_iter().flatten().chain(self.definitions.values());
         spellings.map(|spelling| spelling.print(0, Notation::Unicode))
@@ -133,6 +138,7 @@ impl Letters {
             &self.parameters,
             &self.inputs,
             &self.quasi_velocities,
+            &self.multipliers,
         ];
         let spellings = lists.into_iter().flatten().chain(self.definitions.values());
         IndexLetters::free(&spellings.map(Spelling::stem).collect())
@@ -196,7 +202,15 @@ impl Letters {
             Symbol::Time => (Spelling::of("t"), 0),
             Symbol::Coordinate(index) => (find(&self.coordinates, "q", index), 0),
             Symbol::Velocity(index) => (find(&self.coordinates, "q", index), 1),
-            Symbol::Acceleration(index) => (find(&self.coordinates, "q", index), 2),
+            Symbol::Acceleration(index) => {
+                let coordinates = u32::try_from(self.coordinates.len()).unwrap_or(u32::MAX);
+                match index.checked_sub(coordinates) {
+                    Some(index) if !self.multipliers.is_empty() => {
+                        (find(&self.multipliers, "lambda", index), 0)
+                    }
+                    _ => (find(&self.coordinates, "q", index), 2),
+                }
+            }
             Symbol::Parameter(index) => (find(&self.parameters, "p", index), 0),
             Symbol::Input(index) => (find(&self.inputs, "u", index), 0),
             Symbol::Invariant(index) => (find(&[], "c", index), 0),
@@ -221,7 +235,12 @@ impl Names {
     }
 
     fn all_but_parameters(&self) -> impl Iterator<Item = &str> {
-        let lists = [&self.coordinates, &self.inputs, &self.quasi_velocities];
+        let lists = [
+            &self.coordinates,
+            &self.inputs,
+            &self.quasi_velocities,
+            &self.multipliers,
+        ];
         let definitions = self.definitions.values();
         lists
             .into_iter()

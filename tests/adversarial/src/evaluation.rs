@@ -1,6 +1,6 @@
 //! Everything that a model evaluates, by the names that the data have for it.
 
-use lagrangian::quantities::{Energies, Inputs};
+use lagrangian::quantities::{Energies, Inputs, StateJacobian};
 use lagrangian::{Dop853, Lagrangian, Problem, RouthReduction, Routhian, State, StopReason};
 use nalgebra::{SMatrix, SVector};
 
@@ -17,7 +17,10 @@ pub type Evaluate = fn(&At) -> Vec<Found>;
 
 /// What every model has.
 #[must_use]
-pub fn motion<M: Lagrangian<N>, const N: usize>(model: &M, at: &At) -> Vec<Found> {
+pub fn motion<M: Lagrangian<N, Model: StateJacobian<N>>, const N: usize>(
+    model: &M,
+    at: &At,
+) -> Vec<Found> {
     let state = at.state::<N>();
     let linearization = model.linearize(&state);
     let equations = model.dynamics();
@@ -71,6 +74,7 @@ pub fn reduced<M, const N: usize, const R: usize, const K: usize>(
 where
     M: Lagrangian<N> + RouthReduction<N, R, Scalar = f64>,
     M::Reduced: Routhian<R, K, FullState = State<f64, N>>,
+    <M::Reduced as Lagrangian<R>>::Model: StateJacobian<R>,
 {
     let full = at.state::<N>();
     let (reduced, state) = model.reduce(&full);

@@ -1,6 +1,7 @@
 //! Forces with the norm of a velocity, and their slopes, where the velocity is 0.
 
 use lagrangian::prelude::*;
+use lagrangian::quantities::StateJacobian;
 use lagrangian_tests::Dual;
 
 const LANES: usize = 8;
@@ -157,7 +158,7 @@ fn assert_all<S: Scalar>(found: impl IntoIterator<Item = S>, expected: &[f64], t
 
 /// Accelerations and their slopes by what `w` is made of.
 fn check<S: Scalar>(
-    model: &impl Lagrangian<3, S>,
+    model: &impl Lagrangian<3, S, Model: StateJacobian<3, S>>,
     q: [f64; 3],
     v: [f64; 3],
     w: [f64; 3],

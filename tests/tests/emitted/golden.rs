@@ -12,7 +12,7 @@
 )]
 
 use lagrangian::prelude::*;
-use lagrangian::quantities::Energies;
+use lagrangian::quantities::{Energies, StateJacobian};
 
 /// The declarations, expanded by the derive.
 mod derived {
@@ -95,7 +95,7 @@ mod by_columns {
 
 /// All that a model computes at a state.
 fn numbers<const N: usize>(
-    model: &impl Lagrangian<N, Model: Energies<N>>,
+    model: &impl Lagrangian<N, Model: Energies<N> + StateJacobian<N>>,
     state: &State<f64, N>,
 ) -> Vec<f64> {
     let accelerations = model.accelerations(state);

@@ -102,7 +102,12 @@ const DRIVEN: Driven = Driven {
 /// All that a model with outputs and an input gives at a state.
 fn numbers<M>(model: &M, observe: impl Fn(&M, &State<f64, 2>) -> [f64; 6]) -> Vec<f64>
 where
-    M: Lagrangian<2, Model: quantities::Energies<2> + quantities::Inputs<2, 1>>,
+    M: Lagrangian<
+            2,
+            Model: quantities::Energies<2>
+                       + quantities::Inputs<2, 1>
+                       + quantities::StateJacobian<2>,
+        >,
 {
     let state = State::new(0.7, [0.4, -0.9], [1.3, 0.6]);
     let inputs = SVector::from([0.1]);

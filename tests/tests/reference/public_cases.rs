@@ -1,7 +1,7 @@
 //! 200 random Lagrangians: what the derived code evaluates at four states of each, against
 //! references of 30 digits.
 
-use lagrangian::quantities::{Energies, Inputs};
+use lagrangian::quantities::{Energies, Inputs, StateJacobian};
 use lagrangian::{Lagrangian, State};
 use lagrangian_tests::{
     Figures, Parametrized, array, list, number, numbers, public_cases, relative_error, rows,
@@ -74,7 +74,7 @@ fn point<const N: usize>(state: &Value) -> State<f64, N> {
     State::new(number(&state["t"]), array(&state["q"]), array(&state["qd"]))
 }
 
-fn compare<M: Lagrangian<N, Model: Energies<N>>, const N: usize>(
+fn compare<M: Lagrangian<N, Model: Energies<N> + StateJacobian<N>>, const N: usize>(
     model: &M,
     state: &Value,
 ) -> Vec<Comparison> {
@@ -87,7 +87,10 @@ fn compare<M: Lagrangian<N, Model: Energies<N>>, const N: usize>(
     comparisons
 }
 
-fn compare_motion<M: Lagrangian<N>, const N: usize>(model: &M, state: &Value) -> Vec<Comparison> {
+fn compare_motion<M: Lagrangian<N, Model: StateJacobian<N>>, const N: usize>(
+    model: &M,
+    state: &Value,
+) -> Vec<Comparison> {
     let at = point(state);
     let expected = |quantity: &str| numbers(&state[quantity]);
     let linearization = model.linearize(&at);

@@ -4,7 +4,7 @@
 //! Forward differentiation of the emitted accelerations and the emitted Jacobians share the
 //! declaration and the mass matrix, and nothing that comes after.
 
-use lagrangian::quantities::{Energies, Inputs};
+use lagrangian::quantities::{Energies, Inputs, StateJacobian};
 use lagrangian::{Dual, Lagrangian, State};
 use lagrangian_tests::{
     Figures, Parametrized, array, list, number, public_cases, relative_error, rows,
@@ -82,7 +82,8 @@ where
 
 fn compare<M, const N: usize>(model: &M, state: &Value) -> Vec<Comparison>
 where
-    M: Lagrangian<N, Model: Energies<N>> + Lagrangian<N, Dual, Model: Energies<N, Dual>>,
+    M: Lagrangian<N, Model: Energies<N> + StateJacobian<N>>
+        + Lagrangian<N, Dual, Model: Energies<N, Dual>>,
 {
     let mut comparisons = compare_linearization(model, &point(state));
     comparisons.extend(compare_momenta(model, &point(state)));
@@ -92,7 +93,7 @@ where
 
 fn compare_linearization<M, const N: usize>(model: &M, at: &State<f64, N>) -> Vec<Comparison>
 where
-    M: Lagrangian<N> + Lagrangian<N, Dual>,
+    M: Lagrangian<N, Model: StateJacobian<N>> + Lagrangian<N, Dual>,
 {
     let none = SVector::zeros();
     let linearization = Lagrangian::<N>::linearize(model, at);

@@ -2,6 +2,7 @@
 
 use lagrangian::DoubleDouble;
 use lagrangian::prelude::*;
+use lagrangian::quantities::StateJacobian;
 use lagrangian_tests::{Figures, Random};
 
 /// Through the mass matrix, whose condition grows as 1/sin² θ, there would be no digits left.
@@ -56,7 +57,8 @@ fn error(found: &SMatrix<f64, 3, 3>, exact: &SMatrix<DoubleDouble, 3, 3>) -> f64
 /// At random angles and velocities, ever nearer to the pole, where entries grow as 1/sin² θ.
 fn compare<M>(top: &M, names: [&'static str; 2], figures: &mut Figures)
 where
-    M: Lagrangian<3> + Lagrangian<3, DoubleDouble>,
+    M: Lagrangian<3, Model: StateJacobian<3>>
+        + Lagrangian<3, DoubleDouble, Model: StateJacobian<3, DoubleDouble>>,
 {
     let mut random = Random::default();
     for theta in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8] {

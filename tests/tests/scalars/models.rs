@@ -3,6 +3,7 @@
 use std::array;
 
 use lagrangian::prelude::*;
+use lagrangian::quantities::StateJacobian;
 
 /// A heavy top; z-x-z Euler angles.
 #[derive(Lagrangian, Clone, Copy, Debug)]
@@ -200,7 +201,7 @@ pub(crate) fn everything<S, M, const N: usize>(
 ) -> Vec<(&'static str, Vec<S>)>
 where
     S: Scalar,
-    M: Lagrangian<N, S>,
+    M: Lagrangian<N, S, Model: StateJacobian<N, S>>,
 {
     let given = SVector::from_fn(|i, _| S::from_f64(between(-1.0, 1.0, i)));
     let prepared = model.dynamics().accelerations(state);

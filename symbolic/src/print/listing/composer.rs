@@ -260,10 +260,17 @@ impl<'a> Composer<'a> {
 
     /// Σⱼ Mᵢⱼ q̈ⱼ + (Q − f)ᵢ = Qᵢ.
     pub(crate) fn lagrange(&mut self, equations: &Equations) -> Section {
-        let heading = self.page.texts([
+        let mut heading = self.page.texts([
             "Lagrange's equations d/dt (∂{L}/∂{q}\u{307}) − ∂{L}/∂{q} = {Q} (4.6):",
             "Lagrange's equations $\\frac{d}{dt} \\frac{\\partial {L}}{\\partial \\dot {q}} - \\frac{\\partial {L}}{\\partial {q}} = {Q}$ (4.6):",
         ]);
+        if !equations.constraints.is_empty() {
+            let reactions = [" + Gᵀλ (4.6):", " + G^T \\lambda$ (4.6):"];
+            let ends = [" (4.6):", "$ (4.6):"];
+            for ((heading, end), reaction) in heading.iter_mut().zip(ends).zip(reactions) {
+                *heading = heading.replace(end, reaction);
+            }
+        }
         let method = "the methods `mass_matrix`, `forcing` and `inverse_dynamics`";
         let section = Section::new(Some(heading), method);
         let empty = section.clone();
@@ -292,6 +299,30 @@ impl<'a> Composer<'a> {
         let sides = arranged_lagrange(&mut self.model.graph, equations, i, &self.letters);
         let [left, right] = sides.map(Side::Expression);
         self.push_arranged(section, left, right);
+    }
+
+    /// The constraints: g = 0 and w = 0.
+    pub(crate) fn constraints(&mut self, equations: &Equations) -> Section {
+        let heading = ["Constraints:"; 2].map(String::from);
+        let method = "the methods of `Constraints`";
+        let mut section = Section::new(Some(heading), method);
+        let constraints = &equations.constraints;
+        let holonomic = constraints.positions.len();
+        let nonholonomic = constraints.velocities.iter().skip(holonomic);
+        for constraint in constraints.positions.iter().chain(nonholonomic) {
+            let symbols = self
+                .model
+                .graph
+                .written_symbols(&[*constraint], &self.letters);
+            if symbols > MAX_UNARRANGED_LENGTH || !section.has_room() {
+                section.leave_out(symbols);
+                continue;
+            }
+            let left = Side::Expression(self.arranged(*constraint));
+            let right = Side::Expression(self.model.graph.zero());
+            self.push_arranged(&mut section, left, right);
+        }
+        self.mention(section)
     }
 
     /// The definitions that other sections mention, and those that these mention.

@@ -57,6 +57,9 @@ impl PrintedModel {
             &mut equations.inverse_dynamics,
         ];
         lists.into_iter().flatten().for_each(&mut visit);
+        let constraints = &mut equations.constraints;
+        let lists = [&mut constraints.positions, &mut constraints.velocities];
+        lists.into_iter().flatten().for_each(&mut visit);
         equations.mass.iter_mut().flatten().for_each(&mut visit);
         match &mut self.solved {
             SolvedForm::QuasiVelocities(equations) => {

@@ -33,9 +33,15 @@ impl Composer<'_> {
             }
             SolvedForm::Numerical => "by a numerical factorization of the mass matrix (L D Lᵀ)",
         };
+        let is_free = self.declared.names.multipliers.is_empty();
+        let by = if is_free {
+            by.to_owned()
+        } else {
+            by.replace("the mass matrix", "the matrix of M and G")
+        };
         let heading = ["Solution for the accelerations:"; 2].map(String::from);
         let mut section = Section::new(Some(heading), "");
-        if self.is_diagonal(mass) {
+        if is_free && self.is_diagonal(mass) {
             let sentence = "The mass matrix is diagonal: each equation has one acceleration.";
             section.sentence = [sentence; 2].map(String::from);
             return vec![section];
@@ -83,7 +89,12 @@ impl Composer<'_> {
         if !few || !accelerations.iter().all(is_short) {
             return None;
         }
-        let heading = ["Solved for the accelerations:"; 2].map(String::from);
+        let heading = if accelerations.len() > self.model.coordinates as usize {
+            "Solved for the accelerations and the multipliers:"
+        } else {
+            "Solved for the accelerations:"
+        };
+        let heading = [heading; 2].map(String::from);
         let mut section = Section::new(Some(heading), "");
         for (i, acceleration) in (0..).zip(accelerations) {
             let [unicode, latex] = self.letters.print_both(Symbol::Acceleration(i));

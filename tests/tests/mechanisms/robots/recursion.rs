@@ -1,6 +1,7 @@
 //! Inverse dynamics of a tree of links in inertial axes: velocities and accelerations link by link, and then the power of all
 //! forces and moments behind each joint at its unit rate.
 
+use lagrangian::quantities::StateJacobian;
 use lagrangian::{Lagrangian, State};
 use lagrangian_tests::relative_error;
 use nalgebra::{Matrix3, Rotation3, SVector, Unit, Vector3};
@@ -162,7 +163,7 @@ pub(super) fn assert_moves_as<M, const N: usize>(
     gravity: f64,
     states: &[State<f64, N>],
 ) where
-    M: Lagrangian<N>,
+    M: Lagrangian<N, Model: StateJacobian<N>>,
 {
     for state in states {
         let wanted = SVector::from_fn(|i, _| state.v[(i + 1) % N] - 0.5 * state.q[i]);
@@ -184,7 +185,7 @@ pub(super) fn assert_moves_as<M, const N: usize>(
 /// Compares the derivatives of the accelerations with differences of order six.
 fn assert_linearizes<M, const N: usize>(model: &M, state: &State<f64, N>)
 where
-    M: Lagrangian<N>,
+    M: Lagrangian<N, Model: StateJacobian<N>>,
 {
     const STEP: f64 = 2e-3;
     let found = model.linearize(state);
