@@ -2,6 +2,7 @@
 
 use lagrangian::Scalar;
 use lagrangian::prelude::*;
+use lagrangian::quantities::StateJacobian;
 
 const DATA: &str = include_str!("../../data/elementary_functions.txt");
 
@@ -36,7 +37,7 @@ models! {
     exp Exponential ln Logarithm sqrt Root
 }
 
-fn row<S: Scalar, M: Lagrangian<1, S>>(
+fn row<S: Scalar, M: Lagrangian<1, S, Model: StateJacobian<1, S>>>(
     model: &M,
     value: impl Fn(&State<S, 1>) -> S,
     x: f64,

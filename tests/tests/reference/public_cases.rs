@@ -38,7 +38,7 @@ fn derived_code_agrees_with_the_references() {
 /// Compares what a model without inputs evaluates.
 fn free<M, const N: usize>(case: &Value, state: &Value) -> Vec<Comparison>
 where
-    M: Parametrized + Lagrangian<N, Model: Energies<N>>,
+    M: Parametrized + Lagrangian<N, Model: Energies<N> + StateJacobian<N>>,
 {
     let model = M::with(&|name| number(&case["params"][name]));
     compare(&model, state)
@@ -48,7 +48,7 @@ where
 /// outside.
 fn driven<M, const N: usize, const U: usize>(case: &Value, state: &Value) -> Vec<Comparison>
 where
-    M: Parametrized + Lagrangian<N, Model: Energies<N> + Inputs<N, U>>,
+    M: Parametrized + Lagrangian<N, Model: Energies<N> + Inputs<N, U> + StateJacobian<N>>,
 {
     let valued = |name: &str| {
         state["u"]

@@ -2,6 +2,7 @@
 
 use lagrangian::Factorization;
 use lagrangian::prelude::*;
+use lagrangian::quantities::StateJacobian;
 use lagrangian_tests::{DoubleDouble, Figures, relative_error};
 
 use crate::models::{
@@ -36,8 +37,9 @@ fn compare<Fine, Coarse, const N: usize, const P: usize>(
     name: &'static str,
     parameters: fn(usize) -> [f64; P],
 ) where
-    Fine: Numbered<DoubleDouble, P> + Lagrangian<N, DoubleDouble>,
-    Coarse: Numbered<f64, P> + Lagrangian<N>,
+    Fine: Numbered<DoubleDouble, P>
+        + Lagrangian<N, DoubleDouble, Model: StateJacobian<N, DoubleDouble>>,
+    Coarse: Numbered<f64, P> + Lagrangian<N, Model: StateJacobian<N>>,
 {
     for index in 0..10 {
         let parameters = parameters(index);
@@ -75,7 +77,8 @@ fn agree_with_themselves<M, const N: usize, const P: usize>(
     name: &'static str,
     parameters: fn(usize) -> [f64; P],
 ) where
-    M: Numbered<DoubleDouble, P> + Lagrangian<N, DoubleDouble>,
+    M: Numbered<DoubleDouble, P>
+        + Lagrangian<N, DoubleDouble, Model: StateJacobian<N, DoubleDouble>>,
 {
     for index in 0..10 {
         let model = M::with(thirds(parameters(index)));

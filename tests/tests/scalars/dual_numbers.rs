@@ -49,7 +49,7 @@ fn lost_by_solving(case: &Value, state: &Value) -> f64 {
 fn free<M, const N: usize>(case: &Value, state: &Value) -> Vec<Comparison>
 where
     M: Parametrized
-        + Lagrangian<N, Model: Energies<N>>
+        + Lagrangian<N, Model: Energies<N> + StateJacobian<N>>
         + Lagrangian<N, Dual, Model: Energies<N, Dual>>,
 {
     compare(&M::with(&|name| number(&case["params"][name])), state)
@@ -58,7 +58,7 @@ where
 fn driven<M, const N: usize, const U: usize>(case: &Value, state: &Value) -> Vec<Comparison>
 where
     M: Parametrized
-        + Lagrangian<N, Model: Energies<N> + Inputs<N, U>>
+        + Lagrangian<N, Model: Energies<N> + Inputs<N, U> + StateJacobian<N>>
         + Lagrangian<N, Dual, Model: Energies<N, Dual> + Inputs<N, U, Dual>>,
 {
     let model = M::with(&|name| {

@@ -2,6 +2,7 @@
 
 use lagrangian::Factorization;
 use lagrangian::prelude::*;
+use lagrangian::quantities::StateJacobian;
 use lagrangian_tests::assert_close;
 
 use crate::models::{
@@ -30,8 +31,8 @@ fn states<const N: usize>(of_lane: impl Fn(usize) -> State<f64, N>) -> State<Lan
 /// The same operations in the same order are done on each lane, and round alike.
 fn assert_same<Many, One, const N: usize, const P: usize>(parameters: fn(usize) -> [f64; P])
 where
-    Many: Numbered<Lanes, P> + Lagrangian<N, Lanes>,
-    One: Numbered<f64, P> + Lagrangian<N>,
+    Many: Numbered<Lanes, P> + Lagrangian<N, Lanes, Model: StateJacobian<N, Lanes>>,
+    One: Numbered<f64, P> + Lagrangian<N, Model: StateJacobian<N>>,
 {
     let found = everything(&Many::with(lanes(parameters)), &states(state::<N>));
     for lane in 0..LANES {
@@ -153,8 +154,8 @@ fn assert_blamed<Many, One, const N: usize, const P: usize>(
     parameters: impl Fn(usize) -> [f64; P],
     at: impl Fn(usize) -> State<f64, N>,
 ) where
-    Many: Numbered<Lanes, P> + Lagrangian<N, Lanes>,
-    One: Numbered<f64, P> + Lagrangian<N>,
+    Many: Numbered<Lanes, P> + Lagrangian<N, Lanes, Model: StateJacobian<N, Lanes>>,
+    One: Numbered<f64, P> + Lagrangian<N, Model: StateJacobian<N>>,
 {
     let found = Many::with(lanes(&parameters)).relative_pivots(&states(&at));
     for lane in 0..LANES {

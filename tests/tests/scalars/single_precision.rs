@@ -1,6 +1,7 @@
 //! Single precision, with parameters in single precision, against double.
 
 use lagrangian::prelude::*;
+use lagrangian::quantities::StateJacobian;
 use lagrangian_tests::{Figures, relative_error};
 
 use crate::models::{
@@ -16,8 +17,8 @@ fn compare<Single, Double, const N: usize, const P: usize>(
     name: &'static str,
     parameters: fn(usize) -> [f64; P],
 ) where
-    Single: Numbered<f32, P> + Lagrangian<N, f32>,
-    Double: Numbered<f64, P> + Lagrangian<N>,
+    Single: Numbered<f32, P> + Lagrangian<N, f32, Model: StateJacobian<N, f32>>,
+    Double: Numbered<f64, P> + Lagrangian<N, Model: StateJacobian<N>>,
 {
     for index in 0..20 {
         let parameters = parameters(index);
