@@ -5,13 +5,20 @@ use lagrangian::analysis::{
     EquilibriumSearch, LinearStability, SecondVariation, SmallOscillations, Stability, Verdict,
 };
 use lagrangian::prelude::*;
+use lagrangian::quantities::StateJacobian;
 
-fn stability<M: Lagrangian<N>, const N: usize>(model: &M, q: [f64; N]) -> Stability {
+fn stability<M: Lagrangian<N, Model: StateJacobian<N>>, const N: usize>(
+    model: &M,
+    q: [f64; N],
+) -> Stability {
     let oscillations = SmallOscillations::about(model, &State::new(0.0, q, [0.0; N])).unwrap();
     oscillations.stability().unwrap()
 }
 
-fn found_near<M: Lagrangian<N>, const N: usize>(model: &M, guess: [f64; N]) -> Stability {
+fn found_near<M: Lagrangian<N, Model: StateJacobian<N>>, const N: usize>(
+    model: &M,
+    guess: [f64; N],
+) -> Stability {
     let search = EquilibriumSearch::of(model).max_iterations(1000);
     let found = search.near(&State::new(0.0, guess, [0.0; N]));
     stability(model, found.unwrap().state.q.into())

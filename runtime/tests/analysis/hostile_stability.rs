@@ -2,8 +2,9 @@
 
 use lagrangian::analysis::{LinearStability, SmallOscillations, Stability, Verdict};
 use lagrangian::prelude::*;
+use lagrangian::quantities::StateJacobian;
 
-fn stability<M: Lagrangian<N>, const N: usize>(model: &M) -> Stability {
+fn stability<M: Lagrangian<N, Model: StateJacobian<N>>, const N: usize>(model: &M) -> Stability {
     let rest = State::new(0.0, [0.0; N], [0.0; N]);
     let oscillations = SmallOscillations::about(model, &rest).unwrap();
     oscillations.stability().unwrap()

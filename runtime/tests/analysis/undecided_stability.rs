@@ -5,6 +5,7 @@ use lagrangian::analysis::{
     EquilibriumSearch, SecondVariation, SmallOscillations, Stability, Verdict,
 };
 use lagrangian::prelude::*;
+use lagrangian::quantities::StateJacobian;
 
 /// V = scale · (c₂ u² + c₃ u³ + c₄ u⁴ + c₅ u⁵), u = (x − a)/l.
 #[derive(Lagrangian, Clone, Debug)]
@@ -39,12 +40,18 @@ const FLAT: Line = Line {
     d: 0.0,
 };
 
-fn stability<M: Lagrangian<N>, const N: usize>(model: &M, q: [f64; N]) -> Stability {
+fn stability<M: Lagrangian<N, Model: StateJacobian<N>>, const N: usize>(
+    model: &M,
+    q: [f64; N],
+) -> Stability {
     let oscillations = SmallOscillations::about(model, &State::new(0.0, q, [0.0; N])).unwrap();
     oscillations.stability().unwrap()
 }
 
-fn found_near<M: Lagrangian<N>, const N: usize>(model: &M, guess: [f64; N]) -> Stability {
+fn found_near<M: Lagrangian<N, Model: StateJacobian<N>>, const N: usize>(
+    model: &M,
+    guess: [f64; N],
+) -> Stability {
     let search = EquilibriumSearch::of(model).max_iterations(1000);
     let found = search.near(&State::new(0.0, guess, [0.0; N]));
     stability(model, found.unwrap().state.q.into())

@@ -1,7 +1,6 @@
 //! Forces with the norm of a velocity, and their slopes, where the velocity is 0.
 
 use lagrangian::prelude::*;
-use lagrangian::quantities::StateJacobian;
 use lagrangian_tests::Dual;
 
 const LANES: usize = 8;
@@ -158,7 +157,7 @@ fn assert_all<S: Scalar>(found: impl IntoIterator<Item = S>, expected: &[f64], t
 
 /// Accelerations and their slopes by what `w` is made of.
 fn check<S: Scalar>(
-    model: &impl Lagrangian<3, S, Model: StateJacobian<3, S>>,
+    model: &impl Lagrangian<3, S, Model: lagrangian::quantities::StateJacobian<3, S>>,
     q: [f64; 3],
     v: [f64; 3],
     w: [f64; 3],
@@ -185,10 +184,10 @@ fn check<S: Scalar>(
 /// At rest, and at speeds from small ones to large ones.
 fn check_on<S: Scalar>(tolerance: f64)
 where
-    Drag: Lagrangian<3, S>,
-    Dissipation: Lagrangian<3, S>,
-    Wind: Lagrangian<3, S>,
-    Spring: Lagrangian<3, S>,
+    Drag: Lagrangian<3, S, Model: lagrangian::quantities::StateJacobian<3, S>>,
+    Dissipation: Lagrangian<3, S, Model: lagrangian::quantities::StateJacobian<3, S>>,
+    Wind: Lagrangian<3, S, Model: lagrangian::quantities::StateJacobian<3, S>>,
+    Spring: Lagrangian<3, S, Model: lagrangian::quantities::StateJacobian<3, S>>,
 {
     for size in [0.0, 1e-18, 1e-12, 1e-6, 1.0, 1e6] {
         for direction in [[1.0, -2.0, 0.5], [0.0, 0.0, 1.0], [-0.6, 0.8, 0.0]] {

@@ -7,7 +7,6 @@ mod taylor;
 
 use lagrangian::DerivativeError;
 use lagrangian::prelude::*;
-use lagrangian::quantities::StateJacobian;
 use lagrangian_tests::assert_close;
 
 const TOLERANCE: f64 = 1e-13;
@@ -22,7 +21,7 @@ const STATES: [[f64; 3]; 4] = [
 
 /// All that a model computes of its motion, one after the other.
 fn computed<const N: usize>(
-    model: &impl Lagrangian<N, Model: StateJacobian<N>>,
+    model: &impl Lagrangian<N, Model: lagrangian::quantities::StateJacobian<N>>,
     state: &State<f64, N>,
     accelerations: &SVector<f64, N>,
 ) -> Vec<f64> {
