@@ -86,12 +86,24 @@ fn what_is_no_constraint_is_named() {
     });
     assert_eq!(square, ConstraintDefect::Nonlinear(1));
     let time = defect(2, |d| vec![holonomic(d.time() - d.p(0))]);
-    assert_eq!(time, ConstraintDefect::NoVelocity(0));
+    assert_eq!(
+        time,
+        ConstraintDefect::NoVelocity {
+            constraint: 0,
+            holds: false
+        }
+    );
     let cancelling = defect(2, |d| {
         let x = d.q(0);
         vec![holonomic((x + 1).squared() - x.squared() - x - x)]
     });
-    assert_eq!(cancelling, ConstraintDefect::NoVelocity(0));
+    assert_eq!(
+        cancelling,
+        ConstraintDefect::NoVelocity {
+            constraint: 0,
+            holds: true
+        }
+    );
     // Squares that cancel are linear.
     let difference = model(2, |d| {
         let [v, w] = d.vs();
