@@ -101,7 +101,7 @@ fn what_is_no_constraint_is_named() {
         cancelling,
         ConstraintDefect::NoVelocity {
             constraint: 0,
-            holds: true
+            holds: false
         }
     );
     // Squares that cancel are linear.
