@@ -58,6 +58,7 @@ pub mod rigid_body;
 pub mod analysis;
 pub mod identification;
 pub mod problem;
+pub mod assembly;
 pub mod laws;
 pub mod signals;
 pub mod quantities;

@@ -24,12 +24,20 @@ pub(crate) const VANISHING_INERTIA: f64 = 1e-6;
 /// three offsets without a common period, so that not all of them meet the next zero of a sine.
 pub(crate) const REFERENCE_OFFSETS: [f64; 3] = [-1.0, 0.5, 1.0];
 
-/// The smallest ratio of a pivot of the mass matrix of a constrained model to its diagonal entry, below which the saddle point
-/// problem is factored with pivoting. By judgement: L D Lᵀ without pivoting loses at most as many digits as this has zeros.
+/// The smallest ratio of a pivot of a saddle point problem to its diagonal entry, below which it is factored with pivoting. By
+/// judgement: L D Lᵀ without pivoting loses at most as many digits as this has zeros.
 pub(crate) const MIN_STABLE_PIVOT: f64 = 1e-2;
+
+/// The sine of the angle between the gradient of a constraint and those of others below which it depends on them at a
+/// consistent state. By judgement: it is far above rounding errors, and a mechanism that passes a singular configuration is
+/// as near to it for no longer than this part of a radian.
+pub(crate) const MIN_INDEPENDENT_SINE: f64 = 1e-10;
 
 /// The number of right-hand sides that are solved together: a vector register of 256 bits holds this number of `f64`.
 pub(crate) const RIGHT_HAND_SIDES_AT_ONCE: usize = 4;
+
+/// The number of constraints in the report of a mechanism that is not closed.
+pub(crate) const REPORTED_CONSTRAINTS: usize = 6;
 
 /// The number of coordinates in the report of a singularity, so that errors stay `Copy` and small.
 pub(crate) const REPORTED_COORDINATES: usize = 6;
@@ -87,6 +95,11 @@ pub(crate) mod projection {
     /// coordinates.
     pub(crate) const VELOCITY_SWEEPS: usize = 2;
 
+    /// The part of each coordinate by which a state is moved to find how many constraints are independent nearby, and the
+    /// projections that bring it back onto the constraints.
+    pub(crate) const NEARBY: f64 = 1e-3;
+    pub(crate) const TO_NEARBY: usize = 3;
+
     /// The residual of a constraint that a projection may leave, in terms of its gradient times the state: 2⁻²⁶, the
     /// square root of the machine epsilon, far above rounding errors and far below what a projection that does not
     /// converge leaves.
@@ -106,6 +119,26 @@ pub(crate) mod projection {
 
     /// The relative and the absolute error that are allowed in the initial state of fixed steps.
     pub(crate) const FIXED_STEP_START: f64 = super::FIXED_STEP_SINGULARITY_TOLERANCE;
+}
+
+/// The search for consistent states.
+pub(crate) mod assembly {
+    /// The steps of Newton's method, which from a good guess takes five.
+    pub(crate) const MAX_ITERATIONS: usize = 100;
+
+    /// The smallest part of a step that is tried.
+    pub(crate) const LEAST_DAMPING: f64 = 1e-6;
+
+    /// The part of a damped step by which the next step has to be shorter (P. Deuflhard, *Newton Methods for Nonlinear
+    /// Problems* (2004), 3.3).
+    pub(crate) const SUFFICIENT_DECREASE: f64 = 0.25;
+
+    /// The corrections of the velocities, in which constraints are linear: the second takes rounding errors away.
+    pub(crate) const VELOCITY_SWEEPS: usize = 2;
+
+    /// The residual of a constraint that counts as zero, in terms of its gradient times the state, and for a state near zero
+    /// its square.
+    pub(crate) const MAX_RESIDUAL: f64 = super::projection::MAX_RESIDUAL;
 }
 
 /// Location of events within a step.

@@ -1,6 +1,8 @@
 //! Vectors and matrices of scalars: the solution of M q̈ = f, also lane by lane.
 
 mod factorization;
+mod saddle_point;
+mod independent_rows;
 mod into_vector;
 pub(crate) mod lane_select;
 pub(crate) mod pivoting;
@@ -12,4 +14,5 @@ pub use error_tolerance::ErrorTolerance;
 pub use factorization::Factorization;
 pub use into_vector::IntoVector;
 pub use lane_states::LaneStates;
+pub use saddle_point::SaddlePoint;
 pub use vector_space::VectorSpace;

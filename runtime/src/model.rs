@@ -17,6 +17,8 @@ mod quantities;
 mod state_jacobian;
 mod constraints;
 mod saddle_point;
+mod assembly;
+mod assembly_error;
 mod lagrangian;
 mod legendre;
 mod constants_of_motion;
@@ -47,6 +49,8 @@ pub(crate) mod undeclared;
 #[doc(hidden)]
 pub mod emitted;
 
+pub use assembly::{Assembled, Assembly};
+pub use assembly_error::{AssemblyError, OpenConstraints};
 pub use canonical_equations::CanonicalEquations;
 pub use canonical_phase::CanonicalPhase;
 pub use constants_of_motion::{ConstantsOfMotion, ConstantsWatch, LargestChange};

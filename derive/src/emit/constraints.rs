@@ -28,7 +28,25 @@ impl Emitter<'_> {
         if !self.is_constrained() {
             return TokenStream::new();
         }
-        let items = constants_of_trait(&self.lowered.constraints);
+        let constants = constants_of_trait(&self.lowered.constraints);
+        let signatures = self.signatures();
+        let (root, scalar, state) = (&self.declaration.root, &self.scalar, signatures.state());
+        let (vector, prepared) = (signatures.vector(), &signatures.prepared);
+        let (n, c, k) = (self.coordinates(), self.constraint_count(), self.unknowns());
+        let items = quote! {
+            #constants
+            fn constraint_step(
+                &self,
+                state: #state,
+                prepared: &#prepared,
+                residuals: &#root::__private::SVector<#scalar, #c>,
+                held: &[::core::primitive::bool; #n],
+            ) -> #vector {
+                #root::__private::constraint_step::<Self, #scalar, #n, #c, #k>(
+                    self, state, prepared, (residuals, held),
+                )
+            }
+        };
         self.interface(Interface::Constraints, items)
     }
 
@@ -70,6 +88,9 @@ impl Emitter<'_> {
                 prepared: &#prepared,
             ) -> ::core::option::Option<#root::problem::Projection<#scalar, #root::Phase<#scalar, #n>>> {
                 ::core::option::Option::Some(#root::__private::project::<Self, #scalar, #n, #c, #k>(self, state, prepared))
+            }
+            fn fix_rank(&self, state: #state, prepared: &mut #prepared) {
+                #root::__private::fix_rank::<Self, #scalar, #n, #c, #k>(self, state, prepared);
             }
             fn relative_pivots(&self, state: #state, prepared: &#prepared) -> #vector {
                 #root::__private::constrained_pivots::<Self, #scalar, #n, #c, #k>(self, state, prepared).0
@@ -116,6 +137,27 @@ impl Emitter<'_> {
         quote!(#root::__private::rows_of_accelerations(&#matrix))
     }
 
+    /// The factors of the saddle point problem with this matrix.
+    pub(super) fn saddle_point(
+        &self,
+        matrix: &TokenStream,
+        source: ParameterSource,
+    ) -> TokenStream {
+        let (root, scalar, rank) = (&self.declaration.root, &self.scalar, self.rank(source));
+        let (n, c, k) = (self.coordinates(), self.constraint_count(), self.unknowns());
+        quote!(#root::__private::SaddlePoint::<#scalar, #n, #c, #k>::new(#matrix, #rank))
+    }
+
+    /// The number of independent constraints, or 0 where it is not known.
+    fn rank(&self, source: ParameterSource) -> TokenStream {
+        let functions = self.scalar.functions();
+        let index = self.prepared.rank().map(Literal::usize_unsuffixed);
+        match (source, index) {
+            (ParameterSource::Prepared, Some(index)) => quote!(prepared[#index]),
+            _ => quote!(#functions::from_f64(0.0)),
+        }
+    }
+
     /// The factors of M, or with constraints those of the saddle point problem, by the methods of the model.
     pub(super) fn factors(&self, source: ParameterSource) -> TokenStream {
         let root = &self.declaration.root;
@@ -130,7 +172,8 @@ impl Emitter<'_> {
             self.constraint_count(),
             self.unknowns(),
         );
-        quote!(#root::__private::saddle_point::<#scalar, #n, #c, #k>(&#mass, &#jacobian))
+        let rank = self.rank(source);
+        quote!(#root::__private::saddle_point::<#scalar, #n, #c, #k>(&#mass, &#jacobian, #rank))
     }
 
     /// f, and with constraints behind it γ, by the methods of the model.

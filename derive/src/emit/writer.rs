@@ -269,8 +269,7 @@ impl Writer<'_> {
         });
         let matrix = self.matrix_of(&entries.collect::<Vec<_>>(), n);
         let factors = if self.emitter.is_constrained() {
-            let coordinates = self.emitter.coordinates();
-            quote!(#root::__private::saddle_point_factors(#matrix, #coordinates))
+            self.emitter.saddle_point(&matrix, self.parameters)
         } else {
             quote!(#root::Factorization::new(#matrix))
         };

@@ -99,10 +99,20 @@ impl AccelerationOutputs {
                 accelerations: layout.add(&solution.accelerations),
             };
         }
+        Self::add_system_to(layout, kinetics)
+    }
+
+    /// Adds the system for numerical solution.
+    pub(crate) fn add_system_to(layout: &mut ProgramLayout, kinetics: &Kinetics) -> Self {
         Self::Numerical {
             mass: layout.add_mass(&kinetics.system),
             forcing: layout.add(&kinetics.system.forcing),
         }
+    }
+
+    /// Whether q̈ is solved for numerically.
+    pub(crate) const fn is_numerical(&self) -> bool {
+        matches!(self, Self::Numerical { .. })
     }
 }
 

@@ -1,6 +1,6 @@
 //! The array that `prepare` returns: all that the methods of an integration's loop read beside the state and the inputs.
 
-use lagrangian_symbolic::{Operand, Symbol};
+use lagrangian_symbolic::{Operand, OutputGroup, Rational, Symbol};
 
 use super::method::Method;
 use super::methods::Methods;
@@ -14,6 +14,8 @@ pub(crate) struct PreparedArray {
     parameters: Vec<Symbol>,
     /// How many values there are that depend on parameters alone.
     derived: usize,
+    /// Whether the rank of the constraints stands behind all others.
+    has_rank: bool,
 }
 
 impl PreparedArray {
@@ -23,6 +25,7 @@ impl PreparedArray {
         let mut array = Self {
             parameters: Vec::new(),
             derived: groups.first().map_or(0, |group| group.outputs.len()),
+            has_rank: methods.constraints.is_some(),
         };
         for (emitted, method) in methods.all() {
             if emitted.row().takes_prepared() {
@@ -57,7 +60,12 @@ impl PreparedArray {
     }
 
     pub(crate) fn len(&self) -> usize {
-        self.parameters.len() + self.derived
+        self.parameters.len() + self.derived + usize::from(self.has_rank)
+    }
+
+    /// The index of the rank of the constraints.
+    pub(crate) fn rank(&self) -> Option<usize> {
+        self.has_rank.then(|| self.len() - 1)
     }
 
     /// The index of the value of a symbol, if it is in the array.
@@ -72,9 +80,15 @@ impl PreparedArray {
     /// its outputs.
     pub(crate) fn method(&self, prepare: &Method) -> Method {
         let mut program = prepare.program.clone();
+        if self.has_rank && program.groups.is_empty() {
+            program.groups.push(OutputGroup::default());
+        }
         if let Some(group) = program.groups.first_mut() {
             let parameters = self.parameters.iter().copied().map(Operand::Symbol);
             group.outputs.splice(..0, parameters);
+            if self.has_rank {
+                group.outputs.push(Operand::Constant(Rational::ZERO));
+            }
         }
         Method {
             count: prepare.count,

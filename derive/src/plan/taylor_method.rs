@@ -44,6 +44,37 @@ impl Methods {
         model: &mut Model,
         equations: &Equations,
     ) -> Result<TaylorMethod, NoTaylorSeries> {
+        let choices = if self.kinetics.needs_pivoting() {
+            self.series_with_pivoting(model)
+        } else {
+            self.series_without_pivoting(model, equations)
+        };
+        let mut choices = choices?;
+        choices.sort_by_key(|(_, method)| method.program.cost());
+        let unknowns = self.kinetics.system.forcing.len();
+        for (preparation, method) in choices {
+            let accelerations = self.programs(&[]).accelerations;
+            let (graph, program) = (&model.graph, &method.program);
+            let is_numerical = match &method.rates {
+                Rates::Accelerations(outputs) => outputs.is_numerical(),
+                Rates::QuasiVelocities(_) => false,
+            };
+            let solution = (unknowns, is_numerical);
+            let check = SeriesCheck::new(graph, &preparation, accelerations, program, solution);
+            if check.agrees() {
+                self.prepare = Method::preparation(preparation);
+                return Ok(method);
+            }
+        }
+        Err(NoTaylorSeries::Wrong)
+    }
+
+    /// The series by all ways in which no pivot has to be chosen.
+    fn series_without_pivoting(
+        &self,
+        model: &mut Model,
+        equations: &Equations,
+    ) -> Result<Vec<(Program, TaylorMethod)>, NoTaylorSeries> {
         let accelerations = self.series_of_accelerations(&model.graph)?;
         let mut choices = vec![(self.prepare.program.clone(), accelerations)];
         for choice in self.kinetics.first_order_equations(model, equations) {
@@ -52,18 +83,24 @@ impl Methods {
         for choice in self.kinetics.implicit_equations(model, equations) {
             choices.extend(self.series_of_implicit_equations(model, &choice));
         }
-        choices.sort_by_key(|(_, method)| method.program.cost());
-        let unknowns = self.kinetics.system.forcing.len();
-        for (preparation, method) in choices {
-            let accelerations = self.programs(&[]).accelerations;
-            let (graph, program) = (&model.graph, &method.program);
-            let check = SeriesCheck::new(graph, &preparation, accelerations, program, unknowns);
-            if check.agrees() {
-                self.prepare = Method::preparation(preparation);
-                return Ok(method);
-            }
-        }
-        Err(NoTaylorSeries::Wrong)
+        Ok(choices)
+    }
+
+    /// The series by the numerical solution of the saddle point problem of dependent constraints.
+    fn series_with_pivoting(
+        &self,
+        model: &Model,
+    ) -> Result<Vec<(Program, TaylorMethod)>, NoTaylorSeries> {
+        // Whether there is a series at all is said by the simplest.
+        self.series_of_accelerations(&model.graph)?;
+        let system = ImplicitEquations {
+            residuals: self.kinetics.system.inverse_dynamics.clone(),
+            solution: Vec::new(),
+        };
+        let implicit = self.series_of_implicit_equations(model, &system);
+        implicit
+            .map(|choice| vec![choice])
+            .ok_or(NoTaylorSeries::Wrong)
     }
 
     /// The series from the program for q̈.
@@ -130,7 +167,11 @@ impl Methods {
         equations: &ImplicitEquations,
     ) -> Option<(Program, TaylorMethod)> {
         let mut layout = ProgramLayout::new();
-        let rates = AccelerationOutputs::add_to(&mut layout, &self.kinetics);
+        let rates = if equations.solution.is_empty() {
+            AccelerationOutputs::add_system_to(&mut layout, &self.kinetics)
+        } else {
+            AccelerationOutputs::add_to(&mut layout, &self.kinetics)
+        };
         layout.begin_group();
         let residuals = layout.add(&equations.residuals);
         let solution = layout.add(&equations.solution);

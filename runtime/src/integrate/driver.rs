@@ -236,7 +236,7 @@ impl<I, C, O> Driver<I, C, O> {
     /// Restarts from the state that a reaction has left. Returns the events that recur in too short a time.
     fn begin_anew<S: Scalar, D: Dynamics<S>>(
         &mut self,
-        dynamics: &D,
+        dynamics: &mut D,
         stepper: &mut I::Stepper,
         memory: &mut C::Memory,
         occurring: Occurring,
@@ -248,6 +248,7 @@ impl<I, C, O> Driver<I, C, O> {
     {
         let step = stepper.time() - stepper.previous_time();
         let (t, x) = (occurring.t, x.clone());
+        dynamics.begin(S::from_f64(t), &x);
         self.check_state(dynamics, &At { t, x: x.clone() })?;
         stepper.restart_at(dynamics, t, x.clone())?;
         let condition = &mut self.conditions;

@@ -108,6 +108,12 @@ pub trait Dynamics<S: Scalar = f64> {
         self.vanishing_inertia(t, x)
     }
 
+    /// Prepares for a motion from a state: called before each motion, whether it begins, continues from a checkpoint, or was
+    /// changed. By default nothing is prepared. What is prepared must not depend on which state of the motion it is.
+    fn begin(&mut self, t: S, x: &Self::State) {
+        let _ = (t, x);
+    }
+
     /// Returns an error if a parameter is meaningless, such as a period that is not positive. A
     /// [`Problem`](crate::Problem) checks its dynamics at the start and after each change to them.
     ///

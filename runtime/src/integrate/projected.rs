@@ -25,6 +25,13 @@ pub(crate) struct Projected<'a, S: Scalar, D: Dynamics<S> + ?Sized> {
     pub(crate) lane: Option<usize>,
 }
 
+/// Returns the corrections that rounding errors explain, where a projection knows them.
+fn rounding<S: Scalar, X: VectorSpace<S>>(projection: &Projection<S, X>) -> Option<X> {
+    let part = S::from_f64(CHANGES * MOVED_EPSILONS * S::machine_epsilon());
+    let sizes = projection.sizes.as_ref();
+    sizes.map(|sizes| sizes.map(|size| size * part))
+}
+
 /// Returns the end of a step on the manifold, and the correction. The correction is added to the compensated sum, so
 /// that its rounding errors do not accumulate.
 pub(crate) fn corrected<S: Scalar, X: VectorSpace<S>>(
@@ -55,17 +62,24 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
             return Err(self.failure(projection));
         }
         self.check_finite(end)?;
+        let rounding = rounding(projection);
+        let beyond = match &rounding {
+            None => correction.clone(),
+            Some(rounding) => {
+                correction.zip_map(rounding, |x, rounding| (x.abs() - rounding).max(S::zero()))
+            }
+        };
         let ratio = match self.lane {
-            None => ratios(correction, allowed, 0.0).fold(0.0, f64::max),
+            None => ratios(&beyond, allowed, 0.0).fold(0.0, f64::max),
             Some(lane) => {
-                let pairs = correction.components().zip(allowed.components());
+                let pairs = beyond.components().zip(allowed.components());
                 let pairs = pairs.map(|(x, allowed)| (x.in_lane(lane), allowed.in_lane(lane)));
                 let counting = pairs.filter(|(_, allowed)| *allowed > 0.0);
                 counting.fold(0.0, |most: f64, (x, allowed)| most.max(x.abs() / allowed))
             }
         };
         if is_limited && ratio > MAX_CORRECTION {
-            self.check_distance(end, correction, allowed)?;
+            self.check_distance(end, &beyond, allowed)?;
         }
         Ok(ratio)
     }

@@ -9,6 +9,9 @@ use crate::scalar::Scalar;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection<S, X> {
     pub(super) state: X,
+    /// Numbers whose rounding errors the projection distributes over the components; those of the components themselves
+    /// where none are given.
+    pub(super) sizes: Option<X>,
     /// 1 in lanes in which a constraint is violated, 0 in the others.
     pub(super) failed: S,
     /// The residual of the first constraint that is violated.
@@ -25,6 +28,7 @@ impl<S: Scalar, X> Projection<S, X> {
         let [failed, residual, constraint] = [S::zero(); 3];
         Self {
             state,
+            sizes: None,
             failed,
             residual,
             constraint,
@@ -48,17 +52,28 @@ impl<S: Scalar, X> Projection<S, X> {
         self
     }
 
+    /// Sets the sizes of the components to which their rounding errors are proportional, where constraints mix components of
+    /// different sizes.
+    #[inline]
+    #[must_use]
+    pub(crate) fn with_sizes(mut self, sizes: X) -> Self {
+        self.sizes = Some(sizes);
+        self
+    }
+
     /// Returns the projection with another state in place of its own.
     #[inline]
-    pub(crate) fn map<Y>(self, state: impl FnOnce(X) -> Y) -> Projection<S, Y> {
+    pub(crate) fn map<Y>(self, state: impl Fn(X) -> Y) -> Projection<S, Y> {
         let Self {
             state: before,
+            sizes,
             failed,
             residual,
             constraint,
         } = self;
         Projection {
             state: state(before),
+            sizes: sizes.map(state),
             failed,
             residual,
             constraint,

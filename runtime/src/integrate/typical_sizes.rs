@@ -129,6 +129,10 @@ impl<S: Scalar, D: Dynamics<S>> Dynamics<S> for WithSizes<D, D::State> {
         self.dynamics.vanishing_inertia_in_lane(lane, t, x)
     }
 
+    fn begin(&mut self, t: S, x: &Self::State) {
+        self.dynamics.begin(t, x);
+    }
+
     fn check(&self) -> Result<(), IntegrationError> {
         self.dynamics.check()
     }

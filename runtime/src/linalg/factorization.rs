@@ -10,7 +10,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::lane_select::{LaneSelect, greater};
 use super::pivoting::{self, PivotedLu};
-use crate::limits::{MIN_STABLE_PIVOT, RIGHT_HAND_SIDES_AT_ONCE};
+use crate::limits::RIGHT_HAND_SIDES_AT_ONCE;
 use crate::scalar::Scalar;
 
 /// A factored mass matrix.
@@ -42,31 +42,25 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     #[inline]
     #[must_use]
     pub fn new(mass: SMatrix<S, N, N>) -> Self {
-        Self::with_signs(mass, N)
+        let (ldlt, is_definite) = Self::ldlt(&mass, N, 0.0);
+        if is_definite.smallest() > 0.0 {
+            ldlt
+        } else {
+            ldlt.with_pivoting(&mass, is_definite)
+        }
     }
 
-    /// Factors the symmetric matrix of a saddle point problem, whose lower triangle alone is read: in its first
-    /// `coordinates` rows it is a mass matrix, and behind those are minus the gradients of constraints and zeros.
-    ///
-    /// Where that mass matrix is well-conditioned, and the gradients are independent, the matrix is quasidefinite, and L D
-    /// Lᵀ without pivoting is stable (R. J. Vanderbei, *Symmetric quasidefinite matrices*, SIAM J. Optim. **5** (1995)
-    /// 100–113; P. E. Gill, M. A. Saunders & J. R. Shinnerl, SIAM J. Matrix Anal. Appl. **17** (1996) 35–46).
+    /// Factors a symmetric matrix, whose lower triangle alone is read, of which so many pivots are positive and the others
+    /// negative, as L D Lᵀ. Returns the factors, and the mask of the lanes in which all pivots have their sign and are at
+    /// least `least` times the diagonal entry, for negative pivots as the positive ones leave it.
     #[inline]
-    #[must_use]
-    pub(crate) fn of_saddle_point(matrix: SMatrix<S, N, N>, coordinates: usize) -> Self {
-        Self::with_signs(matrix, coordinates)
-    }
-
-    /// Factors a symmetric matrix of which so many pivots are positive, and the others negative.
-    #[inline]
-    fn with_signs(mass: SMatrix<S, N, N>, positive: usize) -> Self {
-        let is_definite = positive == N;
-        let mut factors = mass;
+    pub(super) fn ldlt(matrix: &SMatrix<S, N, N>, positive: usize, least: f64) -> (Self, S) {
+        let mut factors = *matrix;
         let mut reciprocals = SVector::zeros();
         let mut relative_pivots = SVector::zeros();
-        let mut definite = true;
+        let mut is_stable = S::one();
         for j in 0..N {
-            let mut pivot = mass[(j, j)];
+            let mut pivot = matrix[(j, j)];
             let mut diagonal = pivot;
             for k in 0..j {
                 // The columns to the left hold L D until the row is scaled below.
@@ -79,7 +73,7 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
                 }
             }
             for i in j + 1..N {
-                let mut entry = mass[(i, j)];
+                let mut entry = matrix[(i, j)];
                 for k in 0..j {
                     entry -= factors[(i, k)] * factors[(j, k)];
                 }
@@ -87,14 +81,11 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
             }
             reciprocals[j] = S::one() / pivot;
             relative_pivots[j] = pivot / diagonal;
-            definite &= if j >= positive {
-                pivot.largest() < 0.0
-            } else if is_definite {
-                pivot.smallest() > 0.0
-            } else {
-                (relative_pivots[j] - S::from_f64(MIN_STABLE_PIVOT)).smallest() > 0.0
-                    && pivot.smallest() > 0.0
-            };
+            let sign = if j < positive { pivot } else { -pivot };
+            is_stable *= greater(sign, S::zero());
+            if least > 0.0 {
+                is_stable *= greater(relative_pivots[j], S::from_f64(least));
+            }
         }
         let ldlt = Self {
             factors,
@@ -102,32 +93,14 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
             relative_pivots,
             kind: Kind::Ldlt,
         };
-        if definite {
-            ldlt
-        } else {
-            ldlt.with_pivoting(&mass, positive)
-        }
+        (ldlt, is_stable)
     }
 
-    /// Factors the matrix with pivoting in the lanes in which its pivots do not have the right signs, on the cold path.
+    /// Factors a matrix with pivoting in the lanes in which L D Lᵀ is not stable, on the cold path.
     #[cold]
     #[inline(never)]
-    fn with_pivoting(&self, lower: &SMatrix<S, N, N>, positive: usize) -> Self {
+    pub(super) fn with_pivoting(&self, lower: &SMatrix<S, N, N>, ldlt: S) -> Self {
         let full = SMatrix::from_fn(|i, j| lower[(i.max(j), i.min(j))]);
-        let least = if positive == N {
-            S::zero()
-        } else {
-            S::from_f64(MIN_STABLE_PIVOT)
-        };
-        let mut ldlt = S::one();
-        for j in 0..N {
-            let is_right = if j < positive {
-                greater(self.reciprocals[j], S::zero()) * greater(self.relative_pivots[j], least)
-            } else {
-                greater(S::zero(), self.reciprocals[j])
-            };
-            ldlt *= is_right;
-        }
         let PivotedLu {
             factors,
             reciprocals,

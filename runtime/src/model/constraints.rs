@@ -54,6 +54,16 @@ pub trait Constraints<const N: usize, const C: usize, S: Scalar = f64>: Quantiti
         prepared: &Self::Prepared,
     ) -> SMatrix<S, C, N>;
 
+    /// The smallest change δ of coordinates or of velocities, in the metric of M, with G δ = −residuals, and without a change of
+    /// those that are held.
+    fn constraint_step(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+        residuals: &SVector<S, C>,
+        held: &[bool; N],
+    ) -> SVector<S, N>;
+
     /// γ in G q̈ + γ = 0.
     fn constraint_rates(&self, state: &State<S, N>, prepared: &Self::Prepared) -> SVector<S, C>;
 }

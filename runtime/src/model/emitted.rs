@@ -9,8 +9,8 @@ pub use super::by_columns::{
 };
 pub use super::operations::operations;
 pub use super::saddle_point::{
-    constrained_pivots, joined, least_pivot, parts, project, rows_of_accelerations, saddle_point,
-    saddle_point_factors,
+    SaddlePoint, constrained_pivots, constraint_step, fix_rank, joined, least_pivot, parts,
+    project, rows_of_accelerations, saddle_point,
 };
 
 mod in_every_lane;

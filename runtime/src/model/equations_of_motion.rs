@@ -293,6 +293,12 @@ where
         self.law.check()
     }
 
+    #[inline]
+    fn begin(&mut self, t: S, x: &Self::State) {
+        let model = self.model.model();
+        model.fix_rank(&x.at_time(t), &mut self.prepared);
+    }
+
     fn next_update(&self, x: &Self::State) -> Option<f64> {
         self.law.next_update(&x.z)
     }

@@ -2,6 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use super::assembly::Assembly;
 use super::canonical_equations::CanonicalEquations;
 use super::canonical_phase::CanonicalPhase;
 use super::constraints::Constraints;
@@ -162,6 +163,15 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
             model.constraint_positions(state, &prepared),
             model.constraint_velocities(state, &prepared),
         )
+    }
+
+    /// A search for a state that meets the constraints, from a guess: `model.assemble(guess).solve()?.state`. See
+    /// [`Assembly`].
+    fn assemble<const C: usize>(&self, guess: State<S, N>) -> Assembly<'_, Self::Model, S, N, C>
+    where
+        Self::Model: Constraints<N, C, S>,
+    {
+        Assembly::new(self.model(), guess)
     }
 
     /// The derivatives of the accelerations with respect to q, q̇ and t, at constant inputs.

@@ -91,6 +91,14 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// The names of the constraints; none by default.
     const CONSTRAINTS: &'static [&'static str] = &[];
 
+    /// Finds how many constraints are independent in the neighbourhood of a consistent state, and notes it for the methods
+    /// that read `prepared`. A motion does so at its start; without it each evaluation decides at its own state. By default
+    /// there are no constraints.
+    #[inline]
+    fn fix_rank(&self, state: &State<S, N>, prepared: &mut Self::Prepared) {
+        let _ = (state, prepared);
+    }
+
     /// Returns the state on the constraints that is nearest in the metric of M; by default `None`, since there are no
     /// constraints.
     #[inline]
@@ -103,8 +111,8 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         None
     }
 
-    /// Returns the constraint that depends most on those before it, in any lane, and its relative pivot: near 1 if it is
-    /// independent of them, 0 if it restricts no other velocities. By default `None`, since there are no constraints.
+    /// Returns the constraint that is nearest to depending on others, in any lane, and the sine of the angle between its
+    /// gradient and theirs. A constraint that always depends on others does not count. By default `None`, since there are no constraints.
     #[inline]
     fn constraint_pivot(
         &self,

@@ -1,10 +1,4 @@
-//! The equations of motion of a constrained model as one symmetric system,
-//!
-//! ⎡ M  −Gᵀ⎤ ⎡q̈⎤   ⎡f⎤
-//! ⎣−G   0 ⎦ ⎣λ⎦ = ⎣γ⎦
-//!
-//! M. Benzi, G. H. Golub & J. Liesen, *Numerical solution of saddle point problems*, Acta Numerica **14** (2005) 1–137.
-//! `N` accelerations and `C` multipliers are `K` unknowns.
+//! The equations of motion of constrained models as saddle point problems, and projections onto constraints.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -12,8 +6,11 @@ use super::constraints::Constraints;
 use super::phase::Phase;
 use super::state::State;
 use crate::integrate::Projection;
-use crate::limits::projection::{MAX_RESIDUAL, POSITION_SWEEPS, VELOCITY_SWEEPS};
-use crate::linalg::Factorization;
+use crate::limits::projection::{
+    MAX_RESIDUAL, NEARBY, POSITION_SWEEPS, TO_NEARBY, VELOCITY_SWEEPS,
+};
+pub use crate::linalg::SaddlePoint;
+use crate::linalg::lane_select::{from_index, is_zero, one_if_zero};
 use crate::scalar::Scalar;
 
 /// Returns the accelerations and the multipliers.
@@ -44,35 +41,110 @@ pub fn rows_of_accelerations<S: Scalar, const N: usize, const K: usize, const P:
     SMatrix::from_fn(|i, j| matrix[(i, j)])
 }
 
-/// Factors the matrix with this mass matrix and Jacobian.
+/// Returns the factored saddle point problem with this mass matrix and Jacobian.
 #[inline]
 pub fn saddle_point<S: Scalar, const N: usize, const C: usize, const K: usize>(
     mass: &SMatrix<S, N, N>,
     jacobian: &SMatrix<S, C, N>,
-) -> Factorization<S, K> {
-    let lower = SMatrix::from_fn(|i, j| {
-        if i < N && j < N {
-            mass[(i, j)]
-        } else if i >= N && j < N {
-            -jacobian[(i - N, j)]
+    rank: S,
+) -> SaddlePoint<S, N, C, K> {
+    SaddlePoint::new(SaddlePoint::<S, N, C, K>::lower(mass, jacobian), rank)
+}
+
+/// Returns the rank that [`fix_rank`] has noted, the last of the prepared numbers; 0 where it is not known.
+fn noted_rank<S: Scalar>(prepared: &impl AsRef<[S]>) -> S {
+    prepared.as_ref().last().copied().unwrap_or_else(S::zero)
+}
+
+/// Returns the factored saddle point problem at a state.
+fn at_state<M, S, const N: usize, const C: usize, const K: usize>(
+    model: &M,
+    state: &State<S, N>,
+    prepared: &M::Prepared,
+) -> SaddlePoint<S, N, C, K>
+where
+    M: Constraints<N, C, S>,
+    S: Scalar,
+{
+    let mass = model.mass_matrix(state, prepared);
+    let jacobian = model.constraint_jacobian(state, prepared);
+    saddle_point(&mass, &jacobian, noted_rank(prepared))
+}
+
+/// Finds the number of independent constraints in the neighbourhood of a consistent state, and notes it behind the other
+/// prepared numbers.
+///
+/// At a singular configuration fewer are independent than nearby.
+pub fn fix_rank<M, S, const N: usize, const C: usize, const K: usize>(
+    model: &M,
+    state: &State<S, N>,
+    prepared: &mut M::Prepared,
+) where
+    M: Constraints<N, C, S>,
+    S: Scalar,
+{
+    note_rank(prepared, S::zero());
+    let factors = at_state::<M, S, N, C, K>(model, state, prepared);
+    let mut found = factors.rank();
+    if found.smallest() < from_index::<S>(C).smallest() {
+        // Parts without symmetry, which the constraints allow at this state.
+        let mut part = 1.0;
+        let free = SVector::<S, N>::from_fn(|i, _| {
+            part = (part + 0.618_033_988_749_894_9) % 1.0;
+            (state.q[i].abs() + S::one()) * S::from_f64(NEARBY * (part - 0.5))
+        });
+        let jacobian = model.constraint_jacobian(state, prepared);
+        let residuals = SVector::<S, C>::from_fn(|j, _| {
+            (0..N).fold(S::zero(), |sum, i| sum + jacobian[(j, i)] * free[i])
+        });
+        let right = joined::<S, N, C, K>(&SVector::from_element(S::zero()), &residuals);
+        let mut nearby = *state;
+        nearby.q += free + parts::<S, N, C, K>(&factors.solve(&right)).0;
+        for _ in 0..TO_NEARBY {
+            nearby.x = project::<M, S, N, C, K>(model, &nearby, prepared).into_state();
+        }
+        let there = at_state::<M, S, N, C, K>(model, &nearby, prepared);
+        found = found.max(there.rank());
+    }
+    note_rank(prepared, found);
+}
+
+fn note_rank<S: Scalar>(prepared: &mut impl AsMut<[S]>, rank: S) {
+    if let Some(last) = prepared.as_mut().last_mut() {
+        *last = rank;
+    }
+}
+
+/// Returns the smallest change, in the metric of M, of coordinates or of velocities that takes these residuals away to first
+/// order, without a change of those that are held.
+pub fn constraint_step<M, S, const N: usize, const C: usize, const K: usize>(
+    model: &M,
+    state: &State<S, N>,
+    prepared: &M::Prepared,
+    (residuals, held): (&SVector<S, C>, &[bool; N]),
+) -> SVector<S, N>
+where
+    M: Constraints<N, C, S>,
+    S: Scalar,
+{
+    let of_held = |i: usize, j: usize| if i == j { S::one() } else { S::zero() };
+    let mass = model.mass_matrix(state, prepared);
+    let mass = SMatrix::from_fn(|i, j| {
+        if held[i] || held[j] {
+            of_held(i, j)
         } else {
-            S::zero()
+            mass[(i, j)]
         }
     });
-    saddle_point_factors(lower, N)
+    let jacobian = model.constraint_jacobian(state, prepared);
+    let jacobian = SMatrix::from_fn(|i, j| if held[j] { S::zero() } else { jacobian[(i, j)] });
+    let factors: SaddlePoint<S, N, C, K> = saddle_point(&mass, &jacobian, S::zero());
+    let right = joined::<S, N, C, K>(&SVector::from_element(S::zero()), residuals);
+    parts::<S, N, C, K>(&factors.solve(&right)).0
 }
 
-/// Factors a matrix of a saddle point problem with so many accelerations, whose lower triangle alone is read.
-#[inline]
-pub fn saddle_point_factors<S: Scalar, const K: usize>(
-    lower: SMatrix<S, K, K>,
-    coordinates: usize,
-) -> Factorization<S, K> {
-    Factorization::of_saddle_point(lower, coordinates)
-}
-
-/// Returns measures of the conditioning for each coordinate and for each constraint: for a constraint sin² of the angle
-/// between its gradient and those of the constraints before it, in the metric of M⁻¹, where M is well-conditioned.
+/// Returns measures of the conditioning for each coordinate and for each constraint: the sine of the angle between its
+/// gradient and those of the other constraints.
 #[inline]
 pub fn constrained_pivots<M, S, const N: usize, const C: usize, const K: usize>(
     model: &M,
@@ -83,10 +155,7 @@ where
     M: Constraints<N, C, S>,
     S: Scalar,
 {
-    let mass = model.mass_matrix(state, prepared);
-    let jacobian = model.constraint_jacobian(state, prepared);
-    let factors: Factorization<S, K> = saddle_point(&mass, &jacobian);
-    parts(&factors.relative_pivots())
+    at_state::<M, S, N, C, K>(model, state, prepared).relative_pivots()
 }
 
 /// Returns the constraint with the smallest pivot in any lane, and that pivot; NaN counts as 0.
@@ -105,6 +174,27 @@ pub fn least_pivot<S: Scalar, const C: usize>(pivots: &SVector<S, C>) -> Option<
     least
 }
 
+/// Returns a square root that has derivatives at 0.
+fn square_root<S: Scalar>(x: S) -> S {
+    let is_zero = is_zero(x);
+    (x + is_zero).sqrt() - is_zero
+}
+
+/// Returns the largest component of each kind that a vector of this length has, in the metric of M.
+fn in_metric<S: Scalar, const N: usize>(
+    mass: &SMatrix<S, N, N>,
+    vector: &SVector<S, N>,
+) -> SVector<S, N> {
+    let square = (0..N).fold(S::zero(), |sum, i| {
+        sum + mass[(i, i)].abs() * vector[i] * vector[i]
+    });
+    SVector::from_fn(|i, _| {
+        let has_mass = S::one() - is_zero(mass[(i, i)]);
+        let square = (square / one_if_zero(mass[(i, i)].abs())).masked(has_mass);
+        square_root(square).max(vector[i].abs())
+    })
+}
+
 /// Projects a state onto the constraints in the metric of M: coordinates by Newton's method with the factors at the
 /// state, then velocities with the constraints at the projected coordinates.
 ///
@@ -118,9 +208,9 @@ where
     M: Constraints<N, C, S>,
     S: Scalar,
 {
-    let mass = model.mass_matrix(state, prepared);
     let jacobian = model.constraint_jacobian(state, prepared);
-    let factors: Factorization<S, K> = saddle_point(&mass, &jacobian);
+    let mass = model.mass_matrix(state, prepared);
+    let factors: SaddlePoint<S, N, C, K> = saddle_point(&mass, &jacobian, noted_rank(prepared));
     let change = |residuals: &SVector<S, C>| -> SVector<S, N> {
         let right = joined::<S, N, C, K>(&SVector::from_element(S::zero()), residuals);
         parts::<S, N, C, K>(&factors.solve(&right)).0
@@ -128,7 +218,8 @@ where
     let mut projected = *state;
     let before = model.constraint_positions(state, prepared);
     if M::HOLONOMIC > 0 {
-        for _ in 0..POSITION_SWEEPS {
+        projected.q += change(&before);
+        for _ in 1..POSITION_SWEEPS {
             let residuals = model.constraint_positions(&projected, prepared);
             projected.q += change(&residuals);
         }
@@ -139,18 +230,21 @@ where
     }
     let positions = model.constraint_positions(&projected, prepared);
     let velocities = model.constraint_velocities(&projected, prepared);
-    let mut projection = Projection::new(projected.x);
+    let sizes = Phase::new(
+        in_metric(&mass, &projected.q),
+        in_metric(&mass, &projected.v),
+    );
+    let mut projection = Projection::new(projected.x).with_sizes(sizes);
     let tolerance = S::from_f64(MAX_RESIDUAL);
     for j in 0..C {
-        let mut sizes = [S::zero(); 2];
+        let mut sizes = [before[j].abs(), S::zero()];
         for i in 0..N {
             let slope = jacobian[(j, i)].abs();
             sizes[0] += slope * projected.q[i].abs();
             sizes[1] += slope * projected.v[i].abs();
         }
-        let before = before[j].abs();
         projection = projection
-            .checked(j, positions[j], (sizes[0] + before) * tolerance)
+            .checked(j, positions[j], sizes[0] * tolerance)
             .checked(j, velocities[j], sizes[1] * tolerance);
     }
     projection

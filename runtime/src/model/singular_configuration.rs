@@ -24,13 +24,15 @@ where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
+    if let Some(found) = dependent_constraint(model, prepared, state, min_pivot) {
+        return Some(found);
+    }
     let pivots = model.relative_pivots(state, prepared);
     let regular = pivots
         .iter()
         .all(|pivot| pivot.abs().smallest() >= min_pivot);
     if regular {
-        dependent_constraint(model, prepared, state, min_pivot)
-            .or_else(|| at_pole::<M, S, N>(state, min_pivot))
+        at_pole::<M, S, N>(state, min_pivot)
     } else {
         let found = report::<M, S, N>(&pivots, state);
         let value = model.lagrangian(state, &model.inputs(), prepared);

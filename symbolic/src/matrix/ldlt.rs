@@ -7,9 +7,9 @@
 //! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with no digits lost near θ = 0. M is not inverted; the
 //! solution is straight-line code with one division for each pivot.
 
-use crate::limits::MAX_TRANSPARENT_ELIMINATION;
+use crate::limits::{MAX_TRANSPARENT_ELIMINATION, MIN_CONSTRAINT_PIVOT};
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
-use crate::{Expression, Graph};
+use crate::{Expression, Graph, Rational};
 
 /// A symbolically factored symmetric matrix.
 #[derive(Clone, Debug)]
@@ -48,6 +48,45 @@ impl Ldlt {
             row.others.sort_by_key(|(i, _)| position[*i]);
         }
         Some(Self { pivots, rows })
+    }
+
+    /// Makes the pivots of a saddle point problem, whose rows from `coordinates` on are those of constraints, such that the
+    /// solution is stable where all are positive: those of constraints are negative, and are compared with what the
+    /// elimination of coordinates has made of them.
+    pub(crate) fn with_negative_pivots(mut self, graph: &mut Graph, coordinates: usize) -> Self {
+        let least = Rational::new(-1, 1 << MIN_CONSTRAINT_PIVOT).unwrap_or(Rational::ZERO);
+        let count = self.pivots.len().saturating_sub(coordinates);
+        let mut terms = vec![Vec::new(); count];
+        let mut is_reduced = vec![false; count];
+        for row in &self.rows {
+            for (i, entry) in &row.others {
+                let Some(constraint) = i.checked_sub(coordinates) else {
+                    continue;
+                };
+                if graph.is_zero(*entry) {
+                    continue;
+                }
+                if row.unknown < coordinates {
+                    let factor = graph.divide(*entry, row.pivot);
+                    let product = graph.multiply(factor, *entry);
+                    terms[constraint].push((product, Rational::ONE));
+                } else {
+                    is_reduced[constraint] = true;
+                }
+            }
+        }
+        for ((pivot, terms), is_reduced) in self.pivots[coordinates..]
+            .iter_mut()
+            .zip(terms)
+            .zip(is_reduced)
+        {
+            *pivot = graph.negate(*pivot);
+            if is_reduced {
+                let before = graph.sum(terms);
+                *pivot = graph.sum([(*pivot, Rational::ONE), (before, least.clone())]);
+            }
+        }
+        self
     }
 
     /// x in M x = `right`.

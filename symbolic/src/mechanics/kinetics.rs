@@ -301,6 +301,12 @@ impl Kinetics {
         choices
     }
 
+    /// Whether the Taylor series of a motion are to be solved for with pivoting: where constraints may come to depend on others.
+    #[must_use]
+    pub fn needs_pivoting(&self) -> bool {
+        self.solution.is_some() && self.constraints.len() > 1
+    }
+
     /// The equations of motion as M q̈ − f = 0, by each known way to compute this.
     pub fn implicit_equations(
         &self,
@@ -392,10 +398,8 @@ impl LinearSystem {
 /// The solution through the factors of M, or of the matrix of a saddle point problem. There as many pivots as there are
 /// `coordinates` are positive where M is, and those of the multipliers negative; their opposites are the pivots.
 fn ldlt_solver(graph: &mut Graph, system: &LinearSystem, coordinates: usize) -> Option<Solver> {
-    let mut ldlt = Ldlt::factor(graph, &system.mass, MAX_PIVOT_NEIGHBOURS)?;
-    for pivot in ldlt.pivots.iter_mut().skip(coordinates) {
-        *pivot = graph.negate(*pivot);
-    }
+    let ldlt = Ldlt::factor(graph, &system.mass, MAX_PIVOT_NEIGHBOURS)?;
+    let ldlt = ldlt.with_negative_pivots(graph, coordinates);
     Some(Solver::Ldlt(ldlt, system.forcing.clone()))
 }
 

@@ -26,20 +26,23 @@ pub struct SeriesCheck {
     coordinates: usize,
     /// The number of pivots before q̈, unless M and f are computed.
     pivots: Option<usize>,
+    /// Whether the recurrence leaves it to solve for q̈ numerically.
+    is_numerical: bool,
     /// The number of quasi-velocities, if the recurrence is that of velocities and of these.
     quasi_velocities: Option<usize>,
 }
 
 impl SeriesCheck {
     /// The check of `taylor`, which was made of the program `accelerations` with the setup program `preparation`, both
-    /// scheduled from `graph`.
+    /// scheduled from `graph`. The last numbers are those of accelerations and multipliers, and whether these are solved for
+    /// numerically.
     #[must_use]
     pub fn new(
         graph: &Graph,
         preparation: &Program,
         accelerations: AccelerationProgram<'_>,
         taylor: &TaylorProgram,
-        coordinates: usize,
+        (coordinates, is_numerical): (usize, bool),
     ) -> Self {
         let (accelerations, pivots) = match accelerations {
             AccelerationProgram::Solved(program, pivots) => (program, Some(pivots)),
@@ -51,6 +54,7 @@ impl SeriesCheck {
             taylor: RecurrenceTape::of(taylor),
             coordinates,
             pivots,
+            is_numerical,
             quasi_velocities: taylor.quasi_velocities,
         }
     }
@@ -179,7 +183,7 @@ impl SeriesCheck {
             };
             let mut terms = evaluate(&unknown);
             *found = terms[..n].to_vec();
-            if self.pivots.is_none() {
+            if self.is_numerical {
                 let (lower, _) = outputs.split_at(outputs.len() - n);
                 *found = SquareMatrix::symmetric(lower, n).solve(found)?;
                 terms = evaluate(found);

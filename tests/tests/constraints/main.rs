@@ -1,3 +1,4 @@
 //! Models with constraints.
 
 mod pendulum;
+mod redundant;

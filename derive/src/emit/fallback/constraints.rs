@@ -26,9 +26,22 @@ impl Fallback<'_> {
             return TokenStream::new();
         }
         let count = constraints.len();
+        let signatures = self.signatures();
+        let (root, scalar, dimension) = (&self.declaration.root, &self.scalar, &self.dimension);
+        let (state, vector) = (signatures.state(), signatures.vector());
+        let prepared = &signatures.prepared;
         let items = quote::quote! {
             const CONSTRAINTS: [&'static str; #count] = [""; #count];
             const HOLONOMIC: usize = 0;
+            fn constraint_step(
+                &self,
+                _: #state,
+                _: &#prepared,
+                _: &#root::__private::SVector<#scalar, #count>,
+                _: &[::core::primitive::bool; #dimension],
+            ) -> #vector {
+                ::core::unreachable!()
+            }
         };
         self.interface(Interface::Constraints, &items)
     }

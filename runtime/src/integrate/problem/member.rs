@@ -58,7 +58,8 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         C: Watched<S, D>,
         K: Keep<S, D, I::Stepper>,
     {
-        let (limits, start, dynamics) = (self.limits, self.start, self.dynamics);
+        let (limits, start, mut dynamics) = (self.limits, self.start, self.dynamics);
+        dynamics.begin(S::from_f64(start.t), &start.x);
         let mut driver = limits.driver(method, self.watch.conditions, self.watch.observer);
         let Begun {
             times,

@@ -83,6 +83,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         C: Watched<S, D>,
     {
         self.begin(method, |driver, dynamics, start| {
+            dynamics.begin(S::from_f64(start.t), &start.x);
             Ok((driver.begin(dynamics, start)?, None))
         })
     }
@@ -105,19 +106,21 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
     {
         self.begin(method, |driver, dynamics, _| {
             let Checkpoint { memory, events } = checkpoint;
-            let stepper = driver.integrator.recall(dynamics, memory)?;
+            let stepper = driver.integrator.recall(dynamics, memory.clone())?;
             let (t, x) = (stepper.time(), stepper.state().clone());
+            dynamics.begin(S::from_f64(t), &x);
+            let stepper = driver.integrator.recall(dynamics, memory)?;
             driver.check_state(dynamics, &At { t, x })?;
             Ok((stepper, events))
         })
     }
 
     fn begin<I>(
-        self,
+        mut self,
         method: I,
         stepper: impl FnOnce(
             &Driver<I, C, O>,
-            &D,
+            &mut D,
             &At<f64, D::State>,
         ) -> Result<(I::Stepper, Option<EventSigns>), IntegrationError>,
     ) -> Result<Run<S, D, I, K, C, R, O>, IntegrationError>
@@ -132,7 +135,7 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
             ..
         } = self.watch;
         let driver = self.limits.driver(method, conditions, observer);
-        let (stepper, events) = stepper(&driver, &self.dynamics, &self.start)?;
+        let (stepper, events) = stepper(&driver, &mut self.dynamics, &self.start)?;
         // Anything at the time of a checkpoint was kept by the run that made it.
         let before = Some(stepper.time()).filter(|t| t - self.start.t != 0.0);
         Ok(Run {
@@ -256,6 +259,7 @@ where
         change(&mut state, &mut self.dynamics);
         let here = At { t, x: state.x };
         self.forget_events();
+        self.dynamics.begin(S::from_f64(t), &here.x);
         if let Err(error) = self.driver.check_state(&self.dynamics, &here) {
             self.stepper.restart(&self.dynamics);
             return Err(error);

@@ -1,0 +1,194 @@
+//! A choice of independent rows of a matrix, and the others in terms of them: Gram–Schmidt orthogonalization with row
+//! pivoting (Å. Björck, *Numerical Methods for Least Squares Problems* (1996), 2.4 and 2.7). Lanes do not depend on each
+//! other.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::factorization::Factorization;
+use super::lane_select::{from_index, greater, is_zero, one_if_zero};
+use crate::limits::MIN_INDEPENDENT_SINE;
+use crate::scalar::Scalar;
+
+/// What is known of the rows of a matrix.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct IndependentRows<S: Scalar, const C: usize> {
+    /// 1 for a row that depends on others, 0 for an independent one.
+    pub(super) dependent: SVector<S, C>,
+    /// For an independent row the sine of its angle to those chosen before it, 1 for the others.
+    pub(super) sines: SVector<S, C>,
+    /// X, by which dependent rows are combinations of independent ones; zeros elsewhere.
+    combinations: SMatrix<S, C, C>,
+}
+
+/// Rows in the course of orthogonalization.
+struct Orthogonalization<S: Scalar, const C: usize, const N: usize> {
+    /// The rest of each row, scaled to length 1 at the beginning.
+    rows: SMatrix<S, C, N>,
+    /// The factors by which rows were scaled.
+    scales: SVector<S, C>,
+    /// The coefficients of each row in terms of the orthonormal rows, column by column.
+    coefficients: SMatrix<S, C, C>,
+    /// The row that is chosen in each step, or −1 for none.
+    chosen: SVector<S, C>,
+    /// 1 for a row that is chosen.
+    used: SVector<S, C>,
+    sines: SVector<S, C>,
+}
+
+impl<S: Scalar, const C: usize> IndependentRows<S, C> {
+    /// Chooses rows of `jacobian`, in the metric of the diagonal of a mass matrix: as many as the rank, or where that is 0 all
+    /// whose sine is not negligible.
+    pub(super) fn of<const N: usize>(
+        jacobian: &SMatrix<S, C, N>,
+        mass: &SVector<S, N>,
+        rank: S,
+    ) -> Self {
+        let mut steps = Orthogonalization::<S, C, N>::new(jacobian, mass);
+        for step in 0..C {
+            let is_known = S::one() - is_zero(rank);
+            // A row is chosen while fewer than the rank are.
+            let is_within = greater(rank, from_index(step));
+            steps.choose(step, is_known, is_within);
+        }
+        steps.rows()
+    }
+
+    /// Returns the multipliers of least norm that have the same reactions as these, which are 0 for dependent rows.
+    ///
+    /// With g_D = X g_B the reactions are those of λ_B + Xᵀ λ_D, so that λ_D = (1 + X Xᵀ)⁻¹ X λ_B is taken from λ_B.
+    pub(super) fn least_norm<const P: usize>(
+        &self,
+        multipliers: &SMatrix<S, C, P>,
+    ) -> SMatrix<S, C, P> {
+        if self.dependent.iter().all(|x| x.largest() <= 0.0) {
+            return *multipliers;
+        }
+        let x = &self.combinations;
+        let normal = SMatrix::<S, C, C>::from_fn(|i, j| {
+            let diagonal = if i == j { S::one() } else { S::zero() };
+            (0..C).fold(diagonal, |sum, k| sum + x[(i, k)] * x[(j, k)])
+        });
+        let right = SMatrix::<S, C, P>::from_fn(|i, j| {
+            (0..C).fold(S::zero(), |sum, k| sum + x[(i, k)] * multipliers[(k, j)])
+        });
+        let of_dependent = Factorization::new(normal).solve(&right);
+        SMatrix::from_fn(|i, j| {
+            let taken = (0..C).fold(S::zero(), |sum, k| sum + x[(k, i)] * of_dependent[(k, j)]);
+            multipliers[(i, j)] - taken + of_dependent[(i, j)]
+        })
+    }
+}
+
+impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
+    fn new(jacobian: &SMatrix<S, C, N>, mass: &SVector<S, N>) -> Self {
+        let widths = SVector::<S, N>::from_fn(|i, _| {
+            let column = jacobian.column(i);
+            let largest = column.iter().fold(S::zero(), |most, x| most.max(x.abs()));
+            let has_mass = greater(mass[i], S::zero());
+            let length = one_if_zero(mass[i]).abs().sqrt();
+            length.masked(has_mass) + one_if_zero(largest).masked(S::one() - has_mass)
+        });
+        let mut rows = SMatrix::from_fn(|i, j| jacobian[(i, j)] / widths[j]);
+        let scales = SVector::from_fn(|i, _| {
+            let row: SVector<S, N> = SVector::from_fn(|j, _| rows[(i, j)]);
+            S::one() / one_if_zero(norm(&row))
+        });
+        for i in 0..C {
+            for j in 0..N {
+                rows[(i, j)] *= scales[i];
+            }
+        }
+        Self {
+            rows,
+            scales,
+            coefficients: SMatrix::zeros(),
+            chosen: SVector::from_element(-S::one()),
+            used: SVector::zeros(),
+            sines: SVector::from_element(S::one()),
+        }
+    }
+
+    fn row(&self, i: usize) -> SVector<S, N> {
+        SVector::from_fn(|j, _| self.rows[(i, j)])
+    }
+
+    /// Chooses the row with the longest rest, where fewer rows than the known rank are chosen, or where the rest of one is not
+    /// negligible, and takes its direction out of the others.
+    fn choose(&mut self, step: usize, is_known: S, is_within: S) {
+        let (mut best, mut longest) = (S::zero(), -S::one());
+        for i in 0..C {
+            let length = norm(&self.row(i)).masked(S::one() - self.used[i]) - self.used[i];
+            let mask = greater(length, longest);
+            best += (from_index::<S>(i) - best).masked(mask);
+            longest = longest.max(length);
+        }
+        let is_longer = greater(longest, S::from_f64(MIN_INDEPENDENT_SINE));
+        let is_new =
+            is_known * is_within * greater(longest, S::zero()) + (S::one() - is_known) * is_longer;
+        self.chosen[step] = best.masked(is_new) - (S::one() - is_new);
+        let mut direction = SVector::<S, N>::zeros();
+        for i in 0..C {
+            let mask = is_zero(best - from_index(i)) * is_new;
+            let scale = S::one() / one_if_zero(longest);
+            direction += self.row(i).map(|x| (x * scale).masked(mask));
+            self.used[i] += mask;
+            self.sines[i] = self.sines[i].masked(S::one() - mask) + longest.masked(mask);
+        }
+        for i in 0..C {
+            let row = self.row(i);
+            let is_chosen = is_zero(best - from_index(i)) * is_new;
+            // What is chosen before has no part in this direction.
+            let open = S::one() - self.used[i] + is_chosen;
+            let part = dot(&row, &direction).masked(open);
+            self.coefficients[(i, step)] = part;
+            for j in 0..N {
+                self.rows[(i, j)] -= part * direction[j];
+            }
+        }
+    }
+
+    /// The dependent rows in terms of the independent ones.
+    fn rows(&self) -> IndependentRows<S, C> {
+        let dependent = SVector::from_fn(|i, _| S::one() - self.used[i]);
+        // The coefficients of the row that is chosen in each step.
+        let triangle = SMatrix::<S, C, C>::from_fn(|step, k| {
+            (0..C).fold(S::zero(), |sum, i| {
+                let mask = is_zero(self.chosen[step] - from_index(i));
+                sum + self.coefficients[(i, k)].masked(mask)
+            })
+        });
+        let mut combinations = SMatrix::<S, C, C>::zeros();
+        for i in 0..C {
+            let mut parts = SVector::<S, C>::zeros();
+            for k in (0..C).rev() {
+                let later = (k + 1..C).fold(S::zero(), |sum, l| sum + parts[l] * triangle[(l, k)]);
+                let rest = self.coefficients[(i, k)] - later;
+                parts[k] = rest / one_if_zero(triangle[(k, k)]);
+            }
+            for j in 0..C {
+                let part = (0..C).fold(S::zero(), |sum, step| {
+                    let mask = is_zero(self.chosen[step] - from_index(j));
+                    sum + parts[step].masked(mask)
+                });
+                let unscaled = part * self.scales[j] / self.scales[i];
+                combinations[(i, j)] = unscaled.masked(dependent[i]);
+            }
+        }
+        IndependentRows {
+            dependent,
+            sines: self.sines,
+            combinations,
+        }
+    }
+}
+
+fn dot<S: Scalar, const N: usize>(x: &SVector<S, N>, y: &SVector<S, N>) -> S {
+    let pairs = x.iter().zip(y.iter());
+    pairs.fold(S::zero(), |sum, (x, y)| sum + *x * *y)
+}
+
+fn norm<S: Scalar, const N: usize>(x: &SVector<S, N>) -> S {
+    let square = dot(x, x);
+    let is_zero = is_zero(square);
+    (square + is_zero).sqrt() - is_zero
+}
