@@ -95,6 +95,13 @@ impl Emitter<'_> {
             fn relative_pivots(&self, state: #state, prepared: &#prepared) -> #vector {
                 #root::__private::constrained_pivots::<Self, #scalar, #n, #c, #k>(self, state, prepared).0
             }
+            fn violated_constraint(
+                &self,
+                state: #state,
+                prepared: &#prepared,
+            ) -> ::core::option::Option<(::core::primitive::usize, #scalar)> {
+                #root::__private::violated_constraint::<Self, #scalar, #n, #c>(self, state, prepared)
+            }
             fn constraint_pivot(
                 &self,
                 state: #state,

@@ -203,6 +203,13 @@ pub trait Dynamics<S: Scalar = f64> {
         None
     }
 
+    /// Returns the constraint that a state violates most, and its residual, for error messages. By default `None`: it is not
+    /// known.
+    fn violated_constraint(&self, t: S, x: &Self::State) -> Option<(usize, S)> {
+        let _ = (t, x);
+        None
+    }
+
     /// Returns the name, for error messages, of a constraint onto which [`project`](Self::project) projects.
     fn constraint_name(&self, index: usize) -> &'static str {
         let _ = index;
@@ -271,6 +278,10 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for &D {
     #[inline]
     fn project(&self, t: S, x: &D::State) -> Option<Projection<S, D::State>> {
         (**self).project(t, x)
+    }
+
+    fn violated_constraint(&self, t: S, x: &D::State) -> Option<(usize, S)> {
+        (**self).violated_constraint(t, x)
     }
 
     fn constraint_name(&self, index: usize) -> &'static str {

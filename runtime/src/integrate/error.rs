@@ -9,8 +9,8 @@ use super::singularity::Singularity;
 use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 use messages::{
-    write_failed_projection, write_no_series, write_off_manifold, write_singular, write_sliding,
-    write_too_small, write_vanishing,
+    write_failed_projection, write_inconsistent, write_no_series, write_off_manifold,
+    write_singular, write_sliding, write_too_small, write_vanishing,
 };
 
 /// Why an integration could not start or could not continue.
@@ -109,6 +109,15 @@ pub enum IntegrationError {
         /// The [name](crate::Dynamics::constraint_name) of the first constraint that is violated.
         constraint: &'static str,
         /// Its residual.
+        residual: f64,
+    },
+    /// The start of a motion of a model, or a state that a reaction has left, does not meet the constraints.
+    Inconsistent {
+        /// The time of the state.
+        time: f64,
+        /// The constraint that is violated most.
+        constraint: &'static str,
+        /// Its residual, that of its velocity if the coordinates meet it.
         residual: f64,
     },
     /// A state is farther from the manifold on which the equations hold than the error of a step and rounding explain.
@@ -282,6 +291,11 @@ impl fmt::Display for IntegrationError {
                 constraint,
                 residual,
             } => write_failed_projection(f, time, constraint, residual),
+            Self::Inconsistent {
+                time,
+                constraint,
+                residual,
+            } => write_inconsistent(f, time, constraint, residual),
             Self::OffManifold {
                 time,
                 component,

@@ -155,6 +155,24 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
         })
     }
 
+    /// Returns the error for a start, which names the constraint that is violated where the dynamics know it.
+    #[cold]
+    pub(crate) fn named(&self, x: &D::State, error: IntegrationError) -> IntegrationError {
+        let is_off = matches!(
+            error,
+            IntegrationError::OffManifold { .. } | IntegrationError::ProjectionFailed { .. }
+        );
+        let violated = self.dynamics.violated_constraint(self.t, x);
+        match violated.filter(|_| is_off) {
+            Some((constraint, residual)) => IntegrationError::Inconsistent {
+                time: self.time(),
+                constraint: self.dynamics.constraint_name(constraint),
+                residual: self.largest(residual),
+            },
+            None => error,
+        }
+    }
+
     /// Returns the relevant number in a scalar: the value in the lane, or the largest in all lanes.
     fn largest(&self, x: S) -> f64 {
         self.lane
@@ -188,7 +206,8 @@ pub(crate) fn check_start<S: Scalar, D: Dynamics<S> + ?Sized>(
     let (end, correction) = corrected(&Compensated::new(x.clone()), &projection);
     let allowed = dynamics.allowed_error(x, tolerance);
     let found = (&projection, end.value());
-    start.check(found, &correction, &allowed, true).map(|_| ())
+    let checked = start.check(found, &correction, &allowed, true);
+    checked.map_or_else(|error| Err(start.named(x, error)), |_| Ok(()))
 }
 
 /// Returns the state on the manifold nearest to a state within a step; `None` if there is no manifold.

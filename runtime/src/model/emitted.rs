@@ -10,7 +10,7 @@ pub use super::by_columns::{
 pub use super::operations::operations;
 pub use super::saddle_point::{
     SaddlePoint, constrained_pivots, constraint_step, fix_rank, joined, least_pivot, parts,
-    project, rows_of_accelerations, saddle_point,
+    project, rows_of_accelerations, saddle_point, violated_constraint,
 };
 
 mod in_every_lane;

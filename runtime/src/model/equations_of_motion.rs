@@ -314,6 +314,11 @@ where
         Some(found.map(|phase| phase.with(x.z.clone())))
     }
 
+    fn violated_constraint(&self, t: S, x: &Self::State) -> Option<(usize, S)> {
+        let model = self.model.model();
+        model.violated_constraint(&x.at_time(t), &self.prepared)
+    }
+
     fn constraint_name(&self, index: usize) -> &'static str {
         let names = <M::Model as Quantities<N, S>>::CONSTRAINTS;
         names.get(index).copied().unwrap_or("?")

@@ -143,6 +143,37 @@ where
     parts::<S, N, C, K>(&factors.solve(&right)).0
 }
 
+/// Returns the constraint with the largest residual relative to its terms, and the residual.
+pub fn violated_constraint<M, S, const N: usize, const C: usize>(
+    model: &M,
+    state: &State<S, N>,
+    prepared: &M::Prepared,
+) -> Option<(usize, S)>
+where
+    M: Constraints<N, C, S>,
+    S: Scalar,
+{
+    let jacobian = model.constraint_jacobian(state, prepared);
+    let residuals = [
+        (model.constraint_positions(state, prepared), state.q),
+        (model.constraint_velocities(state, prepared), state.v),
+    ];
+    let mut most: Option<(usize, S, f64)> = None;
+    for (residuals, of) in residuals {
+        for j in 0..C {
+            let size = (0..N).fold(S::zero(), |sum, i| sum + (jacobian[(j, i)] * of[i]).abs());
+            let ratio = (residuals[j].abs() / one_if_zero(size)).largest();
+            if ratio > MAX_RESIDUAL && most.is_none_or(|(.., other)| ratio > other) {
+                most = Some((j, residuals[j], ratio));
+            }
+        }
+        if most.is_some() {
+            break;
+        }
+    }
+    most.map(|(constraint, residual, _)| (constraint, residual))
+}
+
 /// Returns measures of the conditioning for each coordinate and for each constraint: the sine of the angle between its
 /// gradient and those of the other constraints.
 #[inline]

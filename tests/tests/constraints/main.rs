@@ -1,4 +1,5 @@
 //! Models with constraints.
 
+mod consistency;
 mod pendulum;
 mod redundant;

@@ -192,6 +192,20 @@ pub(super) fn write_failed_projection(
 }
 
 /// Writes the message about a state that is off the manifold, with the remedy.
+pub(super) fn write_inconsistent(
+    f: &mut fmt::Formatter<'_>,
+    time: f64,
+    constraint: &str,
+    residual: f64,
+) -> fmt::Result {
+    let (time, residual) = (Readable(time), Readable(residual));
+    write!(
+        f,
+        "at t = {time} the state does not meet the constraint {constraint}, whose residual is {residual}: \
+         `model.assemble(state).solve()?.state` is a state that meets all constraints"
+    )
+}
+
 pub(super) fn write_off_manifold(
     f: &mut fmt::Formatter<'_>,
     time: f64,

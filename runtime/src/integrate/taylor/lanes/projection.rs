@@ -117,6 +117,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         if let Err(error) = start.check(found, &correction, &allowed, true)
             && self.errors[lane].is_none()
         {
+            let error = start.named(before, error);
             self.fail(lane, error);
         }
     }

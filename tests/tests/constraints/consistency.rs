@@ -1,0 +1,110 @@
+//! Consistent states: what is found, what is refused, and how errors say it.
+
+use lagrangian::assembly::AssemblyError;
+use lagrangian::prelude::*;
+
+/// A four-bar linkage by the angles of its bars.
+#[derive(Clone, Lagrangian)]
+#[lagrangian(
+    coordinates(crank, coupler, rocker),
+    define(
+        joint = [a * cos(crank), a * sin(crank)] + [b * cos(coupler), b * sin(coupler)],
+        end = [d, 0.0] + [c * cos(rocker), c * sin(rocker)],
+    ),
+    kinetic = 0.5 * (inertia * dot(crank).powi(2) + inertia * dot(coupler).powi(2) + inertia * dot(rocker).powi(2)),
+    constraint(closure = joint - end),
+)]
+struct FourBar {
+    a: f64,
+    b: f64,
+    c: f64,
+    d: f64,
+    inertia: f64,
+}
+
+const FOUR_BAR: FourBar = FourBar {
+    a: 1.0,
+    b: 2.5,
+    c: 2.0,
+    d: 3.0,
+    inertia: 0.1,
+};
+
+#[test]
+fn a_linkage_is_assembled_with_its_crank_held() -> Result<(), AssemblyError> {
+    let guess = State::new(0.0, [0.9, 0.2, 1.5], [2.0, 0.0, 0.0]);
+    let found = FOUR_BAR
+        .assemble(guess)
+        .hold([FourBar::CRANK])
+        .hold_velocities([FourBar::CRANK])
+        .solve()?;
+    let state = found.state;
+    assert_eq!(state.q[0], 0.9);
+    assert_eq!(state.v[0], 2.0);
+    let (positions, velocities) = FOUR_BAR.constraint_residuals(&state);
+    assert!(positions.amax() < 1e-15, "{positions}");
+    assert!(velocities.amax() < 1e-15, "{velocities}");
+    assert_eq!(found.moved.q[1], state.q[1] - 0.2);
+    Ok(())
+}
+
+#[test]
+fn a_linkage_that_cannot_be_closed_names_what_stays_open() {
+    let long = FourBar { d: 6.0, ..FOUR_BAR };
+    let guess = State::new(0.0, [0.9, 0.2, 1.5], [0.0; 3]);
+    let error = long.assemble(guess).solve().unwrap_err();
+    let AssemblyError::Positions(open) = error else {
+        panic!("{error}");
+    };
+    let names: Vec<_> = open.iter().map(|(name, _)| name).collect();
+    assert!(names.contains(&"closure[0]"), "{error}");
+    assert!(error.to_string().contains("closure[0] by "), "{error}");
+}
+
+#[test]
+fn velocities_that_are_held_and_cannot_be_are_refused() -> Result<(), AssemblyError> {
+    let guess = State::new(0.0, [0.9, 0.2, 1.5], [0.0; 3]);
+    let closed = FOUR_BAR.assemble(guess).solve()?.state;
+    let moving = State::new(0.0, closed.q, SVector::from([1.0, 1.0, 0.0]));
+    let held = FOUR_BAR.assemble(moving).hold_velocities([0, 1, 2]);
+    let error = held.solve().unwrap_err();
+    assert!(matches!(error, AssemblyError::Velocities(_)), "{error}");
+    let guess = State::new(0.0, [f64::NAN, 0.2, 1.5], [0.0; 3]);
+    let error = FOUR_BAR.assemble(guess).solve().unwrap_err();
+    assert_eq!(
+        error,
+        AssemblyError::NotFinite {
+            coordinate: "crank"
+        }
+    );
+    Ok(())
+}
+
+#[test]
+fn a_start_that_is_inconsistent_is_refused_by_name() -> Result<(), AssemblyError> {
+    let guess = State::new(0.0, [0.9, 0.2, 1.5], [0.0; 3]);
+    let error = Problem::new(&FOUR_BAR, guess)
+        .solve(1.0, Dop853::new())
+        .unwrap_err();
+    let IntegrationError::Inconsistent {
+        time,
+        constraint,
+        residual,
+    } = error.error()
+    else {
+        panic!("{error}");
+    };
+    assert_eq!(time, 0.0);
+    let expected = FOUR_BAR.constraint_residuals(&guess).0;
+    let index = FourBar::CONSTRAINTS
+        .iter()
+        .position(|name| *name == constraint);
+    assert_eq!(expected[index.unwrap()].abs(), residual.abs());
+    // Velocities count, too.
+    let closed = FOUR_BAR.assemble(guess).solve()?.state;
+    let moving = State::new(0.0, closed.q, SVector::from([1.0, 0.0, 0.0]));
+    let error = Problem::new(&FOUR_BAR, moving).solve(1.0, Dop853::new());
+    let error = error.unwrap_err();
+    assert!(error.to_string().contains("assemble"), "{error}");
+    Ok(())
+}
