@@ -55,6 +55,7 @@ pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {
         emitter.functions(),
         emitter.taylor_series(),
         emitter.events(),
+        emitter.impacts(),
         emitter.requested(),
     ]
     .into_iter()

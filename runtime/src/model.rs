@@ -18,6 +18,7 @@ mod state_jacobian;
 mod constraints;
 mod saddle_point;
 mod assembly;
+mod impacts;
 mod assembly_error;
 mod lagrangian;
 mod legendre;
@@ -62,6 +63,7 @@ pub use events::Events;
 pub use external_functions::{ExternalFunctions, FunctionSignature};
 pub use generalized_coordinates::GeneralizedCoordinates;
 pub use hamiltonian::{Hamiltonian, NoVelocities};
+pub use impacts::Impacts;
 pub use inputs::Inputs;
 pub use lagrangian::Lagrangian;
 pub use law::{

@@ -18,6 +18,6 @@
 //! ```
 
 pub use crate::model::{
-    Constraints, Energies, EnergyBalance, Events, Hamiltonian, Inputs, MembersInLanes,
+    Constraints, Energies, EnergyBalance, Events, Hamiltonian, Impacts, Inputs, MembersInLanes,
     MotionSeries, Outputs, Quantities, Regressor, RouthianSeries, Sensitivities, StateJacobian,
 };

@@ -35,19 +35,27 @@ impl Emitter<'_> {
         let (n, c, k) = (self.coordinates(), self.constraint_count(), self.unknowns());
         let items = quote! {
             #constants
-            fn constraint_step(
+            fn constrained_response(
                 &self,
                 state: #state,
                 prepared: &#prepared,
-                residuals: &#root::__private::SVector<#scalar, #c>,
+                impulse_and_residuals: (&#vector, &#root::__private::SVector<#scalar, #c>),
                 held: &[::core::primitive::bool; #n],
             ) -> #vector {
-                #root::__private::constraint_step::<Self, #scalar, #n, #c, #k>(
-                    self, state, prepared, (residuals, held),
+                #root::__private::constrained_response::<Self, #scalar, #n, #c, #k>(
+                    self, state, prepared, impulse_and_residuals, held,
                 )
             }
         };
         self.interface(Interface::Constraints, items)
+    }
+
+    /// The impl of `Impacts`, for a model that declares constraints and events.
+    pub(super) fn impacts(&self) -> TokenStream {
+        if !self.is_constrained() || self.methods.event_functions.is_none() {
+            return TokenStream::new();
+        }
+        self.interface(Interface::Impacts, TokenStream::new())
     }
 
     /// The impl of `StateJacobian`, for a model without constraints.

@@ -82,6 +82,10 @@ impl Signatures<'_> {
             ResultType::ParameterMatrix => quote!(#root::__private::SMatrix<#scalar, #n, #p>),
             ResultType::Regressor => quote!(#root::__private::SMatrix<#scalar, #n, #b>),
             ResultType::BaseParameters => quote!(#root::__private::SVector<#scalar, #b>),
+            ResultType::EventGradient => {
+                let gradient = self.vector();
+                quote!((#gradient, #scalar))
+            }
             ResultType::ConstraintVector => quote!(#root::__private::SVector<#scalar, #c>),
             ResultType::ConstraintJacobian => quote!(#root::__private::SMatrix<#scalar, #c, #n>),
             ResultType::AccelerationsAndMultipliers => {
@@ -97,6 +101,7 @@ impl Signatures<'_> {
         let vector = match row.argument {
             Argument::Accelerations => Some(("accelerations", self.vector())),
             Argument::Momenta => Some(("momenta", self.vector())),
+            Argument::Event => Some(("event", quote!(::core::primitive::usize))),
             Argument::StateOnly | Argument::Parameters => None,
         };
         let prepared = row
@@ -123,6 +128,7 @@ impl Signatures<'_> {
             Interface::Quantities => ("Quantities", quote!(#n)),
             Interface::StateJacobian => ("StateJacobian", quote!(#n)),
             Interface::Constraints => ("Constraints", quote!(#n, #c)),
+            Interface::Impacts => ("Impacts", quote!(#n, #c)),
             Interface::Energies => ("Energies", quote!(#n)),
             Interface::Inputs => ("Inputs", quote!(#n, #u)),
             Interface::Outputs => ("Outputs", quote!(#n)),

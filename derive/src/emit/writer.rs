@@ -114,6 +114,14 @@ impl Writer<'_> {
                 let (statements, values) = self.compute(values);
                 self.behind_accelerations(joined([statements, quote!([#(#values),*])]))
             }
+            MethodOutputs::EventGradients(gradients) => {
+                let root = &self.emitter.declaration.root;
+                let (statements, elements) = self.compute(gradients);
+                let rows = elements.chunks(self.emitter.coordinates() + 1);
+                let rows = rows.map(|row| quote!([#(#row),*]));
+                let value = quote!(#root::__private::gradient(&[#(#rows),*], *event));
+                self.behind_accelerations(joined([statements, value]))
+            }
             MethodOutputs::Accelerations(outputs) => {
                 let (statements, solution) = self.accelerations(outputs);
                 if self.emitter.is_constrained() {

@@ -1,6 +1,6 @@
 //! The programs of a model's methods.
 
-use lagrangian_symbolic::{Equations, Expression, Kinetics, Model, Rational, SolvedForm};
+use lagrangian_symbolic::{Equations, Expression, Kinetics, Model, Rational, SolvedForm, Symbol};
 
 use super::by_columns::ByColumns;
 use super::constraint_methods::ConstraintMethods;
@@ -38,6 +38,8 @@ pub(crate) struct Methods {
     pub(crate) outputs: Method,
     /// Where events are declared.
     pub(crate) event_functions: Option<Method>,
+    /// Where constraints are declared beside them.
+    pub(crate) event_gradients: Option<Method>,
     /// The declared derivatives of external functions.
     pub(crate) functions: Vec<FunctionDerivative>,
     /// What clauses ask for.
@@ -84,6 +86,7 @@ impl Methods {
             EmittedMethod::InputJacobian => Some(&self.input_jacobian),
             EmittedMethod::Outputs => Some(&self.outputs),
             EmittedMethod::EventFunctions => self.event_functions.as_ref(),
+            EmittedMethod::EventGradient => self.event_gradients.as_ref(),
             EmittedMethod::MomentumRates => requested.momentum_rates.as_ref(),
             EmittedMethod::SolvedVelocities => requested.solved_velocities.as_ref(),
             EmittedMethod::EnergyRate => requested.energy_rate.as_ref(),
@@ -131,6 +134,9 @@ impl Methods {
         let stays_regular = stays_regular(model, &kinetics);
         let requested = RequestedMethods::schedule(model, equations, &kinetics, requested);
         let energies = kinetics.energies.evaluated(model);
+        let event_gradients = (!is_free)
+            .then(|| Method::event_gradients(model, shapes))
+            .flatten();
         let model = &*model;
         let scalar = |expression| Method::single(model, &[expression], MethodOutputs::Scalar);
         let vector = |components: &[_]| Method::single(model, components, MethodOutputs::Vector);
@@ -172,6 +178,7 @@ impl Methods {
             input_jacobian,
             outputs: Method::declared_outputs(model, shapes),
             event_functions: Method::event_functions(model, shapes),
+            event_gradients,
             functions: function_derivatives(model),
             requested,
             kinetics,
@@ -285,6 +292,18 @@ impl Method {
             rest = others;
         }
         Self::schedule(model, &layout, MethodOutputs::Declared(outputs))
+    }
+
+    /// The derivatives of the event functions by coordinates and time.
+    fn event_gradients(model: &mut Model, shapes: &[Shape]) -> Option<Self> {
+        let before = shapes.iter().map(|shape| shape.count()).sum();
+        let events = model.outputs.get(before..)?.to_vec();
+        let mut symbols = model.coordinate_symbols();
+        symbols.push(Symbol::Time);
+        let columns = model.graph.jacobian(&events, &symbols);
+        let gradients = (0..events.len()).flat_map(|i| columns.iter().map(move |column| column[i]));
+        let gradients: Vec<_> = gradients.collect();
+        (!events.is_empty()).then(|| Self::single(model, &gradients, MethodOutputs::EventGradients))
     }
 
     /// What is behind the outputs of these shapes.

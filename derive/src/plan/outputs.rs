@@ -204,6 +204,8 @@ pub(crate) enum MethodOutputs {
     ConstraintJacobian(OutputSlice),
     /// The values of the event functions.
     Events(OutputSlice),
+    /// The derivatives of each event function by the coordinates and the time.
+    EventGradients(OutputSlice),
     /// What depends on the parameters alone.
     Invariants(OutputSlice),
     Accelerations(AccelerationOutputs),

@@ -10,6 +10,7 @@ pub(crate) enum Interface {
     Quantities,
     StateJacobian,
     Constraints,
+    Impacts,
     Energies,
     Inputs,
     Outputs,
@@ -50,6 +51,8 @@ pub(crate) enum ResultType {
     ConstraintJacobian,
     /// One component for each coordinate, and one for each constraint.
     AccelerationsAndMultipliers,
+    /// The gradient of an event function, and its derivative by the time.
+    EventGradient,
 }
 
 /// What a method takes besides the inputs and the prepared array.
@@ -61,6 +64,8 @@ pub(crate) enum Argument {
     Accelerations,
     /// The state and the momenta.
     Momenta,
+    /// The state and the index of an event.
+    Event,
     /// Nothing.
     Parameters,
 }
@@ -142,6 +147,7 @@ table! {
     InputJacobian:     "input_jacobian",     Inputs,     InputMatrix,   StateOnly,     Fields,    true,  false;
     Outputs:           "outputs",            Outputs,    Outputs,       StateOnly,     Fields,    true,  false;
     EventFunctions:    "event_functions",    Events,     EventValues,   StateOnly,     Prepared,  true,  false;
+    EventGradient:     "event_gradient",    Impacts,    EventGradient, Event,         Prepared,  true,  false;
     MomentumRates:     "momentum_rates",     Hamiltonian, Vector,       StateOnly,     Prepared,  true,  false;
     SolvedVelocities:  "solved_velocities",  Hamiltonian, Vector,       Momenta,       Prepared,  false, false;
     EnergyRate:        "energy_rate",        EnergyBalance, Scalar,     StateOnly,     Fields,    true,  false;
@@ -152,7 +158,11 @@ table! {
 }
 
 /// The methods that the traits of the runtime have besides.
-const PROVIDED: [&str; 9] = [
+const PROVIDED: [&str; 13] = [
+    "assemble",
+    "constraint_residuals",
+    "constrained_response",
+    "impact",
     "multipliers",
     "dynamics",
     "into_dynamics",
@@ -165,7 +175,8 @@ const PROVIDED: [&str; 9] = [
 ];
 
 /// The names of the parameters of emitted methods, which no local variable has.
-pub(crate) const PARAMETERS: [&str; 6] = [
+pub(crate) const PARAMETERS: [&str; 7] = [
+    "event",
     "state",
     "inputs",
     "accelerations",

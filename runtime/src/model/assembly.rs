@@ -107,7 +107,7 @@ where
         for _ in 0..VELOCITY_SWEEPS {
             let residuals = self.model.constraint_velocities(&state, &prepared);
             let (model, held) = (self.model, &self.held_velocities);
-            let step = model.constraint_step(&state, &prepared, &residuals, held);
+            let step = model.constrained_response(&state, &prepared, (&zero(), &residuals), held);
             state.v += step;
         }
         let velocities = self.model.constraint_velocities(&state, &prepared);
@@ -125,9 +125,9 @@ where
     ) -> Result<(), AssemblyError> {
         for _ in 0..MAX_ITERATIONS {
             let residuals = self.model.constraint_positions(state, prepared);
-            let step = self
-                .model
-                .constraint_step(state, prepared, &residuals, &self.held);
+            let step =
+                self.model
+                    .constrained_response(state, prepared, (&zero(), &residuals), &self.held);
             let length = self.length(state, prepared, &step);
             if length <= S::machine_epsilon() * self.length(state, prepared, &state.q) {
                 state.q += step;
@@ -155,9 +155,9 @@ where
             let mut trial = *state;
             trial.q += step.map(|x| x * S::from_f64(damping));
             let residuals = self.model.constraint_positions(&trial, prepared);
-            let next = self
-                .model
-                .constraint_step(state, prepared, &residuals, &self.held);
+            let next =
+                self.model
+                    .constrained_response(state, prepared, (&zero(), &residuals), &self.held);
             let next = self.length(state, prepared, &next);
             if next <= (1.0 - SUFFICIENT_DECREASE * damping) * length {
                 *state = trial;
@@ -195,6 +195,10 @@ where
         }
         (!open.is_empty()).then_some(open)
     }
+}
+
+fn zero<S: Scalar, const N: usize>() -> SVector<S, N> {
+    SVector::from_element(S::zero())
 }
 
 fn mark<const N: usize>(held: &mut [bool; N], coordinates: impl IntoIterator<Item = usize>) {

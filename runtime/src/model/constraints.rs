@@ -54,13 +54,13 @@ pub trait Constraints<const N: usize, const C: usize, S: Scalar = f64>: Quantiti
         prepared: &Self::Prepared,
     ) -> SMatrix<S, C, N>;
 
-    /// The smallest change δ of coordinates or of velocities, in the metric of M, with G δ = −residuals, and without a change of
-    /// those that are held.
-    fn constraint_step(
+    /// The change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r, without a
+    /// change of those that are held.
+    fn constrained_response(
         &self,
         state: &State<S, N>,
         prepared: &Self::Prepared,
-        residuals: &SVector<S, C>,
+        impulse_and_residuals: (&SVector<S, N>, &SVector<S, C>),
         held: &[bool; N],
     ) -> SVector<S, N>;
 

@@ -9,7 +9,7 @@ pub use super::by_columns::{
 };
 pub use super::operations::operations;
 pub use super::saddle_point::{
-    SaddlePoint, constrained_pivots, constraint_step, fix_rank, joined, least_pivot, parts,
+    SaddlePoint, constrained_pivots, constrained_response, fix_rank, joined, least_pivot, parts,
     project, rows_of_accelerations, saddle_point, violated_constraint,
 };
 
@@ -69,6 +69,18 @@ pub fn scatter<S: Scalar, const K: usize>(values: &mut [S], elements: [usize; K]
             *value = new;
         }
     }
+}
+
+/// Returns the gradient of one of some functions by coordinates, and its derivative by the time.
+#[inline]
+pub fn gradient<S: Scalar, const N: usize, const N1: usize>(
+    gradients: &[[S; N1]],
+    function: usize,
+) -> (SVector<S, N>, S) {
+    let none = [S::zero(); N1];
+    let row = gradients.get(function).unwrap_or(&none);
+    let by_time = row.last().copied().unwrap_or_else(S::zero);
+    (SVector::from_fn(|i, _| row[i]), by_time)
 }
 
 /// Returns NaN velocities, for models whose emitted code does not solve for velocities.

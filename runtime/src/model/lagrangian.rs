@@ -11,6 +11,7 @@ use super::equations_of_motion::EquationsOfMotion;
 use super::events::Events;
 use super::generalized_coordinates::GeneralizedCoordinates;
 use super::hamiltonian::{Hamiltonian, NoVelocities};
+use super::impacts::{self, Impacts};
 use super::inputs::Inputs;
 use super::legendre;
 use super::linearization::Linearization;
@@ -21,6 +22,7 @@ use super::sensitivities::Sensitivities;
 use super::state::State;
 use super::state_jacobian::StateJacobian;
 use super::with_inputs::WithInputs;
+use crate::integrate::DeclaredEvent;
 use crate::linalg::IntoVector;
 use crate::scalar::Scalar;
 
@@ -172,6 +174,49 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         Self::Model: Constraints<N, C, S>,
     {
         Assembly::new(self.model(), guess)
+    }
+
+    /// The state behind an impact at an event, whose function of coordinates and time is the distance of two bodies: the velocity
+    /// of approach changes its sign and is multiplied by the coefficient of restitution, by an impulse along the gradient of the
+    /// function, and the constraints hold.
+    ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    ///
+    /// /// A ball on a rod falls onto a table beside the pivot.
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     coordinates(x, y),
+    ///     kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
+    ///     potential = m * g * y,
+    ///     constraint(rod = x.powi(2) + y.powi(2) - l.powi(2)),
+    ///     event(table = y + height),
+    /// )]
+    /// struct Flail { m: f64, g: f64, l: f64, height: f64 }
+    ///
+    /// let flail = Flail { m: 1.0, g: 9.81, l: 1.0, height: 0.5 };
+    /// let start = State::new(0.0, [1.0, 0.0], [0.0, 0.0]);
+    /// let end = Problem::new(&flail, start)
+    ///     .on([Flail::TABLE])
+    ///     .falling()
+    ///     .then(|x| *x = flail.impact(x, Flail::TABLE, 0.8))
+    ///     .solve(2.0, Dop853::new())?;
+    /// // Energy is lost at each impact, and the rod keeps its length.
+    /// assert!(flail.energy(&end) < 0.0);
+    /// assert!((end.q.norm() - 1.0).abs() < 1e-15);
+    /// # Ok::<(), IntegrationError>(())
+    /// ```
+    fn impact<const C: usize>(
+        &self,
+        state: &State<S, N>,
+        event: DeclaredEvent<Self::Model>,
+        restitution: f64,
+    ) -> State<S, N>
+    where
+        Self::Model: Impacts<N, C, S>,
+    {
+        let restitution = S::from_f64(restitution);
+        impacts::impact(self.model(), state, event.index(), restitution)
     }
 
     /// The derivatives of the accelerations with respect to q, q̇ and t, at constant inputs.

@@ -115,13 +115,15 @@ fn note_rank<S: Scalar>(prepared: &mut impl AsMut<[S]>, rank: S) {
     }
 }
 
-/// Returns the smallest change, in the metric of M, of coordinates or of velocities that takes these residuals away to first
-/// order, without a change of those that are held.
-pub fn constraint_step<M, S, const N: usize, const C: usize, const K: usize>(
+/// Returns the change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r, without a
+/// change of those that are held. Without an impulse it is the smallest in the metric of M that takes the residuals away to
+/// first order.
+pub fn constrained_response<M, S, const N: usize, const C: usize, const K: usize>(
     model: &M,
     state: &State<S, N>,
     prepared: &M::Prepared,
-    (residuals, held): (&SVector<S, C>, &[bool; N]),
+    (impulse, residuals): (&SVector<S, N>, &SVector<S, C>),
+    held: &[bool; N],
 ) -> SVector<S, N>
 where
     M: Constraints<N, C, S>,
@@ -139,7 +141,8 @@ where
     let jacobian = model.constraint_jacobian(state, prepared);
     let jacobian = SMatrix::from_fn(|i, j| if held[j] { S::zero() } else { jacobian[(i, j)] });
     let factors: SaddlePoint<S, N, C, K> = saddle_point(&mass, &jacobian, S::zero());
-    let right = joined::<S, N, C, K>(&SVector::from_element(S::zero()), residuals);
+    let impulse = SVector::from_fn(|i, _| if held[i] { S::zero() } else { impulse[i] });
+    let right = joined::<S, N, C, K>(&impulse, residuals);
     parts::<S, N, C, K>(&factors.solve(&right)).0
 }
 

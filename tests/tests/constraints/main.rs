@@ -2,4 +2,5 @@
 
 mod consistency;
 mod pendulum;
+mod reactions;
 mod redundant;

@@ -33,16 +33,21 @@ impl Fallback<'_> {
         let items = quote::quote! {
             const CONSTRAINTS: [&'static str; #count] = [""; #count];
             const HOLONOMIC: usize = 0;
-            fn constraint_step(
+            fn constrained_response(
                 &self,
                 _: #state,
                 _: &#prepared,
-                _: &#root::__private::SVector<#scalar, #count>,
+                _: (&#vector, &#root::__private::SVector<#scalar, #count>),
                 _: &[::core::primitive::bool; #dimension],
             ) -> #vector {
                 ::core::unreachable!()
             }
         };
-        self.interface(Interface::Constraints, &items)
+        let constraints = self.interface(Interface::Constraints, &items);
+        if self.lowered.events.is_empty() {
+            return constraints;
+        }
+        let impacts = self.interface(Interface::Impacts, &TokenStream::new());
+        quote::quote!(#constraints #impacts)
     }
 }
