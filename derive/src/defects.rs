@@ -198,7 +198,8 @@ pub(crate) fn report(
                     let velocities = velocities(coordinate, &missing, lowered);
                     let occur = missing.iter().any(|i| occurs(model, *i));
                     let mention = mention(declaration, &coordinate.name, &velocities);
-                    let message = without_inertia(&velocities, occur);
+                    let message =
+                        without_inertia(&velocities, occur, !model.constraints.is_empty());
                     match mention.filter(|_| occur) {
                         Some(velocity) => diagnostics.error(velocity, message),
                         None => diagnostics.error(&coordinate.name, message),
@@ -223,11 +224,18 @@ pub(crate) fn report(
         Defect::SingularMass(coordinates) => {
             let names = coordinates.iter();
             let names = names.map(|i| format!("`{}`", lowered.quantities.coordinates[*i as usize]));
-            let message = format!(
-                "the mass matrix is singular everywhere: the velocities of {} occur only in combinations of \
-                 which there are fewer; add the kinetic energy that is missing, or remove a coordinate",
-                names.collect::<Vec<_>>().join(", ")
-            );
+            let names = names.collect::<Vec<_>>().join(", ");
+            let message = if model.constraints.is_empty() {
+                format!(
+                    "the mass matrix is singular everywhere: the velocities of {names} occur only in combinations of which there \
+                     are fewer; add the kinetic energy that is missing, or remove a coordinate"
+                )
+            } else {
+                format!(
+                    "the constraints allow motions of {names} in which nothing has inertia, so that their accelerations are not \
+                     determined; add the kinetic energy that is missing, or the constraint that determines such a motion"
+                )
+            };
             report_at_energy(declaration, &message, diagnostics);
         }
         Defect::Constraint(defect) => constraints::report(defect, lowered, model, diagnostics),
@@ -294,7 +302,7 @@ fn velocity(tokens: TokenStream, is_wanted: &dyn Fn(&str) -> bool) -> Option<Tok
 }
 
 /// The message for velocities in which the energies are not quadratic.
-fn without_inertia(velocities: &[String], occur: bool) -> String {
+fn without_inertia(velocities: &[String], occur: bool, has_constraints: bool) -> String {
     let all = match velocities {
         [first, _, .., last] => format!("`{first}` to `{last}`"),
         few => format!("`{}`", few.join("` or `")),
@@ -303,6 +311,11 @@ fn without_inertia(velocities: &[String], occur: bool) -> String {
         format!(
             "the energies contain {all} only linearly, so the equation of motion has no acceleration: a kinetic \
              energy contains the square, as in `0.5 * m * dot(x).powi(2)` or `0.5 * m * dot(p).norm_squared()`"
+        )
+    } else if has_constraints {
+        format!(
+            "neither an energy nor a constraint contains {all}, so that nothing determines its acceleration: add the kinetic energy \
+             of this coordinate or the constraint that moves it, or remove it"
         )
     } else {
         format!(

@@ -1,6 +1,6 @@
 //! Why constraints have no equations, reported at the constraint.
 
-use lagrangian_symbolic::{ConstraintDefect, Model, Symbol};
+use lagrangian_symbolic::{Constraint, ConstraintDefect, Model, Symbol};
 use proc_macro2::Ident;
 use syn::Expr;
 
@@ -58,7 +58,7 @@ pub(super) fn report(
                 .to_owned(),
         ),
         ConstraintDefect::NoVelocity { constraint, holds } => {
-            (*constraint, of_no_velocity(*holds).to_owned())
+            (*constraint, of_no_velocity(*constraint, *holds, model).to_owned())
         }
         ConstraintDefect::Dependent {
             constraint,
@@ -90,8 +90,14 @@ fn of_input(component: usize, lowered: &Lowered, model: &Model) -> String {
     )
 }
 
-fn of_no_velocity(holds: bool) -> &'static str {
-    if holds {
+fn of_no_velocity(component: usize, holds: bool, model: &Model) -> &'static str {
+    let constraint = model.constraints[component];
+    let symbols = model.graph.symbols(&[constraint.expression()]);
+    let is_coordinate = |symbol: &Symbol| matches!(symbol, Symbol::Coordinate(_));
+    let is_nonholonomic = matches!(constraint, Constraint::Nonholonomic(_));
+    if !holds && is_nonholonomic && symbols.iter().any(is_coordinate) {
+        "this contains no velocity: a relation of coordinates is written as `constraint(name = …)`"
+    } else if holds {
         "this is zero in every motion, so that it restricts nothing: remove the constraint"
     } else {
         "this depends on no coordinate, so that no motion can make it zero: write a relation of coordinates, or of velocities \
@@ -110,12 +116,12 @@ fn dependent(others: &[usize], contradicts: bool, lowered: &Lowered) -> String {
     };
     if contradicts {
         format!(
-            "this contradicts {names}: where they hold, it allows no motion; remove one of them, or change what the time moves"
+            "this contradicts {names}, so that no motion meets all of them: remove one, or give them the same dependence on \
+             the time"
         )
     } else {
         format!(
-            "the velocities that this allows are those that {names} allow: remove it, since its reaction would not be \
-             unique"
+            "this restricts no velocity that {names} would leave free: remove it, since its reaction would not be unique"
         )
     }
 }

@@ -3,7 +3,7 @@
 use lagrangian_symbolic::{Constraint, Expression, Symbol};
 use proc_macro2::Ident;
 use quote::ToTokens;
-use syn::Expr;
+use syn::{BinOp, Expr};
 
 use crate::lower::count;
 use crate::lower::expression::{ExpressionContext, Lowerer, base_and_indices};
@@ -127,6 +127,9 @@ impl Lowerer<'_> {
     ) -> Option<()> {
         self.check_not_bound(&constraint.name, &constraint.iterations)?;
         let member = self.member(&constraint.indices)?;
+        if let Some(message) = of_comparison(&constraint.expression) {
+            return self.reject(&constraint.expression, message);
+        }
         let value = self.lower(&constraint.expression, ExpressionContext::Energy)?;
         let shape = value.shape();
         if let Shape::Array { columns: 2.., .. } = shape {
@@ -139,6 +142,10 @@ impl Lowerer<'_> {
         let mut declared = constraints.declared.iter();
         let name = unraw(&constraint.name);
         if declared.any(|other| unraw(&other.name) == name && other.member == member) {
+            if member.is_empty() {
+                // Reported by the check of names.
+                return None;
+            }
             let message = "this constraint is declared twice: leave one of them out";
             return self.reject(&constraint.name, message);
         }
@@ -175,7 +182,8 @@ impl Lowerer<'_> {
             return self.reject(argument, message);
         };
         let Some(constraints) = self.known_constraints.clone() else {
-            let message = "reactions are known after the motion: write `reaction(name)` under `output` or `event`";
+            let message = "a reaction is found together with the accelerations, so that no energy, force or definition contains it: \
+                           write `reaction(name)` under `output` or `event`";
             return self.reject(call, message);
         };
         let of_name = |one: &&DeclaredConstraint| unraw(&one.name) == unraw(name);
@@ -225,6 +233,8 @@ impl Lowerer<'_> {
         let message = if names.is_empty() {
             "there are no constraints, and so no reactions: declare one by `constraint(name = …)`"
                 .to_owned()
+        } else if let [known] = names.as_slice() {
+            format!("no constraint is called `{name}`: write `reaction({known})`")
         } else {
             format!(
                 "no constraint is called `{name}`: write one of `{}`",
@@ -234,3 +244,21 @@ impl Lowerer<'_> {
         self.reject(name, message)
     }
 }
+
+/// What is written for an equation or an inequality.
+fn of_comparison(expression: &Expr) -> Option<&'static str> {
+    match expression {
+        Expr::Assign(_) => Some(TWO_SIDES),
+        Expr::Binary(binary) => match binary.op {
+            BinOp::Eq(_) => Some(TWO_SIDES),
+            BinOp::Le(_) | BinOp::Lt(_) | BinOp::Ge(_) | BinOp::Gt(_) => Some(
+                "a constraint holds on both sides: a contact is declared by `event(name = …)` with the distance that becomes \
+                 zero, to which a motion reacts, or is a spring under `force`, as in `-k * max(x - 1.0, 0.0)`",
+            ),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+const TWO_SIDES: &str = "a constraint is an expression that is zero: write the difference of both sides, `a - b` for a = b";

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, Span};
 use syn::parse::ParseStream;
 use syn::{Expr, Token, token};
 
-use crate::syntax::grammar::{equated, list, word};
+use crate::syntax::grammar::{equated, expression, list, word};
 use crate::syntax::label::Index;
 
 /// `name = expression` in a list, or `name[i] = expression for i in 0..5`.
@@ -64,7 +64,16 @@ impl NamedExpression {
                 return Err(content.error(message));
             }
         }
-        let expression = equated(&name, input)?;
+        let is_constraint = keyword == "constraint" || keyword == "nonholonomic";
+        let expression = if is_constraint && !input.peek(Token![=]) {
+            let message = format!(
+                "a constraint has a name, by which its reaction is known: write `{keyword}(name = expression)` with an expression \
+                 that is zero"
+            );
+            expression(&name, &message, input)?
+        } else {
+            equated(&name, input)?
+        };
         let mut iterations = Vec::new();
         while let Some(word) = input.parse::<Option<Token![for]>>()? {
             iterations.push(ForClause::read(word, input)?);

@@ -18,7 +18,7 @@ use crate::scalar::Scalar;
 /// `tip - anchor` it is the force on the body of the tip, in the axes of the vector; for a velocity of contact it is the
 /// force times the time in which the velocity is measured, which is the force of friction on the rolling body in that axis.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a model with {N} coordinates and {C} constraints",
+    message = "`{Self}` is not a model of {N} coordinates with constraints",
     note = "write the clause `constraint(name = …)` or `nonholonomic(name = …)` in its declaration"
 )]
 pub trait Constraints<const N: usize, const C: usize, S: Scalar = f64>: Quantities<N, S> {

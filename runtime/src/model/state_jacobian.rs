@@ -9,8 +9,8 @@ use crate::scalar::Scalar;
 /// linear model.
 #[diagnostic::on_unimplemented(
     message = "the coordinates of `{Self}` are constrained, and a constrained model has no linearization",
-    note = "the derivatives of a constrained motion are those of an integration on `Dual` numbers; a linear model needs \
-            independent coordinates"
+    note = "declare the model in independent coordinates, or take the derivatives of its motions by integrating on `Dual` \
+            numbers"
 )]
 pub trait StateJacobian<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     /// [`Lagrangian::linearize`](crate::Lagrangian::linearize) at these inputs, which are held.

@@ -4,9 +4,9 @@ use lagrangian::Lagrangian;
 #[lagrangian(
     coordinates(x, y),
     kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
-    holonomic = x.powi(2) + y.powi(2) - l.powi(2),
-    nonholonomic(dot(x) - g * dot(y)),
-    lambda(l1, l2),
+    potential = m * g * y,
+    constraint(rod = x.powi(2) + y.powi(2) - l.powi(2)),
+    output(tension = reaction(rope)),
 )]
 struct Model {
     m: f64,
