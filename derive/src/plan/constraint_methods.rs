@@ -15,6 +15,7 @@ pub(crate) struct ConstraintMethods {
     pub(crate) jacobian: Method,
     /// γ in G q̈ + γ = 0.
     pub(crate) rates: Method,
+    holonomic: usize,
 }
 
 impl ConstraintMethods {
@@ -33,6 +34,7 @@ impl ConstraintMethods {
             velocities: vector(&equations.velocities),
             jacobian: Method::single(model, &columns, MethodOutputs::ConstraintJacobian),
             rates: vector(&equations.rates),
+            holonomic: equations.positions.len(),
         })
     }
 
@@ -43,6 +45,7 @@ impl ConstraintMethods {
             velocities: &self.velocities.program,
             jacobian: &self.jacobian.program,
             rates: &self.rates.program,
+            holonomic: self.holonomic,
         }
     }
 }

@@ -283,7 +283,7 @@ impl Reference<'_> {
         }
     }
 
-    /// w, which is the opposite of the last momenta, and ġ, which is w.
+    /// w, which is the opposite of the last momenta, and ġ of the holonomic constraints, which is w.
     fn compare_constraints(&self, tapes: &ConstraintTapes, comparisons: &mut Comparisons) {
         let free = self.accelerations.len() - self.lagrange.multipliers;
         let velocities = self.at(&tapes.velocities);
@@ -298,7 +298,8 @@ impl Reference<'_> {
         let values = tapes.positions.run(&symbol, self.perturbation);
         let outputs = tapes.positions.outputs().iter();
         let rates: Vec<f64> = outputs.map(|slot| values[*slot as usize].first).collect();
-        comparisons.values(Method::Constraints, &rates, &velocities);
+        let rates = &rates[..tapes.holonomic.min(rates.len())];
+        comparisons.values(Method::Constraints, rates, &velocities);
     }
 
     /// The energies, momenta, forces and outputs.
