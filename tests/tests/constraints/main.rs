@@ -4,3 +4,4 @@ mod consistency;
 mod pendulum;
 mod reactions;
 mod redundant;
+mod references;
