@@ -7,6 +7,8 @@ use super::outputs::MethodOutputs;
 
 /// The methods for the constraints of a model.
 pub(crate) struct ConstraintMethods {
+    /// How many of them are holonomic.
+    holonomic: usize,
     /// g of the holonomic constraints, which are the first ones, and 0 for the others.
     pub(crate) positions: Method,
     /// w = G q̇ + a.
@@ -30,6 +32,7 @@ impl ConstraintMethods {
         let columns: Vec<_> = columns.collect();
         let vector = |values: &[_]| Method::single(model, values, MethodOutputs::Vector);
         Some(Self {
+            holonomic: equations.positions.len(),
             positions: vector(&positions),
             velocities: vector(&equations.velocities),
             jacobian: Method::single(model, &columns, MethodOutputs::ConstraintJacobian),
@@ -41,6 +44,7 @@ impl ConstraintMethods {
     /// The programs as they are validated.
     pub(super) fn programs(&self) -> ConstraintPrograms<'_> {
         ConstraintPrograms {
+            holonomic: self.holonomic,
             positions: &self.positions.program,
             velocities: &self.velocities.program,
             jacobian: &self.jacobian.program,

@@ -120,6 +120,8 @@ pub struct SensitivityProgram<'a> {
 /// The programs of the constraints of a model.
 #[derive(Clone, Copy)]
 pub struct ConstraintPrograms<'a> {
+    /// How many of them are holonomic.
+    pub holonomic: usize,
     /// g of the holonomic constraints, which are the first ones, and 0 for the others.
     pub positions: &'a Program,
     /// w = G q̇ + a.
@@ -170,6 +172,7 @@ pub struct Programs<'a> {
 
 /// The programs of the constraints as tapes.
 pub(crate) struct ConstraintTapes {
+    pub(crate) holonomic: usize,
     pub(crate) positions: Tape,
     pub(crate) velocities: Tape,
     pub(crate) jacobian: Tape,
@@ -244,6 +247,7 @@ impl Tapes {
             outputs: tape_of(&mut programs.outputs.iter().copied()),
             linearization: linearization.map(|(programs, outputs)| (programs.map(tape), outputs)),
             constraints: programs.constraints.map(|programs| ConstraintTapes {
+                holonomic: programs.holonomic,
                 positions: tape(programs.positions),
                 velocities: tape(programs.velocities),
                 jacobian: tape(programs.jacobian),

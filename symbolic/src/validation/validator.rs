@@ -296,7 +296,7 @@ impl Reference<'_> {
                 .moving(self.point, symbol, variation, accelerations)
         };
         let values = tapes.positions.run(&symbol, self.perturbation);
-        let outputs = tapes.positions.outputs().iter();
+        let outputs = tapes.positions.outputs()[..tapes.holonomic].iter();
         let rates: Vec<f64> = outputs.map(|slot| values[*slot as usize].first).collect();
         let rates = &rates[..tapes.holonomic.min(rates.len())];
         comparisons.values(Method::Constraints, rates, &velocities);
