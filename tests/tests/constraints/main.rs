@@ -1,5 +1,6 @@
 //! Models with constraints.
 
+mod closed_forms;
 mod consistency;
 mod pendulum;
 mod reactions;
