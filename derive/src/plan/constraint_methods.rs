@@ -17,7 +17,6 @@ pub(crate) struct ConstraintMethods {
     pub(crate) jacobian: Method,
     /// γ in G q̈ + γ = 0.
     pub(crate) rates: Method,
-    holonomic: usize,
 }
 
 impl ConstraintMethods {
@@ -37,7 +36,6 @@ impl ConstraintMethods {
             velocities: vector(&equations.velocities),
             jacobian: Method::single(model, &columns, MethodOutputs::ConstraintJacobian),
             rates: vector(&equations.rates),
-            holonomic: equations.positions.len(),
         })
     }
 
@@ -49,7 +47,6 @@ impl ConstraintMethods {
             velocities: &self.velocities.program,
             jacobian: &self.jacobian.program,
             rates: &self.rates.program,
-            holonomic: self.holonomic,
         }
     }
 }

@@ -67,7 +67,7 @@ pub(crate) struct RequestedMethods {
     pub(crate) momentum_rates: Option<Method>,
     /// q̇ from the momenta; none where they are solved for numerically.
     pub(crate) solved_velocities: Option<Method>,
-    /// Q·q̇ − ∂L/∂t.
+    /// Q·q̇ − ∂L/∂t − λᵀ a.
     pub(crate) energy_rate: Option<Method>,
     pub(crate) sensitivities: Option<Sensitivities>,
     pub(crate) regressor: Option<RegressorMethods>,
@@ -112,6 +112,8 @@ impl RequestedMethods {
             .flatten();
         let energy_rate = requested.energy_balance.then(|| {
             let rate = energy_rate(model, lagrangian, forces);
+            let power = power_of_constraints(model, equations);
+            let rate = model.graph.subtract(rate, power);
             Method::single(model, &[rate], MethodOutputs::Scalar)
         });
         let sensitivities = requested.sensitivities.as_ref().map(|parameters| {
@@ -190,6 +192,19 @@ fn momentum_rates(
     pairs
         .map(|(slope, force)| model.graph.add(slope, *force))
         .collect()
+}
+
+/// λᵀ a, which is lost to constraints that are not scleronomic: their power is λᵀ G q̇ = −λᵀ a.
+fn power_of_constraints(model: &mut Model, equations: &Equations) -> Expression {
+    let constraints = &equations.constraints;
+    let rheonomic = constraints.rheonomic(model);
+    let graph = &mut model.graph;
+    let mut terms = Vec::with_capacity(rheonomic.len());
+    for (multiplier, rate) in constraints.multipliers().zip(rheonomic) {
+        let multiplier = graph.symbol(multiplier);
+        terms.push((graph.multiply(multiplier, rate), Rational::ONE));
+    }
+    graph.sum(terms)
 }
 
 /// Q·q̇ − ∂L/∂t.

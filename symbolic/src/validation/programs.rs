@@ -130,8 +130,6 @@ pub struct ConstraintPrograms<'a> {
     pub jacobian: &'a Program,
     /// γ in G q̈ + γ = 0.
     pub rates: &'a Program,
-    /// The number of holonomic constraints.
-    pub holonomic: usize,
 }
 
 /// The programs of a model.
@@ -177,7 +175,6 @@ pub(crate) struct ConstraintTapes {
     pub(crate) velocities: Tape,
     pub(crate) jacobian: Tape,
     pub(crate) rates: Tape,
-    pub(crate) holonomic: usize,
 }
 
 /// The same as tapes.
@@ -252,7 +249,6 @@ impl Tapes {
                 velocities: tape(programs.velocities),
                 jacobian: tape(programs.jacobian),
                 rates: tape(programs.rates),
-                holonomic: programs.holonomic,
             }),
             input_jacobian: programs
                 .input_jacobian
