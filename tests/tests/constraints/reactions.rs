@@ -29,11 +29,7 @@ const BEAD: Bead = Bead {
 fn a_bead_leaves_a_sphere_where_the_reaction_vanishes() -> Result<(), IntegrationError> {
     // From rest at θ₀ it leaves where 3 cos θ = 2 cos θ₀ (Goldstein, Classical Mechanics, 1980, derivation 2.13).
     let theta = 0.1_f64;
-    let start = State::new(
-        0.0,
-        [BEAD.r * theta.sin(), BEAD.r * theta.cos()],
-        [0.0; 2],
-    );
+    let start = State::new(0.0, [BEAD.r * theta.sin(), BEAD.r * theta.cos()], [0.0; 2]);
     assert!((BEAD.outputs(&start).normal - BEAD.m * BEAD.g * theta.cos()).abs() < 1e-14);
     let expected = BEAD.r * 2.0 * theta.cos() / 3.0;
     let taylor = Problem::new(&BEAD, start)
@@ -47,7 +43,11 @@ fn a_bead_leaves_a_sphere_where_the_reaction_vanishes() -> Result<(), Integratio
         .stop()
         .solve(10.0, Dop853::new())?;
     for end in [taylor.last, dop853.last] {
-        assert!((end.q[1] - expected).abs() < 1e-8, "{} {expected}", end.q[1]);
+        assert!(
+            (end.q[1] - expected).abs() < 1e-8,
+            "{} {expected}",
+            end.q[1]
+        );
         assert!(BEAD.multipliers(&end)[0].abs() < 1e-8);
     }
     Ok(())

@@ -31,7 +31,6 @@ const SYSTEMS: [&str; 6] = [
 ];
 
 #[test]
-#[ignore = "the projection is taken for a move off the constraints at t = 0.002"]
 fn andrews_squeezer_by_taylor() {
     check("andrews_squeezer", |motion, figures| {
         by_taylor(motion, &Squeezer::of(motion), figures);
