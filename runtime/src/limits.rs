@@ -100,10 +100,11 @@ pub(crate) mod projection {
     pub(crate) const NEARBY: f64 = 1e-3;
     pub(crate) const TO_NEARBY: usize = 3;
 
-    /// The residual of a constraint that a projection may leave, in terms of its gradient times the state: 2⁻²⁶, the
-    /// square root of the machine epsilon, far above rounding errors and far below what a projection that does not
-    /// converge leaves.
-    pub(crate) const MAX_RESIDUAL: f64 = 1.490_116_119_384_765_6e-8;
+    /// The residual of a constraint that a projection may leave, in terms of its gradient times the state: the square root
+    /// of the machine epsilon, far above rounding errors and far below what a projection that does not converge leaves.
+    pub(crate) fn max_residual<S: crate::Scalar>() -> f64 {
+        libm::sqrt(S::machine_epsilon())
+    }
 
     /// The largest move of the end of a step by a projection, in allowed errors. By judgement: an estimate of the error
     /// may be too small by some factor.
@@ -138,7 +139,7 @@ pub(crate) mod assembly {
 
     /// The residual of a constraint that counts as zero, in terms of its gradient times the state, and for a state near zero
     /// its square.
-    pub(crate) const MAX_RESIDUAL: f64 = super::projection::MAX_RESIDUAL;
+    pub(crate) use super::projection::max_residual;
 }
 
 /// Location of events within a step.

@@ -85,9 +85,11 @@ impl Writer<'_> {
                 let is_used = self.reads_accelerations() || !pivots.is_empty();
                 let (more, derivatives) = derivatives.derivatives(self);
                 let Some(residuals) = residuals else {
-                    let accelerations = is_used
-                        .then(|| self.emitter.parts_of_solution(&accelerations, &more))
-                        .unwrap_or_default();
+                    let accelerations = if is_used {
+                        self.emitter.parts_of_solution(&accelerations, &more)
+                    } else {
+                        TokenStream::new()
+                    };
                     return joined([statements, accelerations, more, derivatives]);
                 };
                 let (others, solved) = self.solved_beside(residuals);
@@ -100,9 +102,11 @@ impl Writer<'_> {
                     })
                 };
                 let behind = joined([more, others, value]);
-                let accelerations = is_used
-                    .then(|| self.emitter.parts_of_solution(&accelerations, &behind))
-                    .unwrap_or_default();
+                let accelerations = if is_used {
+                    self.emitter.parts_of_solution(&accelerations, &behind)
+                } else {
+                    TokenStream::new()
+                };
                 joined([statements, accelerations, behind])
             }
             DerivativeOutputs::Numerical {

@@ -167,9 +167,10 @@ impl Emitter<'_> {
     fn rank(&self, source: ParameterSource) -> TokenStream {
         let functions = self.scalar.functions();
         let index = self.prepared.rank().map(Literal::usize_unsuffixed);
-        match (source, index) {
-            (ParameterSource::Prepared, Some(index)) => quote!(prepared[#index]),
-            _ => quote!(#functions::from_f64(0.0)),
+        if let (ParameterSource::Prepared, Some(index)) = (source, index) {
+            quote!(prepared[#index])
+        } else {
+            quote!(#functions::from_f64(0.0))
         }
     }
 

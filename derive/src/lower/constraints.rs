@@ -14,6 +14,9 @@ use crate::syntax::named::NamedExpression;
 use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
 
+/// The kind of a constraint.
+type Kind = fn(Expression) -> Constraint;
+
 /// The constraints of a declaration, the holonomic ones first.
 #[derive(Clone, Default)]
 pub(crate) struct Constraints {
@@ -104,7 +107,7 @@ impl Lowerer<'_> {
     pub(super) fn constraints(&mut self, clauses: &Clauses) -> Option<Constraints> {
         let mut constraints = Constraints::default();
         let mut understood = true;
-        let kinds: [(_, fn(Expression) -> Constraint); 2] = [
+        let kinds: [(_, Kind); 2] = [
             (&clauses.constraints, Constraint::Holonomic),
             (&clauses.nonholonomic, Constraint::Nonholonomic),
         ];
@@ -122,7 +125,7 @@ impl Lowerer<'_> {
     fn constraint(
         &mut self,
         constraint: &NamedExpression,
-        kind: fn(Expression) -> Constraint,
+        kind: Kind,
         constraints: &mut Constraints,
     ) -> Option<()> {
         self.check_not_bound(&constraint.name, &constraint.iterations)?;

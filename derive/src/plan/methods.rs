@@ -148,17 +148,14 @@ impl Methods {
         };
         let [mut prepare, accelerations] = Method::accelerations(model, &kinetics);
         let inverse_dynamics = prepare.inverse_dynamics(model, &kinetics);
-        let (linearize, input_jacobian) = match derivatives {
-            Some((linearize, inputs)) => {
-                let linearize = linearize.map(|derivatives| derivatives.schedule(model));
-                (linearize, inputs.schedule(model))
-            }
-            None => {
-                let methods = [&prepare, &accelerations, &mass_matrix];
-                let [linearize, inputs] =
-                    Method::derivatives_by_columns(model, &inverse_dynamics, methods);
-                (Some(linearize), inputs)
-            }
+        let (linearize, input_jacobian) = if let Some((linearize, inputs)) = derivatives {
+            let linearize = linearize.map(|derivatives| derivatives.schedule(model));
+            (linearize, inputs.schedule(model))
+        } else {
+            let methods = [&prepare, &accelerations, &mass_matrix];
+            let [linearize, inputs] =
+                Method::derivatives_by_columns(model, &inverse_dynamics, methods);
+            (Some(linearize), inputs)
         };
         Self {
             lagrangian: scalar(energies.lagrangian),

@@ -55,7 +55,8 @@ impl<S: Scalar, const C: usize> IndependentRows<S, C> {
 
     /// Returns the multipliers of least norm that have the same reactions as these, which are 0 for dependent rows.
     ///
-    /// With g_D = X g_B the reactions are those of λ_B + Xᵀ λ_D, so that λ_D = (1 + X Xᵀ)⁻¹ X λ_B is taken from λ_B.
+    /// With X, by which the gradients of dependent constraints are combinations of others, the reactions are those of
+    /// λ + Xᵀ μ, where μ are the multipliers of the dependent ones, so that μ = (1 + X Xᵀ)⁻¹ X λ is taken from the others.
     pub(super) fn least_norm<const P: usize>(
         &self,
         multipliers: &SMatrix<S, C, P>,

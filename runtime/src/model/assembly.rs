@@ -7,7 +7,7 @@ use super::constraints::Constraints;
 use super::phase::Phase;
 use super::state::State;
 use crate::limits::assembly::{
-    LEAST_DAMPING, MAX_ITERATIONS, MAX_RESIDUAL, SUFFICIENT_DECREASE, VELOCITY_SWEEPS,
+    LEAST_DAMPING, MAX_ITERATIONS, SUFFICIENT_DECREASE, VELOCITY_SWEEPS, max_residual,
 };
 use crate::linalg::VectorSpace as _;
 use crate::scalar::Scalar;
@@ -189,7 +189,9 @@ where
         for j in 0..C {
             let size = (0..N).fold(S::zero(), |sum, i| sum + (jacobian[(j, i)] * of[i]).abs());
             let residual = residuals[j].abs().largest();
-            if residual.is_nan() || residual > MAX_RESIDUAL * size.largest().max(MAX_RESIDUAL) {
+            if residual.is_nan()
+                || residual > max_residual::<S>() * size.largest().max(max_residual::<S>())
+            {
                 open.add(j, residual);
             }
         }

@@ -24,22 +24,29 @@ pub enum AssemblyError {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OpenConstraints {
     names: &'static [&'static str],
-    open: [(usize, f64); REPORTED_CONSTRAINTS],
-    count: usize,
+    /// In 32 bits, so that errors stay short.
+    indices: [u32; REPORTED_CONSTRAINTS],
+    residuals: [f64; REPORTED_CONSTRAINTS],
+    count: u32,
 }
 
 impl OpenConstraints {
     pub(super) const fn new(names: &'static [&'static str]) -> Self {
         Self {
             names,
-            open: [(0, 0.0); REPORTED_CONSTRAINTS],
+            indices: [0; REPORTED_CONSTRAINTS],
+            residuals: [0.0; REPORTED_CONSTRAINTS],
             count: 0,
         }
     }
 
     pub(super) fn add(&mut self, constraint: usize, residual: f64) {
-        if let Some(slot) = self.open.get_mut(self.count) {
-            *slot = (constraint, residual);
+        let count = self.count();
+        if let (Some(index), Some(slot)) =
+            (self.indices.get_mut(count), self.residuals.get_mut(count))
+        {
+            *index = u32::try_from(constraint).unwrap_or(u32::MAX);
+            *slot = residual;
         }
         self.count += 1;
     }
@@ -50,19 +57,18 @@ impl OpenConstraints {
 
     /// The names of the first six of the constraints, and the residuals that the search has left.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
-        let open = self.open.iter().take(self.count);
-        open.map(|(constraint, residual)| {
-            (
-                self.names.get(*constraint).copied().unwrap_or("?"),
-                *residual,
-            )
+        let open = self.indices.iter().zip(&self.residuals);
+        open.take(self.count()).map(|(index, residual)| {
+            let name = usize::try_from(*index).ok();
+            let name = name.and_then(|index| self.names.get(index));
+            (name.copied().unwrap_or("?"), *residual)
         })
     }
 
     /// How many constraints are open.
     #[must_use]
-    pub const fn count(&self) -> usize {
-        self.count
+    pub fn count(&self) -> usize {
+        usize::try_from(self.count).unwrap_or(usize::MAX)
     }
 }
 
@@ -72,7 +78,7 @@ impl fmt::Display for OpenConstraints {
             let separator = if i == 0 { "" } else { ", " };
             write!(f, "{separator}{name} by {}", Readable(residual))?;
         }
-        let left_out = self.count.saturating_sub(REPORTED_CONSTRAINTS);
+        let left_out = self.count().saturating_sub(REPORTED_CONSTRAINTS);
         if left_out > 0 {
             write!(f, " and {left_out} more")?;
         }

@@ -7,7 +7,7 @@ use super::phase::Phase;
 use super::state::State;
 use crate::integrate::Projection;
 use crate::limits::projection::{
-    MAX_RESIDUAL, NEARBY, POSITION_SWEEPS, TO_NEARBY, VELOCITY_SWEEPS,
+    NEARBY, POSITION_SWEEPS, TO_NEARBY, VELOCITY_SWEEPS, max_residual,
 };
 pub use crate::linalg::SaddlePoint;
 use crate::linalg::lane_select::{from_index, is_zero, one_if_zero};
@@ -166,7 +166,7 @@ where
         for j in 0..C {
             let size = (0..N).fold(S::zero(), |sum, i| sum + (jacobian[(j, i)] * of[i]).abs());
             let ratio = (residuals[j].abs() / one_if_zero(size)).largest();
-            if ratio > MAX_RESIDUAL && most.is_none_or(|(.., other)| ratio > other) {
+            if ratio > max_residual::<S>() && most.is_none_or(|(.., other)| ratio > other) {
                 most = Some((j, residuals[j], ratio));
             }
         }
@@ -269,7 +269,7 @@ where
         in_metric(&mass, &projected.v),
     );
     let mut projection = Projection::new(projected.x).with_sizes(sizes);
-    let tolerance = S::from_f64(MAX_RESIDUAL);
+    let tolerance = S::from_f64(max_residual::<S>());
     for j in 0..C {
         let mut sizes = [before[j].abs(), S::zero()];
         for i in 0..N {

@@ -159,7 +159,8 @@ impl Validator {
             let jacobian = reference.at(&constraints.jacobian);
             mass = mass.with_constraints(&jacobian, multipliers);
             forcing.extend(reference.at(&constraints.rates));
-            reference.add_power(&jacobian);
+            let velocities = reference.at(&constraints.velocities);
+            reference.add_power(&jacobian, &velocities);
             reference.compare_constraints(constraints, &mut comparisons);
         }
         reference.compare_values(tapes, &mut comparisons);
@@ -271,10 +272,13 @@ impl Reference<'_> {
         SquareMatrix::new(elements, n)
     }
 
-    /// Adds the power λᵀ G q̇ of the constraints to the rate of the energy.
-    fn add_power(&mut self, jacobian: &[f64]) {
+    /// Adds the power −λᵀ a = λᵀ (G q̇ − w) of the constraints to the rate of the energy.
+    fn add_power(&mut self, jacobian: &[f64], velocities: &[f64]) {
         let multipliers = self.lagrange.multipliers;
         let free = self.accelerations.len() - multipliers;
+        for (velocity, multiplier) in velocities.iter().zip(&self.accelerations[free..]) {
+            self.values.energy_rate.add(-multiplier * velocity);
+        }
         for (i, column) in (0..).zip(jacobian.chunks(multipliers)) {
             let velocity = self.point.value(Symbol::Velocity(i));
             for (entry, multiplier) in column.iter().zip(&self.accelerations[free..]) {

@@ -1,4 +1,5 @@
 //! Consistent states: what is found, what is refused, and how errors say it.
+#![allow(clippy::float_cmp)] // What is held is not changed at all.
 
 use lagrangian::assembly::AssemblyError;
 use lagrangian::prelude::*;

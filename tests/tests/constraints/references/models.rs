@@ -153,12 +153,12 @@ pub(super) struct Pendulum {
         center = [c.x, c.y, up.z],
         contact = dot(center) - angular_velocity_inertial(r).cross(up),
     ),
-    body(disc = (r, center)),
+    body(wheel = (r, center)),
     gravity = [0.0, 0.0, -g],
     nonholonomic(rolling = contact.rows(0, 2)),
 )]
 pub(super) struct Disc {
-    pub(super) disc: SymmetricBody,
+    pub(super) wheel: SymmetricBody,
     pub(super) radius: f64,
     pub(super) g: f64,
 }
@@ -234,9 +234,9 @@ impl Pendulum {
 impl Disc {
     pub(super) fn of(motion: &Motion) -> Self {
         let [m, radius, i1, i3, g] = motion.parameters(["m", "r", "i1", "i3", "g"]);
-        let disc = SymmetricBody::new(m, 0.0, i1, i3);
+        let wheel = SymmetricBody::new(m, 0.0, i1, i3);
         Self {
-            disc: disc.unwrap(),
+            wheel: wheel.unwrap(),
             radius,
             g,
         }
