@@ -81,6 +81,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         .solve(turn, Taylor::new())?;
     let samples = motion.samples();
 
+    report(samples);
+    std::fs::write("four_bar.svg", figure(samples))?;
+    println!("Wrote four_bar.svg.");
+    Ok(())
+}
+
+/// Prints what the linkage does in a turn, and what checks it.
+fn report(samples: &[State<f64, 3>]) {
     println!("  crank [°]   guided point [m]    force on the coupler [N]   torque [N m]");
     let mut errors = Vec::new();
     let mut torques = Vec::new();
@@ -120,9 +128,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mean = torques[1..].iter().sum::<f64>() / 360.0;
     println!("The mean torque of the motor is {mean:.0e} N m.");
     assert!(error < 1e-12 && mean.abs() < 1e-11);
-    std::fs::write("four_bar.svg", figure(samples))?;
-    println!("Wrote four_bar.svg.");
-    Ok(())
 }
 
 /// The curve of the guided point with the linkage, the force in the joint, and the torque of the motor.
@@ -131,29 +136,7 @@ fn figure(samples: &[State<f64, 3>]) -> String {
     let mut svg = Svg::titled(1100.0, 520.0, "Hoecken's linkage", &subtitle);
     let outputs: Vec<_> = samples.iter().map(|state| HOECKEN.outputs(state)).collect();
 
-    let path = Panel::new(
-        [84.0, 452.0, 112.0, 450.0],
-        ([-0.15, 0.45], [-0.05, 0.5]),
-        [6.0, 6.0],
-    );
-    path.draw(&mut svg, "Curve of the guided point", "x / m", "y / m");
-    path.curve(
-        &mut svg,
-        "curve",
-        outputs.iter().map(|x| [x.point.x, x.point.y]),
-    );
-    // The bars where the crank has turned by 60°.
-    let (state, place) = (&samples[60], outputs[60].point);
-    let [crank, _, rocker] = [0, 1, 2].map(|i| state.q[i].sin_cos());
-    let pin = [HOECKEN.a * crank.1, HOECKEN.a * crank.0];
-    let end = [HOECKEN.d + HOECKEN.b * rocker.1, HOECKEN.b * rocker.0];
-    let bars = [[0.0, 0.0], pin, [place.x, place.y]];
-    path.curve(&mut svg, "frame", bars.into_iter());
-    path.curve(&mut svg, "frame", [[HOECKEN.d, 0.0], end].into_iter());
-    for [x, y] in [[0.0, 0.0], pin, end, [HOECKEN.d, 0.0], [place.x, place.y]] {
-        svg.circle("start", path.at(x, y), 4.0);
-    }
-
+    linkage(&mut svg, samples);
     let degrees = || {
         samples
             .iter()
@@ -191,4 +174,27 @@ fn figure(samples: &[State<f64, 3>]) -> String {
         ["Torque of the motor", "torque / (N m)"],
     );
     svg.finish()
+}
+
+/// The curve of the guided point, and the bars.
+fn linkage(svg: &mut Svg, samples: &[State<f64, 3>]) {
+    let points = samples.iter().map(|state| HOECKEN.outputs(state).point);
+    let path = Panel::new(
+        [84.0, 452.0, 112.0, 450.0],
+        ([-0.15, 0.45], [-0.05, 0.5]),
+        [6.0, 6.0],
+    );
+    path.draw(svg, "Curve of the guided point", "x / m", "y / m");
+    path.curve(svg, "curve", points.map(|x| [x.x, x.y]));
+    // The bars where the crank has turned by 60°.
+    let (state, place) = (&samples[60], HOECKEN.outputs(&samples[60]).point);
+    let [crank, _, rocker] = [0, 1, 2].map(|i| state.q[i].sin_cos());
+    let pin = [HOECKEN.a * crank.1, HOECKEN.a * crank.0];
+    let end = [HOECKEN.d + HOECKEN.b * rocker.1, HOECKEN.b * rocker.0];
+    let bars = [[0.0, 0.0], pin, [place.x, place.y]];
+    path.curve(svg, "frame", bars.into_iter());
+    path.curve(svg, "frame", [[HOECKEN.d, 0.0], end].into_iter());
+    for [x, y] in [[0.0, 0.0], pin, end, [HOECKEN.d, 0.0], [place.x, place.y]] {
+        svg.circle("start", path.at(x, y), 4.0);
+    }
 }

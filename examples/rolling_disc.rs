@@ -60,39 +60,14 @@ impl Disc {
 fn main() -> Result<(), Box<dyn Error>> {
     let (theta, rate) = (60_f64.to_radians(), 6.0);
     let (steady, speed) = DISC.circle(theta, rate);
-    let radius = speed / rate;
     let roll = |start: State<f64, 6>| {
         Problem::new(&DISC, start)
             .save(Every(0.005))
             .solve(5.0, Dop853::new().relative_tolerance(1e-12))
     };
 
-    // The disc leans by 30° towards the centre of its circle, which friction makes it follow.
     let circle = roll(steady)?;
-    let forces = DISC.outputs(&circle);
-    println!(
-        "Steady rolling in a circle of {:.2} cm, after 5 s:\n",
-        1e2 * radius
-    );
-    println!("                                closed form     integrated");
-    let rows = [
-        (
-            "radius of the circle [m]",
-            radius,
-            circle.q[0].hypot(circle.q[1]),
-        ),
-        ("inclination [°]", 60.0, circle.q[Disc::THETA].to_degrees()),
-        ("normal force [N]", DISC.m * DISC.g, forces.normal),
-        (
-            "friction [N]",
-            DISC.m * (speed * rate).abs(),
-            forces.friction.norm(),
-        ),
-    ];
-    for (name, expected, found) in rows {
-        println!("  {name:26} {expected:14.9} {found:14.9}");
-        assert!((found - expected).abs() < 1e-9 * expected.abs());
-    }
+    report_circle(&circle.last, speed);
 
     // What turns the disc up disturbs the circle, and the disc nods while it rolls on.
     let mut pushed = steady;
@@ -103,30 +78,51 @@ fn main() -> Result<(), Box<dyn Error>> {
         .solve()?
         .state;
     let nodding = roll(pushed)?;
-    let energy = DISC.energy(&pushed);
-    let errors = nodding
-        .samples()
-        .iter()
-        .map(|x| (DISC.energy(x) / energy - 1.0).abs());
-    let error = errors.fold(0.0, f64::max);
-    let grips = nodding.samples().iter().map(|x| DISC.outputs(x));
-    let grip = grips.fold(0.0_f64, |most, x| most.max(x.friction.norm() / x.normal));
-    let (positions, velocities) = DISC.constraint_residuals(&nodding);
-    println!("\nDisturbed, with θ̇ = 2 rad/s:\n");
-    println!("  energy kept to             {error:.1e}");
-    println!(
-        "  contact kept to            {:.1e} m, {:.1e} m/s",
-        positions.amax(),
-        velocities.amax()
-    );
-    println!("  does not slip from a coefficient of friction of {grip:.3} on");
-    assert!(error < 1e-10 && positions.amax() < 1e-15);
+    report_nodding(nodding.samples());
     std::fs::write(
         "rolling_disc.svg",
         figure(circle.samples(), nodding.samples()),
     )?;
     println!("Wrote rolling_disc.svg.");
     Ok(())
+}
+
+/// Compares a steady motion with the closed form.
+fn report_circle(end: &State<f64, 6>, speed: f64) {
+    let rate = end.v[Disc::PHI];
+    let radius = speed / rate;
+    let forces = DISC.outputs(end);
+    // The disc leans by 30° towards the centre of its circle, on which friction keeps it.
+    let friction = DISC.m * (speed * rate).abs();
+    let rows = [
+        ("radius [m]", radius, end.q[0].hypot(end.q[1])),
+        ("inclination [°]", 60.0, end.q[Disc::THETA].to_degrees()),
+        ("normal force [N]", DISC.m * DISC.g, forces.normal),
+        ("friction [N]", friction, forces.friction.norm()),
+    ];
+    println!("Steady rolling in a circle, after {} s:\n", end.t);
+    println!("                       closed form     integrated");
+    for (name, expected, found) in rows {
+        println!("  {name:17} {expected:14.9} {found:14.9}");
+        assert!((found - expected).abs() < 1e-9 * expected.abs());
+    }
+}
+
+/// Says how well energy and constraints are kept, and what friction the motion needs.
+fn report_nodding(motion: &[State<f64, 6>]) {
+    let energies: Vec<f64> = motion.iter().map(|x| DISC.energy(x)).collect();
+    let errors = energies.iter().map(|x| (x / energies[0] - 1.0).abs());
+    let error = errors.fold(0.0, f64::max);
+    let residuals = motion.iter().map(|x| DISC.constraint_residuals(x));
+    let [gap, slip] = residuals.fold([0.0_f64; 2], |[gap, slip], (g, w)| {
+        [gap.max(g.amax()), slip.max(w.amax())]
+    });
+    let grips = motion.iter().map(|x| DISC.outputs(x));
+    let grip = grips.fold(0.0_f64, |most, x| most.max(x.friction.norm() / x.normal));
+    println!("\nDisturbed, with θ̇ = 2 rad/s:\n");
+    println!("  the energy is kept to {error:.1e}, the contact to {gap:.0e} m and {slip:.0e} m/s");
+    println!("  the coefficient of friction is to be at least {grip:.3}");
+    assert!(error < 1e-10 && gap < 1e-9 && slip < 1e-9);
 }
 
 /// The paths of the point of contact, and the forces of the plane in the first second.
