@@ -62,13 +62,28 @@ fn top() -> TokenStream {
     }
 }
 
+/// A skate on a slope that rises with time, with constraints of both kinds.
+fn skate() -> TokenStream {
+    quote! {
+        #[lagrangian(
+            coordinates(p: Vector3, phi),
+            kinetic = 0.5 * m * dot(p).norm_squared() + 0.5 * i * dot(phi).powi(2),
+            potential = m * g * p.z,
+            constraint(slope = p.z + rise * t * p.x),
+            nonholonomic(edge = dot(p.x) * sin(phi) - dot(p.y) * cos(phi)),
+            output(forces = [reaction(slope), reaction(edge)]),
+        )]
+        struct Skate { m: f64, i: f64, g: f64, rise: f64 }
+    }
+}
+
 fn models() -> [TokenStream; 3] {
     [driven_cart(), chain(), top()]
 }
 
 #[test]
 fn what_is_derived_agrees() {
-    for model in models() {
+    for model in models().into_iter().chain([skate()]) {
         let Derived {
             validator, methods, ..
         } = derive(model);
