@@ -19,7 +19,7 @@ pub use motion::{Motion, motions};
 pub use random::Random;
 pub use reference::{
     array, linear_control, list, near_the_poles, number, numbers, public_cases, references,
-    regulators, text,
+    regulators, snakeboard, text,
 };
 
 /// The models of the random Lagrangians, written by the build script; `public_cases!` lists them.

@@ -53,6 +53,12 @@ pub fn regulators() -> Value {
     document("regulators.json")
 }
 
+/// The motion of a snakeboard.
+#[must_use]
+pub fn snakeboard() -> Value {
+    document("snakeboard.json")
+}
+
 fn document(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("data")

@@ -1,8 +1,14 @@
 //! Constrained mechanisms, against solutions that are known functions or quadratures, and against their equations in other forms.
 
 mod hoop;
+mod one_freedom;
 mod rolling_disc;
 mod sleigh;
+mod slider_crank;
+mod snakeboard;
+mod spatial_slider_crank;
+mod turntable;
+mod unit_quaternion;
 
 use lagrangian::prelude::*;
 use lagrangian::quantities::{Constraints, MotionSeries};

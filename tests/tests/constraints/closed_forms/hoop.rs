@@ -103,7 +103,6 @@ fn check(
 
 /// dh/dt = Q·q̇ − ∂L/∂t − λᵀ ∂g/∂t.
 #[test]
-
 fn the_rate_of_the_energy_has_the_power_of_the_drive() {
     let mut random = Random::default();
     let mut figures = Figures::new();
@@ -121,7 +120,6 @@ fn the_rate_of_the_energy_has_the_power_of_the_drive() {
 }
 
 #[test]
-
 fn the_drive_pays_for_the_energy() {
     #[rustfmt::skip]
     let hoop = DrivenHoop { m: 1.0, r: 0.5, g: 9.81, w: 6.0, e: 0.3, nu: 2.0, c: 0.05 };
