@@ -44,7 +44,7 @@ impl Methods {
         model: &mut Model,
         equations: &Equations,
     ) -> Result<TaylorMethod, NoTaylorSeries> {
-        let choices = if self.kinetics.needs_pivoting() {
+        let choices = if self.kinetics.needs_pivoting(&mut model.graph) {
             self.series_with_pivoting(model)
         } else {
             self.series_without_pivoting(model, equations)

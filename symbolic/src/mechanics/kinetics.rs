@@ -301,10 +301,20 @@ impl Kinetics {
         choices
     }
 
-    /// Whether the Taylor series of a motion are to be solved for with pivoting: where constraints may come to depend on others.
-    #[must_use]
-    pub fn needs_pivoting(&self) -> bool {
-        self.solution.is_some() && self.constraints.len() > 1
+    /// Whether the Taylor series of a motion are to be solved for with pivoting: where constraints may come to depend on each
+    /// other, or a coordinate may lose its inertia, which a constraint replaces.
+    pub fn needs_pivoting(&self, graph: &mut Graph) -> bool {
+        let Some(solution) = &self.solution else {
+            return false;
+        };
+        let coordinates = self.mass.len();
+        let divisors = solution.divisors(graph);
+        let mut of_coordinates = divisors
+            .iter()
+            .filter(|pivot| pivot.coordinates.iter().all(|i| *i < coordinates));
+        !self.constraints.is_empty()
+            && (self.constraints.len() > 1
+                || of_coordinates.any(|pivot| !graph.never_comes_to_vanish(pivot.value)))
     }
 
     /// The equations of motion as M q̈ − f = 0, by each known way to compute this.
