@@ -77,6 +77,10 @@ impl Subject {
         let Ok(equations) = Equations::derive(&mut model) else {
             return Vec::new();
         };
+        // The reader of pages does not know multipliers.
+        if !equations.constraints.is_empty() {
+            return Vec::new();
+        }
         // Of those that expansions refuse.
         let mut functions = model.graph.functions();
         if functions.any(|function| model.graph.undeclared(function).is_some()) {
