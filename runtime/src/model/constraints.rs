@@ -13,7 +13,7 @@ use crate::scalar::Scalar;
 /// G q̈ + γ = 0. With M q̈ = f + Gᵀ λ these are as many equations as there are accelerations and multipliers (E. T.
 /// Whittaker, *Analytical Dynamics*, 4th edition (1937), 25 and 87).
 ///
-/// Gᵀ λ are the generalized forces of the constraint, and λ·w is their power. The unit of λ is therefore the unit of power over the
+/// Gᵀ λ are the generalized forces of the constraints, with the power λᵀ G q̇. The unit of λ is therefore the unit of power over the
 /// unit of w. For a distance λ is a force, positive where it pushes the ends apart; for a loop that is closed by `tip - anchor`
 /// it is the force on the body of the tip, in the axes of the vector; for the velocity of a point of contact it is the force of
 /// friction on the rolling body, in the axes of the velocity.
