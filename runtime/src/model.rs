@@ -21,6 +21,7 @@ mod assembly;
 mod impacts;
 mod assembly_error;
 mod lagrangian;
+mod model_reference;
 mod legendre;
 mod constants_of_motion;
 mod motion_series;

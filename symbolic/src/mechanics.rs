@@ -14,6 +14,7 @@ pub(crate) mod energy_forms;
 pub(crate) mod mechanism;
 pub(crate) mod solvers;
 pub(crate) mod energy_functions;
+pub(crate) mod linear_system;
 pub(crate) mod kinetics;
 pub(crate) mod regressor;
 pub(crate) mod routhian;

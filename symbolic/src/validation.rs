@@ -10,6 +10,7 @@
 mod validator;
 mod linearization_check;
 mod comparison;
+mod constraint_check;
 mod hyper_dual;
 mod jet;
 mod lagrange;

@@ -6,7 +6,35 @@ use super::constraints::Constraints;
 use super::state::State;
 use crate::scalar::Scalar;
 
-/// A constrained model that declares events: where the function of an event vanishes, two bodies may touch.
+/// A constrained model that declares events: where the function of an event vanishes, two bodies may touch, and
+/// [`Lagrangian::impact`](crate::Lagrangian::impact) has the state behind the impact.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// /// A ball on a rod falls onto a table beside the pivot.
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(x, y),
+///     kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
+///     potential = m * g * y,
+///     constraint(rod = x.powi(2) + y.powi(2) - l.powi(2)),
+///     event(table = y + height),
+/// )]
+/// struct Flail { m: f64, g: f64, l: f64, height: f64 }
+///
+/// let flail = Flail { m: 1.0, g: 9.81, l: 1.0, height: 0.5 };
+/// let start = State::new(0.0, [1.0, 0.0], [0.0, 0.0]);
+/// let end = Problem::new(&flail, start)
+///     .on([Flail::TABLE])
+///     .falling()
+///     .then(|x| *x = flail.impact(x, Flail::TABLE, 0.8))
+///     .solve(2.0, Dop853::new())?;
+/// // Energy is lost at each impact, and the rod keeps its length.
+/// assert!(flail.energy(&end) < 0.0);
+/// assert!((end.q[0].hypot(end.q[1]) - 1.0).abs() < 1e-15);
+/// # Ok::<(), IntegrationError>(())
+/// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no impacts: it declares no constraints, or no events",
     note = "a model without constraints changes its velocities by itself: write `.then(|x| x.v[0] *= -0.8)`"

@@ -179,33 +179,6 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     /// The state behind an impact at an event, whose function of coordinates and time is the distance of two bodies: the velocity
     /// of approach changes its sign and is multiplied by the coefficient of restitution, by an impulse along the gradient of the
     /// function, and the constraints hold.
-    ///
-    /// ```
-    /// use lagrangian::prelude::*;
-    ///
-    /// /// A ball on a rod falls onto a table beside the pivot.
-    /// #[derive(Lagrangian)]
-    /// #[lagrangian(
-    ///     coordinates(x, y),
-    ///     kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
-    ///     potential = m * g * y,
-    ///     constraint(rod = x.powi(2) + y.powi(2) - l.powi(2)),
-    ///     event(table = y + height),
-    /// )]
-    /// struct Flail { m: f64, g: f64, l: f64, height: f64 }
-    ///
-    /// let flail = Flail { m: 1.0, g: 9.81, l: 1.0, height: 0.5 };
-    /// let start = State::new(0.0, [1.0, 0.0], [0.0, 0.0]);
-    /// let end = Problem::new(&flail, start)
-    ///     .on([Flail::TABLE])
-    ///     .falling()
-    ///     .then(|x| *x = flail.impact(x, Flail::TABLE, 0.8))
-    ///     .solve(2.0, Dop853::new())?;
-    /// // Energy is lost at each impact, and the rod keeps its length.
-    /// assert!(flail.energy(&end) < 0.0);
-    /// assert!((end.q[0].hypot(end.q[1]) - 1.0).abs() < 1e-15);
-    /// # Ok::<(), IntegrationError>(())
-    /// ```
     fn impact<const C: usize>(
         &self,
         state: &State<S, N>,
@@ -421,41 +394,5 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         Self::Model: Inputs<N, U, S>,
     {
         WithInputs::new(self.model(), inputs.into_vector())
-    }
-}
-
-/// A reference to a model is a model.
-impl<M, S, const N: usize> Lagrangian<N, S> for &M
-where
-    M: Lagrangian<N, S>,
-    S: Scalar,
-{
-    type Model = M::Model;
-
-    #[inline]
-    fn model(&self) -> &M::Model {
-        (**self).model()
-    }
-
-    #[inline]
-    fn inputs(&self) -> <M::Model as Quantities<N, S>>::Inputs {
-        Lagrangian::inputs(*self)
-    }
-}
-
-impl<M, S, const N: usize, const U: usize> Lagrangian<N, S> for WithInputs<'_, M, S, U>
-where
-    M: Inputs<N, U, S>,
-    S: Scalar,
-{
-    type Model = M;
-
-    fn model(&self) -> &M {
-        self.model
-    }
-
-    #[inline]
-    fn inputs(&self) -> SVector<S, U> {
-        self.inputs
     }
 }

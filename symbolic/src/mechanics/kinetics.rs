@@ -14,6 +14,7 @@ use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::constraints::ConstraintEquations;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::energy_functions::EnergyFunctions;
+use crate::mechanics::linear_system::LinearSystem;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
@@ -52,19 +53,6 @@ pub struct Kinetics {
     unit: Expression,
     /// The choices of as many quasi-velocities as there are coordinates.
     boltzmann_hamel: Vec<BoltzmannHamel>,
-}
-
-/// The equations M q̈ = f, divided by an inertia of which the others are multiples, if there is one.
-#[derive(Clone, Debug)]
-pub struct LinearSystem {
-    /// M, row by row.
-    pub mass: Vec<Vec<Expression>>,
-    /// f.
-    pub forcing: Vec<Expression>,
-    /// M q̈ − f with the accelerations as symbols.
-    pub inverse_dynamics: Vec<Expression>,
-    /// The intermediate results of the recursion along links that computes M q̈ − f, in its order; of other ways none.
-    pub recursion: Vec<Expression>,
 }
 
 impl Kinetics {
@@ -347,61 +335,6 @@ impl Kinetics {
         .then(|| in_angle_differences(graph, lagrange));
         let in_differences = in_differences.flatten();
         solution.implicit_equations(graph, residuals, in_differences)
-    }
-}
-
-impl LinearSystem {
-    /// The same system with f and M q̈ − f along a tree where they cost less so.
-    fn cheaper(self, graph: &mut Graph, tree: &KinematicTree) -> Self {
-        let along_tree = Self {
-            mass: self.mass.clone(),
-            forcing: tree.forcing(graph),
-            inverse_dynamics: tree.inverse_dynamics(graph),
-            recursion: Vec::new(),
-        };
-        self.or(graph, along_tree)
-    }
-
-    /// The same system with M, f and M q̈ − f of another where they cost less.
-    fn or(self, graph: &Graph, other: Self) -> Self {
-        let has_cheaper_mass = graph.costs_less(&other.mass.concat(), &self.mass.concat());
-        let has_cheaper_forcing = graph.costs_less(&other.forcing, &self.forcing);
-        let dynamics = if graph.costs_less(&other.inverse_dynamics, &self.inverse_dynamics) {
-            (other.inverse_dynamics, other.recursion)
-        } else {
-            (self.inverse_dynamics, self.recursion)
-        };
-        Self {
-            mass: if has_cheaper_mass {
-                other.mass
-            } else {
-                self.mass
-            },
-            forcing: if has_cheaper_forcing {
-                other.forcing
-            } else {
-                self.forcing
-            },
-            inverse_dynamics: dynamics.0,
-            recursion: dynamics.1,
-        }
-    }
-
-    /// The same system in the unit of a tree.
-    fn scaled(self, graph: &mut Graph, tree: &KinematicTree) -> Self {
-        if tree.unit == graph.one() {
-            return self;
-        }
-        let mut mass = self.mass;
-        for entry in mass.iter_mut().flatten() {
-            *entry = graph.divide(*entry, tree.unit);
-        }
-        Self {
-            mass,
-            forcing: tree.forcing(graph),
-            inverse_dynamics: tree.inverse_dynamics(graph),
-            recursion: Vec::new(),
-        }
     }
 }
 

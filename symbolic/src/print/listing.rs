@@ -9,6 +9,7 @@ pub(crate) mod as_declared;
 pub(crate) mod composer;
 pub(crate) mod page_letters;
 pub(crate) mod row_breaks;
+pub(crate) mod constraints;
 pub(crate) mod coordinates;
 pub(crate) mod energy;
 pub(crate) mod families;

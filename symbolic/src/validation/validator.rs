@@ -13,10 +13,10 @@ use crate::limits::{
 };
 use crate::validation::comparison::{Comparison, Comparisons};
 use crate::validation::lagrange::{Lagrange, Values, Variation};
-use crate::validation::linearization_check::{LinearizationCheck, input_balances};
+use crate::validation::linearization_check::LinearizationCheck;
 use crate::validation::mixed_derivatives::MixedDerivatives;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::programs::{ConstraintTapes, Method, Programs, Tapes};
+use crate::validation::programs::{Method, Programs, Tapes};
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::sum_with_size::SumWithSize;
 use crate::validation::tape::{StandIns, Tape};
@@ -223,18 +223,18 @@ pub(crate) fn unexplained(
 }
 
 /// Lagrange's equations at one point.
-struct Reference<'a> {
-    lagrange: &'a Lagrange,
-    values: Values,
-    variation: &'a Variation,
-    accelerations: &'a [f64],
-    point: RealPoint,
-    perturbation: Perturbation,
+pub(super) struct Reference<'a> {
+    pub(super) lagrange: &'a Lagrange,
+    pub(super) values: Values,
+    pub(super) variation: &'a Variation,
+    pub(super) accelerations: &'a [f64],
+    pub(super) point: RealPoint,
+    pub(super) perturbation: Perturbation,
 }
 
 impl Reference<'_> {
     /// The outputs of a tape.
-    fn at(&self, tape: &Tape) -> Vec<f64> {
+    pub(super) fn at(&self, tape: &Tape) -> Vec<f64> {
         self.evaluate(self.accelerations, tape)
     }
 
@@ -270,40 +270,6 @@ impl Reference<'_> {
             }
         }
         SquareMatrix::new(elements, n)
-    }
-
-    /// Adds the power −λᵀ a = λᵀ (G q̇ − w) of the constraints to the rate of the energy.
-    fn add_power(&mut self, jacobian: &[f64], velocities: &[f64]) {
-        let multipliers = self.lagrange.multipliers;
-        let free = self.accelerations.len() - multipliers;
-        for (velocity, multiplier) in velocities.iter().zip(&self.accelerations[free..]) {
-            self.values.energy_rate.add(-multiplier * velocity);
-        }
-        for (i, column) in (0..).zip(jacobian.chunks(multipliers)) {
-            let velocity = self.point.value(Symbol::Velocity(i));
-            for (entry, multiplier) in column.iter().zip(&self.accelerations[free..]) {
-                self.values.energy_rate.add(entry * multiplier * velocity);
-            }
-        }
-    }
-
-    /// w, which is the opposite of the last momenta, and ġ of the holonomic constraints, which is w.
-    fn compare_constraints(&self, tapes: &ConstraintTapes, comparisons: &mut Comparisons) {
-        let free = self.accelerations.len() - self.lagrange.multipliers;
-        let velocities = self.at(&tapes.velocities);
-        let opposite: Vec<f64> = velocities.iter().map(|w| -w).collect();
-        let momenta = &self.values.momenta[free..];
-        comparisons.values(Method::Constraints, &opposite, momenta);
-        let symbol = |symbol| {
-            let (variation, accelerations) = (self.variation, self.accelerations);
-            self.lagrange
-                .moving(self.point, symbol, variation, accelerations)
-        };
-        let values = tapes.positions.run(&symbol, self.perturbation);
-        let outputs = tapes.positions.outputs()[..tapes.holonomic].iter();
-        let rates: Vec<f64> = outputs.map(|slot| values[*slot as usize].first).collect();
-        let rates = &rates[..tapes.holonomic.min(rates.len())];
-        comparisons.values(Method::Constraints, rates, &velocities);
     }
 
     /// The energies, momenta, forces and outputs.
@@ -418,27 +384,6 @@ impl Reference<'_> {
         let variations = &self.values.variations;
         let balances = changes.balances(mass, self.accelerations, variations, self.variation);
         comparisons.vanishing(Method::Linearization, &balances);
-    }
-}
-
-impl Reference<'_> {
-    /// What should vanish of the derivatives by the inputs in a model with constraints.
-    fn input_balances(
-        &self,
-        found: &[f64],
-        pivots: Option<usize>,
-        mass: &SquareMatrix,
-    ) -> Option<Vec<SumWithSize>> {
-        let variation = self.variation.of_inputs();
-        let (point, perturbation) = (self.point, self.perturbation);
-        let lagrange = self.lagrange;
-        let values = lagrange.values(point, &variation, self.accelerations, perturbation)?;
-        Some(input_balances(
-            found,
-            pivots,
-            mass,
-            (&values.variations, &variation),
-        ))
     }
 }
 
