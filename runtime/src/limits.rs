@@ -28,8 +28,8 @@ pub(crate) const REFERENCE_OFFSETS: [f64; 3] = [-1.0, 0.5, 1.0];
 /// judgement: L D Lᵀ without pivoting loses at most as many digits as this has zeros.
 pub(crate) const MIN_STABLE_PIVOT: f64 = 1e-2;
 
-/// The sine of the angle between the gradient of a constraint and those of others below which it depends on them at a
-/// consistent state. By judgement: it is far above rounding errors, and a mechanism that passes a singular configuration is
+/// The sine of the angle between the gradient of a constraint and the span of other gradients below which the constraint
+/// depends on the others at a consistent state. By judgement: it is far above rounding errors, and a mechanism that passes a singular configuration is
 /// as near to it for no longer than this part of a radian.
 pub(crate) const MIN_INDEPENDENT_SINE: f64 = 1e-10;
 

@@ -69,13 +69,13 @@ pub(super) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
 /// Each coordinate, each input, each event and each constraint becomes a constant of the type, beside those that are always there.
 pub(super) fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let mut taken = constants(declaration);
-    let coordinates = declaration.clauses.coordinates.iter();
+    let clauses = &declaration.clauses;
+    let coordinates = clauses.coordinates.iter();
     let coordinates = coordinates.map(|coordinate| (&coordinate.name, "coordinate"));
     let inputs = declaration.fields_with(Role::Input);
     let inputs = inputs.map(|field| (&field.name, "input"));
-    let events = declaration.clauses.events.iter();
+    let events = clauses.events.iter();
     let events = events.map(|event| (&event.name, "event"));
-    let clauses = &declaration.clauses;
     let constraints = [&clauses.constraints, &clauses.nonholonomic];
     let constraints = constraints
         .into_iter()
@@ -102,10 +102,10 @@ pub(super) fn check_constants(declaration: &Declaration, diagnostics: &mut Diagn
 
 /// The constants that a model has, with what they are constants of.
 fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
-    let has_inputs = declaration.fields_with(Role::Input).next().is_some();
-    let has_functions = !declaration.clauses.functions.is_empty();
-    let has_events = !declaration.clauses.events.is_empty();
     let clauses = &declaration.clauses;
+    let has_inputs = declaration.fields_with(Role::Input).next().is_some();
+    let has_functions = !clauses.functions.is_empty();
+    let has_events = !clauses.events.is_empty();
     let has_constraints = !clauses.constraints.is_empty() || !clauses.nonholonomic.is_empty();
     let every = "a constant of every model";
     let all: [(&[&str], bool, &str); 10] = [
@@ -118,7 +118,7 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
         ),
         (
             &CONSTANTS_OF_REDUCED_MODELS,
-            declaration.clauses.routhian.is_some(),
+            clauses.routhian.is_some(),
             "a constant of every reduced model",
         ),
         (

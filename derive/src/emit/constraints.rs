@@ -19,6 +19,13 @@ impl Emitter<'_> {
         self.coordinates() + self.constraint_count()
     }
 
+    /// The generic arguments of a saddle point problem: the scalar and the numbers of coordinates, constraints and unknowns.
+    fn dimensions(&self) -> TokenStream {
+        let scalar = &self.scalar;
+        let (n, c, k) = (self.coordinates(), self.constraint_count(), self.unknowns());
+        quote!(#scalar, #n, #c, #k)
+    }
+
     pub(super) fn is_constrained(&self) -> bool {
         self.constraint_count() > 0
     }
@@ -32,7 +39,8 @@ impl Emitter<'_> {
         let signatures = self.signatures();
         let (root, scalar, state) = (&self.declaration.root, &self.scalar, signatures.state());
         let (vector, prepared) = (signatures.vector(), &signatures.prepared);
-        let (n, c, k) = (self.coordinates(), self.constraint_count(), self.unknowns());
+        let (n, c) = (self.coordinates(), self.constraint_count());
+        let arguments = self.dimensions();
         let items = quote! {
             #constants
             fn constrained_response(
@@ -42,7 +50,7 @@ impl Emitter<'_> {
                 impulse_and_residuals: (&#vector, &#root::__private::SVector<#scalar, #c>),
                 held: &[::core::primitive::bool; #n],
             ) -> #vector {
-                #root::__private::constrained_response::<Self, #scalar, #n, #c, #k>(
+                #root::__private::constrained_response::<Self, #arguments>(
                     self, state, prepared, impulse_and_residuals, held,
                 )
             }
@@ -75,12 +83,8 @@ impl Emitter<'_> {
         if !self.is_constrained() {
             return TokenStream::new();
         }
-        let (root, n, c, k) = (
-            &self.declaration.root,
-            self.coordinates(),
-            self.constraint_count(),
-            self.unknowns(),
-        );
+        let (root, arguments) = (&self.declaration.root, self.dimensions());
+        let (n, c) = (self.coordinates(), self.constraint_count());
         let signatures = self.signatures();
         let (state, vector, prepared) = (
             signatures.state(),
@@ -95,13 +99,13 @@ impl Emitter<'_> {
                 state: #state,
                 prepared: &#prepared,
             ) -> ::core::option::Option<#root::problem::Projection<#scalar, #root::Phase<#scalar, #n>>> {
-                ::core::option::Option::Some(#root::__private::project::<Self, #scalar, #n, #c, #k>(self, state, prepared))
+                ::core::option::Option::Some(#root::__private::project::<Self, #arguments>(self, state, prepared))
             }
             fn fix_rank(&self, state: #state, prepared: &mut #prepared) {
-                #root::__private::fix_rank::<Self, #scalar, #n, #c, #k>(self, state, prepared);
+                #root::__private::fix_rank::<Self, #arguments>(self, state, prepared);
             }
             fn relative_pivots(&self, state: #state, prepared: &#prepared) -> #vector {
-                #root::__private::constrained_pivots::<Self, #scalar, #n, #c, #k>(self, state, prepared).0
+                #root::__private::constrained_pivots::<Self, #arguments>(self, state, prepared).0
             }
             fn violated_constraint(
                 &self,
@@ -115,7 +119,7 @@ impl Emitter<'_> {
                 state: #state,
                 prepared: &#prepared,
             ) -> ::core::option::Option<(::core::primitive::usize, ::core::primitive::f64)> {
-                let pivots = #root::__private::constrained_pivots::<Self, #scalar, #n, #c, #k>(self, state, prepared).1;
+                let pivots = #root::__private::constrained_pivots::<Self, #arguments>(self, state, prepared).1;
                 #root::__private::least_pivot(&pivots)
             }
         }
@@ -138,9 +142,8 @@ impl Emitter<'_> {
 
     /// The accelerations and the multipliers of a solution.
     pub(super) fn split(&self, solution: &TokenStream) -> TokenStream {
-        let (root, scalar) = (&self.declaration.root, &self.scalar);
-        let (n, c, k) = (self.coordinates(), self.constraint_count(), self.unknowns());
-        quote!(#root::__private::parts::<#scalar, #n, #c, #k>(&#solution))
+        let (root, arguments) = (&self.declaration.root, self.dimensions());
+        quote!(#root::__private::parts::<#arguments>(&#solution))
     }
 
     /// The rows of the accelerations of a matrix with a row for each unknown.
@@ -158,9 +161,9 @@ impl Emitter<'_> {
         matrix: &TokenStream,
         source: ParameterSource,
     ) -> TokenStream {
-        let (root, scalar, rank) = (&self.declaration.root, &self.scalar, self.rank(source));
-        let (n, c, k) = (self.coordinates(), self.constraint_count(), self.unknowns());
-        quote!(#root::__private::SaddlePoint::<#scalar, #n, #c, #k>::new(#matrix, #rank))
+        let (root, arguments, rank) =
+            (&self.declaration.root, self.dimensions(), self.rank(source));
+        quote!(#root::__private::SaddlePoint::<#arguments>::new(#matrix, #rank))
     }
 
     /// The number of independent constraints, or 0 where it is not known.
@@ -174,7 +177,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// The factors of M, or with constraints those of the saddle point problem, by the methods of the model.
+    /// The factors of M, or of the saddle point problem of a constrained model, by the methods of the model.
     pub(super) fn factors(&self, source: ParameterSource) -> TokenStream {
         let root = &self.declaration.root;
         let mass = self.call(EmittedMethod::MassMatrix, source);
@@ -182,14 +185,8 @@ impl Emitter<'_> {
             return quote!(#root::Factorization::new(#mass));
         }
         let jacobian = self.call(EmittedMethod::ConstraintJacobian, source);
-        let (scalar, n, c, k) = (
-            &self.scalar,
-            self.coordinates(),
-            self.constraint_count(),
-            self.unknowns(),
-        );
-        let rank = self.rank(source);
-        quote!(#root::__private::saddle_point::<#scalar, #n, #c, #k>(&#mass, &#jacobian, #rank))
+        let (arguments, rank) = (self.dimensions(), self.rank(source));
+        quote!(#root::__private::saddle_point::<#arguments>(&#mass, &#jacobian, #rank))
     }
 
     /// f, and with constraints behind it γ, by the methods of the model.
@@ -200,13 +197,8 @@ impl Emitter<'_> {
             return forcing;
         }
         let rates = self.call(EmittedMethod::ConstraintRates, source);
-        let (scalar, n, c, k) = (
-            &self.scalar,
-            self.coordinates(),
-            self.constraint_count(),
-            self.unknowns(),
-        );
-        quote!(#root::__private::joined::<#scalar, #n, #c, #k>(&#forcing, &#rates))
+        let arguments = self.dimensions();
+        quote!(#root::__private::joined::<#arguments>(&#forcing, &#rates))
     }
 }
 

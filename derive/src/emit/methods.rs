@@ -47,13 +47,11 @@ impl Emitter<'_> {
     /// The impl of a trait of the table: these items, and the methods that the model has.
     pub(super) fn interface(&self, interface: Interface, mut items: TokenStream) -> TokenStream {
         let methods = self.methods.all();
-        let methods = methods.filter(|(emitted, method)| !is_provided(*emitted, method));
+        let methods = methods.filter(|(emitted, method)| {
+            emitted.row().interface == interface && !is_provided(*emitted, method)
+        });
         for (emitted, method) in methods {
-            let row = emitted.row();
-            if row.interface != interface {
-                continue;
-            }
-            if row.result == ResultType::Prepared {
+            if emitted.row().result == ResultType::Prepared {
                 items.extend(self.method(emitted, &self.prepared.method(method)));
             } else {
                 items.extend(self.method(emitted, method));

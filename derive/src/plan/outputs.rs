@@ -82,8 +82,8 @@ pub(crate) enum AccelerationOutputs {
         pivots: OutputSlice,
         accelerations: OutputSlice,
     },
-    /// M and f, up to a common factor: M q̈ = f is solved numerically. With constraints they are those of the saddle point
-    /// problem for q̈ and the multipliers.
+    /// M and f, up to a common factor: M q̈ = f is solved numerically. In a constrained model they are the matrix and the
+    /// right-hand side of the saddle point problem for q̈ and the multipliers.
     Numerical {
         mass: LowerTriangle,
         forcing: OutputSlice,

@@ -117,7 +117,7 @@ pub enum IntegrationError {
         time: f64,
         /// The constraint that is violated most.
         constraint: &'static str,
-        /// Its residual, that of its velocity if the coordinates meet it.
+        /// Its residual g, or the residual of its velocity ġ if the coordinates meet it.
         residual: f64,
     },
     /// A state is farther from the manifold on which the equations hold than the error of a step and rounding explain.

@@ -9,8 +9,8 @@ use crate::scalar::Scalar;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection<S, X> {
     pub(super) state: X,
-    /// Numbers whose rounding errors the projection distributes over the components; those of the components themselves
-    /// where none are given.
+    /// Numbers whose rounding errors the projection distributes over the components; where none are given, the components
+    /// themselves.
     pub(super) sizes: Option<X>,
     /// 1 in lanes in which a constraint is violated, 0 in the others.
     pub(super) failed: S,

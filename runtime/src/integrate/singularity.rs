@@ -29,7 +29,7 @@ enum Cause {
     Pole,
     /// The Lagrangian is not a number.
     OutsideDomain,
-    /// A constraint restricts no other velocities than others do; its name is that of the coordinate.
+    /// A constraint restricts only velocities that others restrict already. The field `coordinate` holds its name.
     Constraint,
 }
 
@@ -99,7 +99,7 @@ impl Singularity {
     }
 
     /// Returns the relative pivot: the pivot of the factored mass matrix over its diagonal entry before elimination, sin²θ
-    /// at a pole of θ, or sin² of the angle between the gradient of a constraint and those of the others.
+    /// at a pole of θ, or sin² of the angle between the gradient of a constraint and the span of the other gradients.
     #[must_use]
     pub fn relative_pivot(&self) -> f64 {
         self.relative_pivot

@@ -5,7 +5,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::factorization::Factorization;
-use super::lane_select::{from_index, greater, is_zero, one_if_zero};
+use super::lane_select::{from_index, greater, is_zero, one_if_zero, square_root};
 use crate::limits::MIN_INDEPENDENT_SINE;
 use crate::scalar::Scalar;
 
@@ -53,10 +53,11 @@ impl<S: Scalar, const C: usize> IndependentRows<S, C> {
         steps.rows()
     }
 
-    /// Returns the multipliers of least norm that have the same reactions as these, which are 0 for dependent rows.
+    /// Returns the multipliers of least norm with the reactions Gᵀ λ, for multipliers λ that are 0 for dependent rows.
     ///
-    /// With X, by which the gradients of dependent constraints are combinations of others, the reactions are those of
-    /// λ + Xᵀ μ, where μ are the multipliers of the dependent ones, so that μ = (1 + X Xᵀ)⁻¹ X λ is taken from the others.
+    /// The gradients of dependent constraints are X times the gradients of the independent ones. With multipliers μ of the
+    /// dependent and λ − Xᵀ μ of the independent constraints the reactions are Gᵀ λ for any μ, and the norm is least for
+    /// μ = (1 + X Xᵀ)⁻¹ X λ.
     pub(super) fn least_norm<const P: usize>(
         &self,
         multipliers: &SMatrix<S, C, P>,
@@ -189,7 +190,5 @@ fn dot<S: Scalar, const N: usize>(x: &SVector<S, N>, y: &SVector<S, N>) -> S {
 }
 
 fn norm<S: Scalar, const N: usize>(x: &SVector<S, N>) -> S {
-    let square = dot(x, x);
-    let is_zero = is_zero(square);
-    (square + is_zero).sqrt() - is_zero
+    square_root(dot(x, x))
 }

@@ -26,6 +26,13 @@ pub(crate) fn one_if_zero<S: Scalar>(x: S) -> S {
     x + is_zero(x)
 }
 
+/// Returns √x, with the derivative 0 at 0.
+#[inline]
+pub(crate) fn square_root<S: Scalar>(x: S) -> S {
+    let is_zero = is_zero(x);
+    (x + is_zero).sqrt() - is_zero
+}
+
 /// Returns an index as a scalar, whose lanes may later have different values.
 #[inline]
 pub(crate) fn from_index<S: Scalar>(index: usize) -> S {

@@ -87,7 +87,7 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
     }
 
     /// Returns the solutions for some right-hand sides, column by column. Where constraints depend on others, the multipliers
-    /// are those of least norm.
+    /// have the least norm.
     #[inline]
     #[must_use]
     pub fn solve<const P: usize>(&self, right: &SMatrix<S, K, P>) -> SMatrix<S, K, P> {
@@ -127,7 +127,7 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
     }
 
     /// Returns measures of the conditioning for each coordinate, and for each constraint the sine of the angle between its
-    /// gradient and those of the constraints that are chosen before it, or 1 for one that depends on them.
+    /// gradient and the span of the gradients chosen before it, or 1 for one that depends on them.
     #[must_use]
     pub fn relative_pivots(&self) -> (SVector<S, N>, SVector<S, C>) {
         let pivots = self.factors.relative_pivots();

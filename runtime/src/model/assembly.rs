@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::assembly_error::{AssemblyError, OpenConstraints};
 use super::constraints::Constraints;
 use super::phase::Phase;
+use super::saddle_point::row_size;
 use super::state::State;
 use crate::limits::assembly::{
     LEAST_DAMPING, MAX_ITERATIONS, SUFFICIENT_DECREASE, VELOCITY_SWEEPS, max_residual,
@@ -187,7 +188,7 @@ where
         let mut open =
             OpenConstraints::new(<M as crate::quantities::Quantities<N, S>>::CONSTRAINTS);
         for j in 0..C {
-            let size = (0..N).fold(S::zero(), |sum, i| sum + (jacobian[(j, i)] * of[i]).abs());
+            let size = row_size(&jacobian, j, of);
             let residual = residuals[j].abs().largest();
             if residual.is_nan()
                 || residual > max_residual::<S>() * size.largest().max(max_residual::<S>())

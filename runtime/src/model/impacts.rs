@@ -52,8 +52,8 @@ pub trait Impacts<const N: usize, const C: usize, S: Scalar = f64>: Constraints<
 
 /// Returns the state behind an impact at which the function of an event has this gradient, by Newton's law of restitution.
 ///
-/// The impulse is j ∂φ/∂q, with the impulses Gᵀ p of the constraints: M (v⁺ − v⁻) = j ∂φ/∂q + Gᵀ p and G v⁺ = G v⁻, with j such that
-/// φ̇⁺ = −e φ̇⁻ (F. Pfeiffer & C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), 8.2).
+/// The impulse is j ∂φ/∂q, with the impulses Gᵀ p of the constraints: M (v⁺ − v⁻) = j ∂φ/∂q + Gᵀ p and G v⁺ = G v⁻, with j
+/// such that φ̇⁺ = −e φ̇⁻ (F. Pfeiffer & C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), 8.2).
 pub(super) fn impact<M, S, const N: usize, const C: usize>(
     model: &M,
     state: &State<S, N>,

@@ -111,8 +111,8 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         None
     }
 
-    /// Returns the constraint that a state violates most, and its residual, that of its velocity if the coordinates meet it. By
-    /// default `None`, since there are no constraints.
+    /// Returns the index of the constraint that a state violates most, and its residual g, or the residual of its velocity ġ if
+    /// the coordinates meet it. By default `None`, since there are no constraints.
     fn violated_constraint(
         &self,
         state: &State<S, N>,
@@ -122,8 +122,9 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         None
     }
 
-    /// Returns the constraint that is nearest to depending on others, in any lane, and the sine of the angle between its
-    /// gradient and theirs. A constraint that always depends on others does not count. By default `None`, since there are no constraints.
+    /// Returns the index of the constraint that is nearest to depending on others, in any lane, and the sine of the angle
+    /// between its gradient and the span of theirs. A constraint that always depends on others does not count. By default
+    /// `None`, since there are no constraints.
     #[inline]
     fn constraint_pivot(
         &self,

@@ -10,7 +10,7 @@ use crate::limits::projection::{
     NEARBY, POSITION_SWEEPS, TO_NEARBY, VELOCITY_SWEEPS, max_residual,
 };
 pub use crate::linalg::SaddlePoint;
-use crate::linalg::lane_select::{from_index, is_zero, one_if_zero};
+use crate::linalg::lane_select::{from_index, is_zero, one_if_zero, square_root};
 use crate::scalar::Scalar;
 
 /// Returns the accelerations and the multipliers.
@@ -49,6 +49,15 @@ pub fn saddle_point<S: Scalar, const N: usize, const C: usize, const K: usize>(
     rank: S,
 ) -> SaddlePoint<S, N, C, K> {
     SaddlePoint::new(SaddlePoint::<S, N, C, K>::lower(mass, jacobian), rank)
+}
+
+/// Returns the smallest change in the metric of M that takes these residuals away to first order: M δ = Gᵀ λ, G δ = −r.
+fn correction<S: Scalar, const N: usize, const C: usize, const K: usize>(
+    factors: &SaddlePoint<S, N, C, K>,
+    residuals: &SVector<S, C>,
+) -> SVector<S, N> {
+    let right = joined::<S, N, C, K>(&SVector::from_element(S::zero()), residuals);
+    parts::<S, N, C, K>(&factors.solve(&right)).0
 }
 
 /// Returns the rank that [`fix_rank`] has noted, the last of the prepared numbers; 0 where it is not known.
@@ -97,9 +106,8 @@ pub fn fix_rank<M, S, const N: usize, const C: usize, const K: usize>(
         let residuals = SVector::<S, C>::from_fn(|j, _| {
             (0..N).fold(S::zero(), |sum, i| sum + jacobian[(j, i)] * free[i])
         });
-        let right = joined::<S, N, C, K>(&SVector::from_element(S::zero()), &residuals);
         let mut nearby = *state;
-        nearby.q += free + parts::<S, N, C, K>(&factors.solve(&right)).0;
+        nearby.q += free + correction(&factors, &residuals);
         for _ in 0..TO_NEARBY {
             nearby.x = project::<M, S, N, C, K>(model, &nearby, prepared).into_state();
         }
@@ -115,8 +123,8 @@ fn note_rank<S: Scalar>(prepared: &mut impl AsMut<[S]>, rank: S) {
     }
 }
 
-/// Returns the change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r, without a
-/// change of those that are held. Without an impulse it is the smallest in the metric of M that takes the residuals away to
+/// Returns the change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r,
+/// with δᵢ = 0 for each component that is held. Without an impulse it is the smallest in the metric of M that takes the residuals away to
 /// first order.
 pub fn constrained_response<M, S, const N: usize, const C: usize, const K: usize>(
     model: &M,
@@ -146,6 +154,18 @@ where
     parts::<S, N, C, K>(&factors.solve(&right)).0
 }
 
+/// Returns Σᵢ |Gⱼᵢ xᵢ|, the size of the terms of a constraint at coordinates or velocities x, to which rounding errors of its
+/// residual are proportional.
+pub(super) fn row_size<S: Scalar, const N: usize, const C: usize>(
+    jacobian: &SMatrix<S, C, N>,
+    constraint: usize,
+    x: &SVector<S, N>,
+) -> S {
+    (0..N).fold(S::zero(), |sum, i| {
+        sum + (jacobian[(constraint, i)] * x[i]).abs()
+    })
+}
+
 /// Returns the constraint with the largest residual relative to its terms, and the residual.
 pub fn violated_constraint<M, S, const N: usize, const C: usize>(
     model: &M,
@@ -164,7 +184,7 @@ where
     let mut most: Option<(usize, S, f64)> = None;
     for (residuals, of) in residuals {
         for j in 0..C {
-            let size = (0..N).fold(S::zero(), |sum, i| sum + (jacobian[(j, i)] * of[i]).abs());
+            let size = row_size(&jacobian, j, &of);
             let ratio = (residuals[j].abs() / one_if_zero(size)).largest();
             if ratio > max_residual::<S>() && most.is_none_or(|(.., other)| ratio > other) {
                 most = Some((j, residuals[j], ratio));
@@ -177,8 +197,8 @@ where
     most.map(|(constraint, residual, _)| (constraint, residual))
 }
 
-/// Returns measures of the conditioning for each coordinate and for each constraint: the sine of the angle between its
-/// gradient and those of the other constraints.
+/// Returns measures of the conditioning for each coordinate, and for each constraint the sine of the angle between its
+/// gradient and the span of the other gradients.
 #[inline]
 pub fn constrained_pivots<M, S, const N: usize, const C: usize, const K: usize>(
     model: &M,
@@ -206,12 +226,6 @@ pub fn least_pivot<S: Scalar, const C: usize>(pivots: &SVector<S, C>) -> Option<
         }
     }
     least
-}
-
-/// Returns a square root that has derivatives at 0.
-fn square_root<S: Scalar>(x: S) -> S {
-    let is_zero = is_zero(x);
-    (x + is_zero).sqrt() - is_zero
 }
 
 /// Returns the largest component of each kind that a vector of this length has, in the metric of M.
@@ -245,22 +259,18 @@ where
     let jacobian = model.constraint_jacobian(state, prepared);
     let mass = model.mass_matrix(state, prepared);
     let factors: SaddlePoint<S, N, C, K> = saddle_point(&mass, &jacobian, noted_rank(prepared));
-    let change = |residuals: &SVector<S, C>| -> SVector<S, N> {
-        let right = joined::<S, N, C, K>(&SVector::from_element(S::zero()), residuals);
-        parts::<S, N, C, K>(&factors.solve(&right)).0
-    };
     let mut projected = *state;
     let before = model.constraint_positions(state, prepared);
     if M::HOLONOMIC > 0 {
-        projected.q += change(&before);
+        projected.q += correction(&factors, &before);
         for _ in 1..POSITION_SWEEPS {
             let residuals = model.constraint_positions(&projected, prepared);
-            projected.q += change(&residuals);
+            projected.q += correction(&factors, &residuals);
         }
     }
     for _ in 0..VELOCITY_SWEEPS {
         let residuals = model.constraint_velocities(&projected, prepared);
-        projected.v += change(&residuals);
+        projected.v += correction(&factors, &residuals);
     }
     let positions = model.constraint_positions(&projected, prepared);
     let velocities = model.constraint_velocities(&projected, prepared);
@@ -271,15 +281,11 @@ where
     let mut projection = Projection::new(projected.x).with_sizes(sizes);
     let tolerance = S::from_f64(max_residual::<S>());
     for j in 0..C {
-        let mut sizes = [before[j].abs(), S::zero()];
-        for i in 0..N {
-            let slope = jacobian[(j, i)].abs();
-            sizes[0] += slope * projected.q[i].abs();
-            sizes[1] += slope * projected.v[i].abs();
-        }
+        let position_size = before[j].abs() + row_size(&jacobian, j, &projected.q);
+        let velocity_size = row_size(&jacobian, j, &projected.v);
         projection = projection
-            .checked(j, positions[j], sizes[0] * tolerance)
-            .checked(j, velocities[j], sizes[1] * tolerance);
+            .checked(j, positions[j], position_size * tolerance)
+            .checked(j, velocities[j], velocity_size * tolerance);
     }
     projection
 }

@@ -5,8 +5,7 @@ use super::quantities::Quantities;
 use super::state::State;
 use crate::scalar::Scalar;
 
-/// A model whose coordinates are free of constraints: the derivatives of its accelerations by the state are those of a
-/// linear model.
+/// A model without constraints: its accelerations have derivatives with respect to each component of the state.
 #[diagnostic::on_unimplemented(
     message = "the coordinates of `{Self}` are constrained, and a constrained model has no linearization",
     note = "declare the model in independent coordinates, or take the derivatives of its motions by integrating on `Dual` \

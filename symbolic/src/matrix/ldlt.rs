@@ -50,11 +50,12 @@ impl Ldlt {
         Some(Self { pivots, rows })
     }
 
-    /// Makes the pivots of a saddle point problem, whose rows from `coordinates` on are those of constraints, such that the
-    /// solution is stable where all are positive: those of constraints are negative, and are compared with what the
-    /// elimination of coordinates has made of them.
+    /// Reverses the pivots of constraints, the rows of a saddle point problem from `coordinates` on, which are negative, and
+    /// compares them with what the elimination of coordinates makes of them: the solution is stable where all pivots are
+    /// positive.
     pub(crate) fn with_negative_pivots(mut self, graph: &mut Graph, coordinates: usize) -> Self {
-        let least = Rational::new(-1, 1 << MIN_CONSTRAINT_PIVOT).unwrap_or(Rational::ZERO);
+        let (numerator, denominator) = MIN_CONSTRAINT_PIVOT;
+        let least = Rational::new(-numerator, denominator).unwrap_or(Rational::ZERO);
         let count = self.pivots.len().saturating_sub(coordinates);
         let mut terms = vec![Vec::new(); count];
         let mut is_reduced = vec![false; count];

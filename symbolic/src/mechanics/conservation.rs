@@ -1,9 +1,9 @@
 //! Conservation laws (Goldstein, Poole and Safko, Classical Mechanics, 3rd edition 2002, sections 2.6 and 2.7): the momenta
 //! of ignorable coordinates, and the energy function.
 //!
-//! dpᵢ/dt = ∂L/∂qᵢ + Qᵢ + (Gᵀ λ)ᵢ and dh/dt = Q·q̇ − ∂L/∂t + λᵀ G q̇. Whether a right-hand side vanishes identically is decided exactly, by
-//! polynomial identity testing: an angle that cancels in L, as ψ does in the three squares of a symmetric top, is
-//! ignorable though it is written.
+//! dpᵢ/dt = ∂L/∂qᵢ + Qᵢ + (Gᵀ λ)ᵢ and dh/dt = Q·q̇ − ∂L/∂t + λᵀ G q̇. Whether a right-hand side vanishes identically is
+//! decided exactly, by polynomial identity testing: an angle that cancels in L, as ψ does in the three squares of a
+//! symmetric top, is ignorable though it is written.
 
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::tested_value::TestedValue;

@@ -54,8 +54,8 @@ pub enum ConstraintDefect {
         /// Whether it is zero in every motion.
         holds: bool,
     },
-    /// A constraint restricts no other velocities than those before it, for all values of coordinates, time and
-    /// parameters.
+    /// A constraint restricts only velocities that earlier constraints restrict already, for all values of coordinates, time
+    /// and parameters.
     Dependent {
         /// The constraint.
         constraint: usize,

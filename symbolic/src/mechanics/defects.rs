@@ -19,8 +19,8 @@ pub enum Defect {
     Constraint(ConstraintDefect),
 }
 
-/// Checks the velocities in the momenta, and that no input is in them. The rows are those of M, or with constraints those of
-/// the saddle point problem, in which a coordinate without mass may be held by constraints.
+/// Checks the velocities in the momenta, and that no input is in them. `rows` is M, or the matrix of the saddle point problem,
+/// in which constraints may hold a coordinate without mass.
 pub(crate) fn check_momenta(
     model: &Model,
     momenta: &[Expression],

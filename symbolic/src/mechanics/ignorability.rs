@@ -13,7 +13,8 @@ use crate::{Expression, Model, Symbol};
 /// For each coordinate, what depends on it and whether a force acts on it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Ignorability {
-    /// Neither L nor a generalized force nor the velocities that constraints allow depend on the coordinate: the motion is the same wherever it begins.
+    /// Neither L nor a generalized force nor the velocities that constraints allow depend on the coordinate: the motion is the
+    /// same wherever it begins.
     pub(crate) is_ignorable: Vec<bool>,
     /// L does not depend on the coordinate, and neither a generalized force nor a constraint acts on it: its momentum is constant (4.8).
     pub(crate) has_constant_momentum: Vec<bool>,

@@ -41,7 +41,8 @@ pub struct Kinetics {
     pub recursion: Vec<Expression>,
     /// M q̈ = f for numerical solution; with constraints, the saddle point problem for q̈ and λ.
     pub system: LinearSystem,
-    /// The accelerations, and behind them the multipliers of the constraints; none for many coupled coordinates, where M is factored numerically.
+    /// The accelerations, and behind them the multipliers of the constraints; none for many coupled coordinates, where M is
+    /// factored numerically.
     pub solution: Option<Solution>,
     /// The equations of the constraints.
     pub constraints: ConstraintEquations,

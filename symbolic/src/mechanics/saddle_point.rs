@@ -5,7 +5,8 @@
 //! ⎣−G   0 ⎦ ⎣λ⎦ = ⎣γ⎦
 //!
 //! They are Lagrange's equations at ṡ = 0 of a system with C coordinates s more, and the Lagrangian function L − ṡᵀ w: its
-//! momenta are p − Gᵀ ṡ and −w, so that s̈ is λ. Multipliers therefore are the accelerations behind those of the coordinates.
+//! momenta are p − Gᵀ ṡ and −w, so that s̈ is λ. Multipliers therefore follow the accelerations of the coordinates, as further
+//! accelerations.
 
 use crate::mechanics::constraints::{Constraint, ConstraintEquations};
 use crate::mechanics::model::Energies;

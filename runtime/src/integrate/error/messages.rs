@@ -191,7 +191,7 @@ pub(super) fn write_failed_projection(
     )
 }
 
-/// Writes the message about a state that is off the manifold, with the remedy.
+/// Writes the message about a state that does not meet the constraints of a model, with the remedy.
 pub(super) fn write_inconsistent(
     f: &mut fmt::Formatter<'_>,
     time: f64,
@@ -206,6 +206,7 @@ pub(super) fn write_inconsistent(
     )
 }
 
+/// Writes the message about a state that is off the manifold, with the remedy.
 pub(super) fn write_off_manifold(
     f: &mut fmt::Formatter<'_>,
     time: f64,

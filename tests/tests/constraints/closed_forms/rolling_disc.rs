@@ -59,8 +59,8 @@ impl RollingDisc {
         State::new(0.0, q, v)
     }
 
-    /// The accelerations of the angles by Appell's equations for θ̇, ω = φ̇ sin θ and n = ψ̇ + φ̇ cos θ, with the moments A across
-    /// and C about the axis:
+    /// The accelerations of the angles by Appell's equations for θ̇, ω = φ̇ sin θ and n = ψ̇ + φ̇ cos θ, with the moments A
+    /// across and C about the axis:
     ///
     /// (A + m r²) θ̈ = A φ̇ ω cos θ − (C + m r²) n ω − m g r cos θ,
     /// A ω̇ = (C n − A φ̇ cos θ) θ̇,
@@ -120,9 +120,9 @@ fn accelerations_are_those_of_appell() {
 
 /// A steady circle: the rates of precession and of spin, the inclination θ, and the distance of the centre from the axis.
 ///
-/// C. Le Saux, R. I. Leine & C. Glocker, *Dynamics of a rolling disk in the presence of dry friction*, J. Nonlinear Sci. **15**
-/// (2005) 27–61: γ̇² = 4 (g/r) sin β / ((6 − 5 ρ sin β) ρ cos β) and α̇ = −ρ γ̇, where ρ is r over the radius of the circle of
-/// the point of contact.
+/// C. Le Saux, R. I. Leine & C. Glocker, *Dynamics of a rolling disk in the presence of dry friction*, J. Nonlinear Sci.
+/// **15** (2005) 27–61: γ̇² = 4 (g/r) sin β / ((6 − 5 ρ sin β) ρ cos β) and α̇ = −ρ γ̇, where ρ is r over the radius of the
+/// circle of the point of contact.
 struct Circle {
     precession: f64,
     spin: f64,
