@@ -12,6 +12,7 @@ mod lane_states;
 
 pub use error_tolerance::ErrorTolerance;
 pub use factorization::Factorization;
+pub(crate) use independent_rows::smallest_sine;
 pub use into_vector::IntoVector;
 pub use lane_states::LaneStates;
 pub use saddle_point::SaddlePoint;

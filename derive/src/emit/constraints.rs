@@ -114,6 +114,15 @@ impl Emitter<'_> {
             ) -> ::core::option::Option<(::core::primitive::usize, #scalar)> {
                 #root::__private::violated_constraint::<Self, #scalar, #n, #c>(self, state, prepared)
             }
+            fn constraint_sine(
+                &self,
+                state: #state,
+                prepared: &#prepared,
+            ) -> ::core::option::Option<#scalar> {
+                ::core::option::Option::Some(
+                    #root::__private::constraint_sine::<Self, #scalar, #n, #c>(self, state, prepared),
+                )
+            }
             fn constraint_pivot(
                 &self,
                 state: #state,

@@ -203,6 +203,13 @@ pub trait Dynamics<S: Scalar = f64> {
         None
     }
 
+    /// Returns the smallest sine of the angle between the gradient of a constraint and the span of the gradients of others; 0 in a
+    /// singular configuration. By default `None`: it is not known, or there are no constraints.
+    fn constraint_sine(&self, t: S, x: &Self::State) -> Option<S> {
+        let _ = (t, x);
+        None
+    }
+
     /// Returns the constraint that a state violates most, and its residual, for error messages. By default `None`: it is not
     /// known.
     fn violated_constraint(&self, t: S, x: &Self::State) -> Option<(usize, S)> {
@@ -278,6 +285,10 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for &D {
     #[inline]
     fn project(&self, t: S, x: &D::State) -> Option<Projection<S, D::State>> {
         (**self).project(t, x)
+    }
+
+    fn constraint_sine(&self, t: S, x: &D::State) -> Option<S> {
+        (**self).constraint_sine(t, x)
     }
 
     fn violated_constraint(&self, t: S, x: &D::State) -> Option<(usize, S)> {

@@ -13,6 +13,7 @@ mod paired_convolutions;
 mod residual;
 pub mod recurrences;
 mod series;
+mod singular_configuration;
 mod step_size;
 mod stepper;
 mod unit_polynomial;
@@ -33,6 +34,7 @@ use super::stepper::Advance;
 use super::tolerance::Tolerance;
 use crate::limits::taylor::SINGULARITY_TOLERANCE;
 use crate::scalar::Scalar;
+use singular_configuration::SingularConfiguration;
 
 /// The Taylor series method of order 2·`HALF`.
 ///
@@ -103,6 +105,7 @@ pub struct Taylor<const HALF: usize = 14> {
     /// The machine epsilon of the scalar if `None`.
     tolerance: Option<Tolerance>,
     max_step: Option<f64>,
+    passes_singularities: bool,
 }
 
 impl Taylor<6> {
@@ -149,6 +152,7 @@ impl<const HALF: usize> Taylor<HALF> {
         Self {
             tolerance: None,
             max_step: None,
+            passes_singularities: false,
         }
     }
 
@@ -177,12 +181,31 @@ impl<const HALF: usize> Taylor<HALF> {
         self
     }
 
+    /// Lets steps pass singular configurations of constraints, at which their gradients depend on each other for a moment, as
+    /// in a four-bar linkage of equal lengths whenever it is flat.
+    ///
+    /// Without this setting the integration ends near such a configuration. With it no step begins or ends close to one: a
+    /// step that would is lengthened, or shortened so that the next one passes. It relies on the motion being smooth there, so
+    /// that the polynomial of a step describes it on both sides; this is checked at the end of the step. Where a mechanism may
+    /// leave such a configuration in several ways, the motion goes on smoothly.
+    #[must_use]
+    pub fn pass_singular_configurations(mut self) -> Self {
+        self.passes_singularities = true;
+        self
+    }
+
     fn tolerance<S: Scalar>(&self) -> Tolerance {
         let epsilon = S::machine_epsilon();
         self.tolerance.unwrap_or(Tolerance {
             relative: epsilon,
             absolute: epsilon,
         })
+    }
+
+    /// Returns the part of the distance from a singular configuration from which on a step is lengthened to pass.
+    fn min_part<S: Scalar>(&self) -> f64 {
+        let Tolerance { relative, absolute } = self.tolerance::<S>();
+        SingularConfiguration::min_part(relative.max(absolute) / S::machine_epsilon(), 2 * HALF)
     }
 
     fn check(&self) -> Result<(), IntegrationError> {

@@ -150,6 +150,14 @@ impl<S: Scalar, D: Dynamics<S>> Dynamics<S> for WithSizes<D, D::State> {
         self.dynamics.project(t, x)
     }
 
+    fn constraint_sine(&self, t: S, x: &Self::State) -> Option<S> {
+        self.dynamics.constraint_sine(t, x)
+    }
+
+    fn violated_constraint(&self, t: S, x: &Self::State) -> Option<(usize, S)> {
+        self.dynamics.violated_constraint(t, x)
+    }
+
     fn constraint_name(&self, index: usize) -> &'static str {
         self.dynamics.constraint_name(index)
     }

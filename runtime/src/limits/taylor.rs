@@ -110,6 +110,37 @@ pub(crate) const CROSSING_ROUNDING: f64 = 64.0;
 /// The factor by which a step is shortened if its derivative differs by more.
 pub(crate) const SHORTENING: f64 = 2.0;
 
+/// Singular configurations of constraints that a step passes.
+pub(crate) mod passing {
+    /// The intervals into which this distance is divided.
+    pub(crate) const INTERVALS: u32 = 6;
+
+    /// The number of times that a minimum of the sine is refined, and the factor by which its bracket shrinks.
+    pub(crate) const REFINEMENTS: u32 = 2;
+    pub(crate) const BRACKET: f64 = 0.125;
+
+    /// The sine between gradients of constraints below which a configuration counts as singular.
+    pub(crate) const SINGULAR_SINE: f64 = 0.01;
+
+    /// The sine below which rounding makes corrections onto the constraints larger than the tolerance.
+    pub(crate) const SMALL_SINE: f64 = 0.25;
+
+    /// Rounding errors of the last coefficients are up to this number of machine epsilons over the power of the distance. A step
+    /// to their effect, or of this part of the distance, is lengthened to pass.
+    pub(crate) const MAX_GROWTH: f64 = 1e8;
+    pub(crate) const MIN_PART: f64 = 0.85;
+
+    /// A step that passes is at least this multiple of the distance: the errors of the coefficients of order k, which rounding
+    /// makes, grow as distance⁻ᵏ, and are still small here.
+    pub(crate) const BEHIND: f64 = 1.15;
+
+    /// A step beyond this multiple of the latter is shortened to it first, if its polynomial does not describe the motion.
+    pub(crate) const FARTHER: f64 = 1.01;
+
+    /// The part of the distance after which a step ends if the polynomial does not describe the motion beyond it.
+    pub(crate) const SHORT: f64 = 0.5;
+}
+
 /// The smallest step, as for DOP853 by default.
 pub(crate) const MIN_STEP: f64 = super::dormand_prince::MIN_STEP;
 

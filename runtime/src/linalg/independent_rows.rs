@@ -20,6 +20,19 @@ pub(super) struct IndependentRows<S: Scalar, const C: usize> {
     combinations: SMatrix<S, C, C>,
 }
 
+/// Returns in each lane the smallest sine of the angle between an independent row of `jacobian` and the rows chosen before it, in
+/// the metric of the diagonal of a mass matrix.
+pub(crate) fn smallest_sine<S: Scalar, const C: usize, const N: usize>(
+    jacobian: &SMatrix<S, C, N>,
+    mass: &SVector<S, N>,
+    rank: S,
+) -> S {
+    let rows = IndependentRows::of(jacobian, mass, rank);
+    rows.sines
+        .iter()
+        .fold(S::one(), |least, sine| least.min(*sine))
+}
+
 /// Rows in the course of orthogonalization.
 struct Orthogonalization<S: Scalar, const C: usize, const N: usize> {
     /// The rest of each row, scaled to length 1 at the beginning.

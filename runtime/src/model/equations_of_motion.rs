@@ -314,6 +314,11 @@ where
         Some(found.map(|phase| phase.with(x.z.clone())))
     }
 
+    fn constraint_sine(&self, t: S, x: &Self::State) -> Option<S> {
+        let model = self.model.model();
+        model.constraint_sine(&x.at_time(t), &self.prepared)
+    }
+
     fn violated_constraint(&self, t: S, x: &Self::State) -> Option<(usize, S)> {
         let model = self.model.model();
         model.violated_constraint(&x.at_time(t), &self.prepared)

@@ -122,6 +122,13 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         None
     }
 
+    /// Returns the smallest sine of the angle between the gradient of a constraint and the span of the gradients of others. A
+    /// constraint that always depends on others does not count. By default `None`, since there are no constraints.
+    fn constraint_sine(&self, state: &State<S, N>, prepared: &Self::Prepared) -> Option<S> {
+        let _ = (state, prepared);
+        None
+    }
+
     /// Returns the index of the constraint that is nearest to depending on others, in any lane, and the sine of the angle
     /// between its gradient and the span of theirs. A constraint that always depends on others does not count. By default
     /// `None`, since there are no constraints.

@@ -11,6 +11,7 @@ use crate::limits::projection::{
 };
 pub use crate::linalg::SaddlePoint;
 use crate::linalg::lane_select::{from_index, is_zero, one_if_zero, square_root};
+use crate::linalg::smallest_sine;
 use crate::scalar::Scalar;
 
 /// Returns the accelerations and the multipliers.
@@ -210,6 +211,22 @@ where
     S: Scalar,
 {
     at_state::<M, S, N, C, K>(model, state, prepared).relative_pivots()
+}
+
+/// Returns in each lane the smallest sine of the angle between the gradient of a constraint and the span of the gradients of
+/// others.
+pub fn constraint_sine<M, S, const N: usize, const C: usize>(
+    model: &M,
+    state: &State<S, N>,
+    prepared: &M::Prepared,
+) -> S
+where
+    M: Constraints<N, C, S>,
+    S: Scalar,
+{
+    let mass = model.mass_matrix(state, prepared).diagonal();
+    let jacobian = model.constraint_jacobian(state, prepared);
+    smallest_sine(&jacobian, &mass, noted_rank(prepared))
 }
 
 /// Returns the constraint with the smallest pivot in any lane, and that pivot; NaN counts as 0.

@@ -9,6 +9,7 @@ mod checks;
 mod expansion;
 mod last_step;
 mod passage;
+mod passing;
 mod projection;
 
 use arrivals::Arrivals;
@@ -198,6 +199,10 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
         let Proposals { step, middle } = self.expand(dynamics, &mut moving);
         let mut proposed = step.map(|step| step.min(longest));
+        let passed = self.singular_configurations(dynamics, &proposed, ends);
+        for lane in lanes(&moving) {
+            proposed[lane] = passed[lane].lengthened(proposed[lane]).min(longest);
+        }
         let mut targets = self.time;
         let mut pending = moving;
         let mut component = [None; L];
@@ -213,7 +218,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 });
             }
             let reached = self.at(&targets);
-            let verdicts = self.check(dynamics, &targets, (&reached, middle), &pending);
+            let verdicts = self.check(dynamics, &targets, (&reached, middle, &passed), &pending);
             for lane in lanes(&pending) {
                 let judged = (lane, verdicts[lane], middle);
                 let times = (targets[lane], ends[lane]);
@@ -224,10 +229,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 };
                 component[lane] = beyond.or(component[lane]);
                 self.statistics[lane].rejected += 1;
-                proposed[lane] = part * (targets[lane] - self.time[lane]).abs();
+                let length = (targets[lane] - self.time[lane]).abs();
+                proposed[lane] = match part {
+                    Some(part) => part * length,
+                    None => passed[lane].shortened(length),
+                };
             }
             if !any(&pending) {
-                let ends = (&targets, arrivals.as_ref());
+                let ends = (&targets, arrivals.as_ref(), &passed);
                 let state = self.ends(dynamics, &mut moving, ends, reached.state);
                 self.accept(&moving, (&targets, &proposed), state, arrivals.as_ref());
                 return;

@@ -20,7 +20,7 @@ pub(super) struct Allowance<S> {
     pub(super) order: f64,
     pub(super) tolerance: ErrorTolerance<S>,
     /// The number of rounding errors of the state and of its change that are allowed.
-    pub(super) roundings: f64,
+    pub(super) roundings: S,
 }
 
 impl<S: Scalar> Allowance<S> {
@@ -28,7 +28,7 @@ impl<S: Scalar> Allowance<S> {
     /// costs little there, but a jump that is missed adds an error at each crossing.
     pub(super) fn behind_crossings(self) -> Self {
         Self {
-            roundings: CROSSING_ROUNDING,
+            roundings: S::from_f64(CROSSING_ROUNDING),
             ..self
         }
     }
@@ -59,14 +59,13 @@ impl<S: Scalar> Allowance<S> {
         point: &Point<S, D::State>,
         derivative: &D::State,
     ) -> [D::State; 2] {
-        let rounding = self.roundings * S::machine_epsilon();
+        let rounding = self.roundings * S::from_f64(S::machine_epsilon());
         let several = RESIDUAL_PER_ORDER * self.order;
         let tolerance = ErrorTolerance {
-            relative: self.tolerance.relative * several + rounding,
+            relative: self.tolerance.relative * several + rounding.smallest(),
             absolute: self.tolerance.absolute * several,
             ..self.tolerance
         };
-        let rounding = S::from_f64(rounding);
         let mut allowed = dynamics.allowed_error(&point.state, &tolerance);
         allowed.add_scaled(rounding, &point.state.map(Scalar::abs));
         allowed.add_scaled(rounding * self.h, &derivative.map(Scalar::abs));

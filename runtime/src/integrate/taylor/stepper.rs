@@ -3,6 +3,7 @@
 mod checks;
 mod following;
 mod passage;
+mod passing;
 mod projection;
 
 use super::interpolant::TaylorInterpolant;
@@ -16,7 +17,7 @@ use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::stepper::{Advance, Statistics, Stepper, checked_derivative};
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{
-    FIRST_UNIT, LANDING, MIN_STEP, SHORTENING, UNIT_CHANGE, UNIT_CHANGES, VELOCITY_TIMES,
+    FIRST_UNIT, LANDING, MIN_STEP, UNIT_CHANGE, UNIT_CHANGES, VELOCITY_TIMES,
 };
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
@@ -270,6 +271,8 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
         let proposal = self.proposal(dynamics)?;
         let mut step = (proposal.step * self.polynomial().unit).min(longest);
+        let passed = self.singular_configuration(dynamics, step.copysign(remaining));
+        step = passed.lengthened(step).min(longest);
         let mut rejected = None;
         loop {
             let lands = LANDING * step >= remaining.abs();
@@ -283,7 +286,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
             };
             let length = (end - time).abs();
             let is_needed = !lands && rejected.is_none();
-            let beyond = match self.check(dynamics, end, proposal, is_needed)? {
+            let beyond = match self.check(dynamics, end, (proposal, passed), is_needed)? {
                 Verdict::Agrees(proposal) => {
                     if step.is_normal() {
                         self.unit = unit_near(step);
@@ -308,7 +311,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                 Ok(part) => part * length,
                 Err(component) => {
                     rejected = Some(component);
-                    length / SHORTENING
+                    passed.shortened(length)
                 }
             };
         }

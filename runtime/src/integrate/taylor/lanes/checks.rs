@@ -4,6 +4,7 @@ use super::{Reached, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::{BranchCrossings, Crossing, SearchedStep};
 use crate::integrate::taylor::residual::{Allowance, Point};
+use crate::integrate::taylor::singular_configuration::SingularConfiguration;
 use crate::integrate::taylor::step_size::power;
 use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{
@@ -34,7 +35,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         &mut self,
         dynamics: &D,
         targets: &[f64; L],
-        (reached, middle): (&Reached<X, L>, Lanes<L>),
+        (reached, middle, passed): (&Reached<X, L>, Lanes<L>, &[SingularConfiguration; L]),
         pending: &[bool; L],
     ) -> [Verdict; L]
     where
@@ -61,7 +62,9 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         if !any(&open) {
             return verdicts;
         }
-        let allowance = self.allowance(h.abs());
+        let mut allowance = self.allowance(h.abs());
+        allowance.roundings *=
+            Lanes::from_fn(|lane| passed[lane].growth(h.0[lane].abs(), Self::ORDER));
         let found = self.check_at(dynamics, (Lanes(*targets), reached), &allowance, &open);
         for lane in lanes(&open) {
             if let Some(component) = found[lane] {
@@ -224,7 +227,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             h,
             order: number(Self::ORDER),
             tolerance: self.tolerance(h),
-            roundings: RESIDUAL_ROUNDING,
+            roundings: Lanes::from_f64(RESIDUAL_ROUNDING),
         }
     }
 
@@ -242,7 +245,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let unit = Lanes::from_f64(1.0) / Lanes(self.unit);
         let point = Point {
             t,
-            state: reached.state.reduced(dynamics),
+            state: self.on_manifold(dynamics, t, &reached.state),
             slope: reached.slope.map(|component| component * unit),
         };
         let derivative = dynamics.derivative(t, &point.state);
@@ -257,6 +260,9 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                 self.statistics[lane].evaluations += 2;
             }
             failing = exceeds(&residual, &allowed, &failing);
+        }
+        if any(&failing) {
+            self.excuse(dynamics, (t, &point.state), &mut failing);
         }
         core::array::from_fn(|lane| {
             failing[lane].then(|| match non_finite(reached.state.value(), lane) {

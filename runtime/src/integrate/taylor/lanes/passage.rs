@@ -11,32 +11,32 @@ use crate::integrate::taylor::discontinuity::{Passage, StepToSurface, surface_at
 use crate::integrate::taylor::interpolant::difference;
 use crate::integrate::taylor::step_size::{limiting_component, too_small};
 use crate::integrate::tolerance::Tolerance;
-use crate::limits::taylor::{BEFORE, MAX_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAGE, SHORTENING};
+use crate::limits::taylor::{BEFORE, MAX_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAGE};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// Returns the fraction of the step of a lane that is to be tried next, with the component in which the polynomial
-    /// differs from the motion, if there is one. `None` if the step is accepted.
+    /// Returns the fraction of the step of a lane that is to be tried next if it is known, and the component in which the
+    /// polynomial differs from the motion, if there is one. `None` if the step is accepted.
     pub(super) fn rejection<D>(
         &mut self,
         dynamics: &D,
         (lane, verdict, middle): (usize, Verdict, Lanes<L>),
         times: (f64, f64),
         arrivals: &mut Option<Arrivals<X, L>>,
-    ) -> Option<(f64, Option<usize>)>
+    ) -> Option<(Option<f64>, Option<usize>)>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
         let beyond = match verdict {
             Verdict::Agrees => return None,
-            Verdict::Converges(part) => return Some((part, None)),
+            Verdict::Converges(part) => return Some((Some(part), None)),
             Verdict::Crosses(crossing) => {
                 self.pass(dynamics, (lane, crossing, middle), times, arrivals)?
             }
             Verdict::Differs(component) => component,
         };
-        Some((1.0 / SHORTENING, Some(beyond)))
+        Some((None, Some(beyond)))
     }
 
     /// Ends the step of a lane at a sign change of a switching function, as [`TaylorStepper`](crate::TaylorStepper)

@@ -7,6 +7,7 @@ use crate::integrate::projected::{Projected, corrected};
 use crate::integrate::projection::Projection;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::interpolant::difference;
+use crate::integrate::taylor::singular_configuration::SingularConfiguration;
 use crate::integrate::taylor::step_size::reached;
 use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
@@ -18,7 +19,11 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         &mut self,
         dynamics: &D,
         moving: &mut [bool; L],
-        (targets, arrivals): (&[f64; L], Option<&Arrivals<X, L>>),
+        (targets, arrivals, passed): (
+            &[f64; L],
+            Option<&Arrivals<X, L>>,
+            &[SingularConfiguration; L],
+        ),
         mut state: Compensated<X>,
     ) -> Compensated<X>
     where
@@ -40,7 +45,10 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             arrival.unwrap_or(target)
         });
         match dynamics.project(Lanes(times), state.value()) {
-            Some(projection) => self.project(dynamics, moving, (Lanes(times), &state), &projection),
+            Some(projection) => {
+                let ends = (Lanes(times), &state, passed);
+                self.project(dynamics, moving, ends, &projection)
+            }
             None => state,
         }
     }
@@ -51,7 +59,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         &mut self,
         dynamics: &D,
         moving: &mut [bool; L],
-        (t, state): (Lanes<L>, &Compensated<X>),
+        (t, state, passed): (Lanes<L>, &Compensated<X>, &[SingularConfiguration; L]),
         projection: &Projection<Lanes<L>, X>,
     ) -> Compensated<X>
     where
@@ -73,7 +81,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let checked: [_; L] = core::array::from_fn(|lane| {
             step.lane = Some(lane);
             let found = (projection, end.value());
-            moving[lane].then(|| step.check(found, &correction, &allowed, true))
+            let is_limited = passed[lane].limits_corrections();
+            moving[lane].then(|| step.check(found, &correction, &allowed, is_limited))
         });
         for (lane, checked) in checked.into_iter().enumerate() {
             match checked {

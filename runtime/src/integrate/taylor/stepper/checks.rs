@@ -2,11 +2,15 @@
 //! equations.
 
 use super::TaylorStepper;
+use crate::integrate::compensated::Compensated;
 use crate::integrate::error::IntegrationError;
+use crate::integrate::projected::corrected;
+use crate::integrate::projection::Projection;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::{BranchCrossings, Crossing, SearchedStep};
 use crate::integrate::taylor::coefficients::number;
 use crate::integrate::taylor::residual::{Allowance, Point};
+use crate::integrate::taylor::singular_configuration::SingularConfiguration;
 use crate::integrate::taylor::step_size::{Proposal, unit_near};
 use crate::limits::taylor::{INNER_CHECKS, LONG_STEP, RESIDUAL_ROUNDING, RESOLUTION};
 use crate::linalg::VectorSpace;
@@ -25,13 +29,26 @@ pub(super) enum Verdict {
     Crosses(Crossing),
 }
 
+/// Returns the reduced state at which the derivative of a polynomial is compared with the equations. It is projected, since
+/// near a singular configuration of constraints accelerations change fast beside the manifold.
+fn on_manifold<S: Scalar, D: Series<S> + ?Sized>(
+    dynamics: &D,
+    state: &Compensated<D::State>,
+    projection: Option<&Projection<S, D::State>>,
+) -> D::State {
+    match projection {
+        None => state.reduced(dynamics),
+        Some(projection) => corrected(state, projection).0.reduced(dynamics),
+    }
+}
+
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     /// Checks that the polynomial is the motion until the time `end`.
     ///
     /// Its derivative is compared with the derivative of the motion at `end`, after each sign change of a switching
     /// function, and, if the step is long or a polynomial of low degree is enough for it, at times within the step. The
     /// polynomial about `end`, whose first coefficient is the derivative there, becomes the other one. Its coefficients
-    /// are not computed yet if they are not `needed` or the end is projected.
+    /// are not computed yet if they are not `needed`.
     ///
     /// # Errors
     ///
@@ -40,7 +57,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         &mut self,
         dynamics: &D,
         end: f64,
-        proposal: Proposal,
+        (proposal, passed): (Proposal, SingularConfiguration),
         needed: bool,
     ) -> Result<Verdict, IntegrationError>
     where
@@ -53,7 +70,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             return Ok(Verdict::Differs(index));
         }
         let h = (end - self.polynomials[present].time).abs();
-        let allowance = self.allowance(h);
+        let mut allowance = self.allowance(h);
+        allowance.roundings *= S::from_f64(passed.growth(h, 2 * HALF));
         let crossings = self.crossings(dynamics, end);
         if crossings.converging < 1.0 {
             return Ok(Verdict::Converges(crossings.converging));
@@ -61,16 +79,17 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         if let Some(crossing) = self.first_crossing(dynamics, end, &crossings) {
             return Ok(Verdict::Crosses(crossing));
         }
+        let t = S::from_f64(end);
+        let projection = dynamics.project(t, state.value());
         let point = Point {
-            t: S::from_f64(end),
-            state: state.reduced(dynamics),
+            t,
+            state: on_manifold(dynamics, &state, projection.as_ref()),
             slope,
         };
-        let projection = dynamics.project(point.t, state.value());
         self.polynomials[next].time = end;
         self.polynomials[next].from = state;
         let mut next_proposal = None;
-        if needed && h.is_normal() && projection.is_none() {
+        if needed && h.is_normal() {
             let about_end = (next, &point.state);
             next_proposal = self.expand(dynamics, about_end, unit_near(h), h).ok();
         }
@@ -80,7 +99,9 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             self.statistics.evaluations += 1;
             dynamics.derivative(point.t, &point.state)
         };
-        if let Err(component) = allowance.check(dynamics, &point, &derivative) {
+        if let Err(component) = allowance.check(dynamics, &point, &derivative)
+            && !self.is_passing(dynamics, point.t, &point.state)
+        {
             return Ok(match crossings.at_end {
                 Some(function) => Verdict::Crosses(Crossing { at: 1.0, function }),
                 None => Verdict::Differs(component),
@@ -92,7 +113,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             return Ok(Verdict::Differs(component));
         }
         if let Some(projection) = projection {
-            self.project_end(dynamics, &projection)?;
+            self.project_end(dynamics, &projection, passed.limits_corrections())?;
         }
         Ok(Verdict::Agrees(next_proposal))
     }
@@ -158,7 +179,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             h: S::from_f64(h),
             order: number(2 * HALF),
             tolerance: self.tolerance(h),
-            roundings: RESIDUAL_ROUNDING,
+            roundings: S::from_f64(RESIDUAL_ROUNDING),
         }
     }
 
@@ -192,14 +213,20 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let polynomial = &self.polynomials[usize::from(self.exchanged)];
         let t = polynomial.time + (end - polynomial.time) * part;
         let (state, slope) = polynomial.state_and_derivative(polynomial.argument(t));
+        let t = S::from_f64(t);
+        let projection = dynamics.project(t, state.value());
         let point = Point {
-            t: S::from_f64(t),
-            state: state.reduced(dynamics),
+            t,
+            state: on_manifold(dynamics, &state, projection.as_ref()),
             slope,
         };
         self.statistics.evaluations += 1;
         let derivative = dynamics.derivative(point.t, &point.state);
-        allowance.check(dynamics, &point, &derivative)
+        let checked = allowance.check(dynamics, &point, &derivative);
+        if checked.is_err() && self.is_passing(dynamics, point.t, &point.state) {
+            return Ok(());
+        }
+        checked
     }
 
     /// Returns the sign changes of switching functions in a step.

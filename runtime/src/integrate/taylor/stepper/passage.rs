@@ -59,7 +59,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let unit = present.unit;
         let t = S::from_f64(arrival.time);
         if let Some(projection) = dynamics.project(t, next.from.value()) {
-            self.project_end(dynamics, &projection)?;
+            self.project_end(dynamics, &projection, true)?;
         }
         self.unit = unit;
         self.proposal = None;

@@ -11,11 +11,12 @@ use crate::scalar::Scalar;
 
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     /// Projects the end of an accepted step, where the other polynomial begins, onto the manifold, and changes the
-    /// polynomial of the step to end there.
+    /// polynomial of the step to end there. The correction may be limited to the allowed error.
     pub(super) fn project_end<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
         projection: &Projection<S, X>,
+        is_limited: bool,
     ) -> Result<(), IntegrationError>
     where
         X: VectorSpace<S>,
@@ -38,7 +39,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let sizes = reached(present.from.value(), &present.coefficients, tau.abs());
         let allowed = dynamics.allowed_error(&sizes, &tolerance);
         let found = (projection, end.value());
-        let distance = step.check(found, &correction, &allowed, true)?;
+        let distance = step.check(found, &correction, &allowed, is_limited)?;
         self.statistics.projection = self.statistics.projection.max(distance);
         let [present, next] = [self.exchanged, !self.exchanged].map(usize::from);
         self.polynomials[next].from = end;

@@ -1,0 +1,70 @@
+//! Singular configurations of constraints, if the steps of motions in lanes pass them.
+
+use super::{TaylorLanes, lanes};
+use crate::integrate::compensated::Compensated;
+use crate::integrate::projected::corrected;
+use crate::integrate::taylor::Series;
+use crate::integrate::taylor::singular_configuration::SingularConfiguration;
+use crate::limits::taylor::passing::SINGULAR_SINE;
+use crate::linalg::LaneStates;
+use crate::scalar::Lanes;
+
+impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
+    /// Returns the singular configuration within reach of the steps of these lengths towards `ends`, as
+    /// [`TaylorStepper`](crate::TaylorStepper) does.
+    pub(super) fn singular_configurations<D>(
+        &self,
+        dynamics: &D,
+        steps: &[f64; L],
+        ends: &[f64; L],
+    ) -> [SingularConfiguration; L]
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        if !self.method.passes_singularities {
+            return [SingularConfiguration::NONE; L];
+        }
+        let signed =
+            core::array::from_fn(|lane| steps[lane].copysign(ends[lane] - self.time[lane]));
+        SingularConfiguration::find((&signed, self.method.min_part::<Lanes<L>>()), |after| {
+            let times = core::array::from_fn(|lane| self.time[lane] + after[lane]);
+            let there = self.at(&times).state.into_value();
+            let sines = dynamics.constraint_sine(Lanes(times), &there);
+            sines.map_or([f64::NAN; L], |sines| sines.0)
+        })
+    }
+
+    /// Returns the reduced states at which the derivatives of the polynomials are compared with the equations, on the manifold
+    /// of the dynamics if singular configurations are passed, near which accelerations change fast beside it.
+    pub(super) fn on_manifold<D>(&self, dynamics: &D, t: Lanes<L>, state: &Compensated<X>) -> X
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let projection = if self.method.passes_singularities {
+            dynamics.project(t, state.value())
+        } else {
+            None
+        };
+        match projection {
+            None => state.reduced(dynamics),
+            Some(projection) => corrected(state, &projection).0.reduced(dynamics),
+        }
+    }
+
+    /// Removes the lanes that pass a singular configuration and are so near to it that accelerations are not known to the
+    /// tolerance.
+    pub(super) fn excuse<D>(&self, dynamics: &D, (t, x): (Lanes<L>, &X), failing: &mut [bool; L])
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        if !self.method.passes_singularities {
+            return;
+        }
+        let Some(sines) = dynamics.constraint_sine(t, x) else {
+            return;
+        };
+        for lane in lanes(&failing.clone()) {
+            failing[lane] = sines.0[lane].is_nan() || sines.0[lane] >= SINGULAR_SINE;
+        }
+    }
+}
