@@ -16,6 +16,7 @@ mod step_polynomial;
 mod stepper;
 mod dense_output;
 mod compensated;
+mod passing;
 mod runge_kutta;
 mod dormand_prince;
 mod tolerance;

@@ -185,6 +185,21 @@ pub(crate) mod events {
     pub(crate) const OCCURRENCES: f64 = 8.0;
 }
 
+/// Singular configurations of constraints that steps of explicit Runge–Kutta methods pass.
+pub(crate) mod passing {
+    /// A stage is close to a singular configuration if the sine between gradients of constraints is below this number, about ε^¼
+    /// (its square is the smallest relative pivot of G M⁻¹ Gᵀ), or below this part of the largest sine in the step.
+    pub(crate) const CLOSE: f64 = 3e-4;
+    pub(crate) const CLOSE_PART: f64 = 0.08;
+
+    /// The sine below which rounding makes corrections onto the constraints larger than the tolerance.
+    pub(crate) const SMALL_SINE: f64 = 0.25;
+
+    /// The factor between the lengths of steps that are tried, and their number.
+    pub(crate) const CHANGE: f64 = 1.15;
+    pub(crate) const MAX_ATTEMPTS: u32 = 10;
+}
+
 /// Fixed steps.
 pub(crate) mod fixed_steps {
     /// An interval that is a multiple of the step up to this relative rounding error takes no additional step.
@@ -196,6 +211,10 @@ pub(crate) mod fixed_steps {
 pub(crate) mod dormand_prince {
     /// The default of the relative and absolute tolerance: a method of order 8 is made for tight tolerances.
     pub(crate) const TOLERANCE: f64 = 1e-10;
+
+    /// The smallest tolerance near a singular configuration of constraints that is passed: rounding errors of accelerations grow
+    /// as the inverse square of the distance.
+    pub(crate) const PASSING_TOLERANCE: f64 = 1e-10;
 
     /// The multiple of the spacing ε |t| of times below which no step is tried by default.
     pub(crate) const MIN_STEP: f64 = 10.0;

@@ -7,6 +7,7 @@
 mod coefficients;
 mod dense_output;
 mod derivative_parts;
+mod passing;
 mod stage_sums;
 mod step_control;
 mod stepper;
@@ -83,6 +84,7 @@ pub struct Dop853 {
     initial_step: Option<f64>,
     max_step: Option<f64>,
     min_step: Option<f64>,
+    passes_singularities: bool,
 }
 
 impl Dop853 {
@@ -97,6 +99,7 @@ impl Dop853 {
             initial_step: None,
             max_step: None,
             min_step: None,
+            passes_singularities: false,
         }
     }
 
@@ -141,6 +144,15 @@ impl Dop853 {
         self
     }
 
+    /// Lets steps pass singular configurations of constraints, as [`Taylor`](crate::Taylor::pass_singular_configurations) does: a
+    /// step that would evaluate the accelerations close to one is shortened so that the next one passes. Tolerances below
+    /// 10⁻¹⁰ are not met there.
+    #[must_use]
+    pub fn pass_singular_configurations(mut self) -> Self {
+        self.passes_singularities = true;
+        self
+    }
+
     fn check(&self) -> Result<(), IntegrationError> {
         let steps = [self.initial_step, self.max_step, self.min_step];
         for step in steps.into_iter().flatten() {
@@ -172,7 +184,11 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Integrator<S, D> for Dop853 {
     }
 
     fn singularity_tolerance(&self) -> f64 {
-        self.tolerance.relative
+        if self.passes_singularities {
+            self.tolerance.relative.max(limits::PASSING_TOLERANCE)
+        } else {
+            self.tolerance.relative
+        }
     }
 }
 

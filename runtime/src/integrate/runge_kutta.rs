@@ -9,6 +9,7 @@ use super::compensated::{Clock, Compensated};
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::integrator::Integrator;
+use super::passing::{self, Clearance};
 use super::projected::{Projected, check_start, corrected};
 use super::stepper::{Advance, Statistics, Stepper};
 use super::stepper::{checked_derivative, checked_state, remaining};
@@ -67,10 +68,22 @@ pub(crate) fn stage<S: Scalar, D: Dynamics<S> + ?Sized>(
     row: &[f64],
     derivatives: &[D::State],
 ) -> D::State {
+    let at = stage_state(x, h, row, derivatives);
+    dynamics.derivative(S::from_f64(t), &at)
+}
+
+/// Returns the state x + h Σ aᵢⱼ kⱼ of a stage.
+#[inline]
+pub(crate) fn stage_state<S: Scalar, X: VectorSpace<S>>(
+    x: &X,
+    h: f64,
+    row: &[f64],
+    derivatives: &[X],
+) -> X {
     let mut at = x.clone();
     let slope = combination(row, derivatives, &x.zeroed());
     at.add_scaled(S::from_f64(h), &slope);
-    dynamics.derivative(S::from_f64(t), &at)
+    at
 }
 
 /// An explicit Runge–Kutta method with steps of fixed size.
@@ -105,6 +118,7 @@ pub(crate) fn stage<S: Scalar, D: Dynamics<S> + ?Sized>(
 pub struct RungeKutta<const STAGES: usize> {
     tableau: ButcherTableau<STAGES>,
     step: f64,
+    passes_singularities: bool,
 }
 
 impl RungeKutta<4> {
@@ -119,7 +133,19 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
     /// Creates the method of a tableau with steps of size `step`, which is positive even for backward integrations.
     #[must_use]
     pub fn new(tableau: ButcherTableau<STAGES>, step: f64) -> Self {
-        Self { tableau, step }
+        Self {
+            tableau,
+            step,
+            passes_singularities: false,
+        }
+    }
+
+    /// Lets steps pass singular configurations of constraints, as [`Taylor`](crate::Taylor::pass_singular_configurations) does: a
+    /// step that would evaluate the accelerations close to one is taken with another length.
+    #[must_use]
+    pub fn pass_singular_configurations(mut self) -> Self {
+        self.passes_singularities = true;
+        self
     }
 
     fn check(&self) -> Result<(), IntegrationError> {
@@ -139,6 +165,26 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
         x: &D::State,
         h: f64,
     ) -> D::State {
+        let derivatives = self.stages(dynamics, clock, x, h);
+        self.sum::<S, D::State>(&derivatives, h)
+    }
+
+    /// Returns h Σ bᵢ kᵢ.
+    #[inline]
+    fn sum<S: Scalar, X: VectorSpace<S>>(&self, derivatives: &[X; STAGES], h: f64) -> X {
+        let zero = derivatives[0].zeroed();
+        combination(&self.tableau.weights, derivatives, &zero).map(|slope| slope * S::from_f64(h))
+    }
+
+    /// Returns the derivatives kᵢ.
+    #[inline]
+    fn stages<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        clock: &Clock,
+        x: &D::State,
+        h: f64,
+    ) -> [D::State; STAGES] {
         let zero = x.zeroed();
         let mut derivatives: [D::State; STAGES] = core::array::from_fn(|_| zero.clone());
         let rows = self.tableau.nodes.iter().zip(&self.tableau.matrix);
@@ -148,7 +194,41 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
                 *next = stage(dynamics, clock.after(node * h), x, h, row, done);
             }
         }
-        combination(&self.tableau.weights, &derivatives, &zero).map(|slope| slope * S::from_f64(h))
+        derivatives
+    }
+
+    /// Returns the length and the increment of a step, at most `remaining`, that keeps away from singular configurations: of a
+    /// step `h` or as near to it as possible.
+    #[cold]
+    fn passing<S: Scalar, D: Dynamics<S> + ?Sized>(
+        &self,
+        dynamics: &D,
+        clock: &Clock,
+        x: &D::State,
+        (h, remaining): (f64, f64),
+    ) -> (f64, D::State) {
+        let mut best: Option<(f64, D::State, Clearance)> = None;
+        for h in passing::lengths(h, remaining) {
+            let derivatives = self.stages(dynamics, clock, x, h);
+            let rows = self.tableau.nodes.iter().zip(self.tableau.matrix);
+            let end = (&1.0, &self.tableau.weights[..]);
+            let stages = rows.skip(1).chain([end]);
+            let clearance = stages.fold(Clearance::UNLIMITED, |clearance, (node, row)| {
+                let at = stage_state(x, h, row, &derivatives);
+                clearance.with(dynamics, clock.after(node * h), &at)
+            });
+            let is_larger = |(.., other): &(_, _, Clearance)| clearance.is_larger_than(*other);
+            if best.as_ref().is_none_or(is_larger) {
+                best = Some((h, self.sum(&derivatives, h), clearance));
+            }
+            if clearance.is_sufficient() {
+                break;
+            }
+        }
+        match best {
+            Some((h, increment, _)) => (h, increment),
+            None => (h, self.increment(dynamics, clock, x, h)),
+        }
     }
 }
 
@@ -314,22 +394,26 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
         let quotient = remaining.abs() / self.method.step * (1.0 - fixed_steps::ROUNDING);
         let steps = (-libm::floor(-quotient)).max(1.0);
         let h = remaining / steps;
+        if steps > 1.0 && h.abs() <= f64::EPSILON * self.clock.time().abs() {
+            return Err(IntegrationError::StepTooSmall {
+                time: self.clock.time(),
+                step: h.abs(),
+                component: None,
+                relative_only: false,
+            });
+        }
+        let x = self.state.reduced(dynamics);
+        let (h, increment) = if self.method.passes_singularities {
+            (self.method).passing(dynamics, &self.clock, &x, (h, remaining))
+        } else {
+            (h, self.method.increment(dynamics, &self.clock, &x, h))
+        };
         let mut clock = self.clock;
-        if steps > 1.0 {
-            if h.abs() <= f64::EPSILON * clock.time().abs() {
-                return Err(IntegrationError::StepTooSmall {
-                    time: clock.time(),
-                    step: h.abs(),
-                    component: None,
-                    relative_only: false,
-                });
-            }
+        if h.abs() < remaining.abs() {
             clock.advance(h);
         } else {
             clock = Clock::new(target);
         }
-        let x = self.state.reduced(dynamics);
-        let increment = self.method.increment(dynamics, &self.clock, &x, h);
         let state = self.state.plus(increment);
         checked_state(dynamics, clock.time(), state.value())?;
         let state = self.projected(dynamics, clock.time(), state)?;

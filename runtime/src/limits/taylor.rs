@@ -123,7 +123,7 @@ pub(crate) mod passing {
     pub(crate) const SINGULAR_SINE: f64 = 0.01;
 
     /// The sine below which rounding makes corrections onto the constraints larger than the tolerance.
-    pub(crate) const SMALL_SINE: f64 = 0.25;
+    pub(crate) const SMALL_SINE: f64 = crate::limits::passing::SMALL_SINE;
 
     /// Rounding errors of the last coefficients are up to this number of machine epsilons over the power of the distance. A step
     /// to their effect, or of this part of the distance, is lengthened to pass.

@@ -25,13 +25,13 @@ use crate::scalar::Scalar;
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Dop853Stepper<X> {
-    method: Dop853,
-    clock: Clock,
-    state: Compensated<X>,
+    pub(super) method: Dop853,
+    pub(super) clock: Clock,
+    pub(super) state: Compensated<X>,
     /// The size of the next step; `None` until the first is chosen.
     control: Option<StepControl>,
     /// The derivatives kᵢ of the last step; the one at `STAGES` is the derivative at the present state.
-    stages: [X; ALL_STAGES],
+    pub(super) stages: [X; ALL_STAGES],
     last: Option<LastStep<X>>,
     statistics: Statistics,
 }
@@ -114,7 +114,7 @@ impl<X> Dop853Stepper<X> {
     }
 
     /// Computes a step of size `h` and its error without changing the state.
-    fn attempt<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+    pub(super) fn attempt<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &mut self,
         dynamics: &D,
         h: f64,
@@ -179,7 +179,7 @@ impl<X> Dop853Stepper<X> {
     }
 
     /// Returns the step size nearest to `step` within the limits that are set.
-    fn limited(&self, step: f64) -> f64 {
+    pub(super) fn limited(&self, step: f64) -> f64 {
         let step = self.method.max_step.map_or(step, |max| step.min(max));
         self.method.min_step.map_or(step, |min| step.max(min))
     }
@@ -231,16 +231,20 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
             // A step after which the time rounds to the target has not quite arrived: it is made to land on the target.
             #[allow(clippy::float_cmp)] // Exact equality is intended.
             let is_near = self.clock.after(proposed.copysign(remaining)) == target;
-            let lands = is_near || limits::LANDING * proposed >= remaining.abs();
-            let h = if lands {
+            let h = if is_near || limits::LANDING * proposed >= remaining.abs() {
                 remaining
             } else {
                 proposed.copysign(remaining)
             };
-            let (state, attempt) = self.attempt(dynamics, h, control.time_scale(h));
+            let (h, state, attempt) = if self.method.passes_singularities {
+                self.attempt_passing(dynamics, h, &control)
+            } else {
+                let (state, attempt) = self.attempt(dynamics, h, control.time_scale(h));
+                (h, state, attempt)
+            };
             let stalls = control.stalls(h, remaining);
             if !stalls && control.accepts(&attempt, h.abs()) {
-                let landing = lands.then_some(target);
+                let landing = (h.abs() >= remaining.abs()).then_some(target);
                 let time_scale = control.time_scale(h);
                 let state = self.projected(dynamics, state, (h, landing), time_scale)?;
                 self.accept(dynamics, state, h, landing);
@@ -373,7 +377,9 @@ impl<X> Dop853Stepper<X> {
         let [before, after] = [before, end.value()].map(|x| dynamics.allowed_error(x, &tolerance));
         let allowed = before.zip_map(&after, Scalar::max);
         let found = (&projection, end.value());
-        let distance = step.check(found, &correction, &allowed, true)?;
+        let is_limited =
+            !(self.method.passes_singularities && self.clearance(dynamics, h).is_small());
+        let distance = step.check(found, &correction, &allowed, is_limited)?;
         self.statistics.projection = self.statistics.projection.max(distance);
         Ok(end)
     }
