@@ -6,3 +6,4 @@ mod pendulum;
 mod reactions;
 mod redundant;
 mod references;
+mod singular;

@@ -1,0 +1,213 @@
+//! Motions through singular configurations: four-bar linkages of equal lengths, which are flat twice in a turn.
+//!
+//! This is the benchmark A02, "N-four-bar", of the IFToMM library of computational benchmark problems. As long as all cranks are
+//! parallel, the linkages move as one pendulum.
+
+use lagrangian::prelude::*;
+
+/// Linkages of uniform rods in Cartesian coordinates: cranks about the points (i l, 0), whose ends couplers connect.
+macro_rules! four_bars {
+    ($name:ident, $cranks:literal, $couplers:literal) => {
+        #[derive(Clone, Lagrangian)]
+        #[lagrangian(
+            coordinates(x[$cranks], y[$cranks]),
+            kinetic = (0..$cranks).map(|i| m / 6.0 * (dot(x[i]).powi(2) + dot(y[i]).powi(2))).sum()
+                + (0..$couplers).map(|i| m / 6.0 * (dot(x[i]).powi(2) + dot(y[i]).powi(2)
+                    + dot(x[i + 1]).powi(2) + dot(y[i + 1]).powi(2)
+                    + dot(x[i]) * dot(x[i + 1]) + dot(y[i]) * dot(y[i + 1]))).sum(),
+            potential = m * g * ((0..$cranks).map(|i| y[i] / 2.0).sum()
+                + (0..$couplers).map(|i| (y[i] + y[i + 1]) / 2.0).sum()),
+            constraint(
+                crank[i] = (x[i] - i * l).powi(2) + y[i].powi(2) - l.powi(2) for i in 0..$cranks,
+                coupler[i] = (x[i + 1] - x[i]).powi(2) + (y[i + 1] - y[i]).powi(2) - coupler.powi(2)
+                    for i in 0..$couplers,
+            ),
+            taylor,
+        )]
+        struct $name {
+            m: f64,
+            g: f64,
+            l: f64,
+            coupler: f64,
+        }
+
+        impl $name {
+            const NEW: Self = Self {
+                m: 1.0,
+                g: 9.81,
+                l: 1.0,
+                coupler: 1.0,
+            };
+        }
+    };
+}
+
+four_bars!(OneFourBar, 2, 1);
+four_bars!(TwoFourBars, 3, 2);
+
+/// The linkages as one pendulum, by the angle from the upright.
+#[derive(Clone, Lagrangian)]
+#[lagrangian(
+    coordinates(theta),
+    kinetic = 0.5 * inertia * dot(theta).powi(2),
+    potential = weight * cos(theta),
+    taylor,
+)]
+struct Pendulum {
+    inertia: f64,
+    weight: f64,
+}
+
+/// Returns the end of the first crank of some linkages after a time, which begin upright at this velocity.
+fn expected(linkages: f64, velocity: f64, time: f64) -> f64 {
+    let pendulum = Pendulum {
+        inertia: (linkages + 1.0) / 3.0 + linkages,
+        weight: 9.81 * ((linkages + 1.0) / 2.0 + linkages),
+    };
+    let start = State::new(0.0, [0.0], [velocity]);
+    let end = Problem::new(&pendulum, start).solve(time, Taylor::new());
+    end.unwrap().q[0].sin()
+}
+
+/// Returns the upright state of `K` cranks at this velocity.
+fn upright<const K: usize, const N: usize>(velocity: f64) -> State<f64, N> {
+    let mut state = State::new(0.0, [0.0; N], [0.0; N]);
+    for i in 0..K {
+        state.q[i] = i as f64;
+        state.q[K + i] = 1.0;
+        state.v[i] = velocity;
+    }
+    state
+}
+
+const END: f64 = 10.0;
+
+/// Tolerances of the Taylor method with the errors that are allowed after ten seconds.
+const TOLERANCES: [(f64, f64); 4] = [(1e-11, 1e-9), (1e-12, 1e-9), (1e-13, 1e-8), (1e-14, 1e-8)];
+
+/// Compares the linkages with the pendulum for different lengths of the first step, which decide where other steps end.
+fn pass(first_steps: impl Iterator<Item = u32>) {
+    for first in first_steps.map(|i| 0.01 + 0.003 * f64::from(i)) {
+        for (tolerance, allowed) in TOLERANCES {
+            let taylor = Taylor::new().relative_tolerance(tolerance);
+            let taylor = taylor.pass_singular_configurations();
+            let mut run = Problem::new(&OneFourBar::NEW, upright::<2, 4>(1.0))
+                .start(taylor)
+                .unwrap();
+            run.advance(first).unwrap();
+            let error = run.advance(END).unwrap().q[0] - expected(1.0, 1.0, END);
+            assert!(error.abs() < allowed, "{first} {tolerance:e} {error:e}");
+            let mut run = Problem::new(&TwoFourBars::NEW, upright::<3, 6>(1.0))
+                .start(taylor)
+                .unwrap();
+            run.advance(first).unwrap();
+            let error = run.advance(END).unwrap().q[0] - expected(2.0, 1.0, END);
+            assert!(error.abs() < allowed, "{first} {tolerance:e} {error:e}");
+        }
+    }
+}
+
+#[test]
+fn linkages_pass_their_flat_configurations_after_some_first_steps() {
+    pass([0, 7].into_iter());
+}
+
+#[test]
+#[ignore = "long"]
+fn linkages_pass_their_flat_configurations() {
+    pass(0..20);
+}
+
+#[test]
+fn without_the_setting_a_flat_configuration_ends_the_motion() {
+    let end = Problem::new(&OneFourBar::NEW, upright::<2, 4>(1.0)).solve(END, Taylor::new());
+    let message = end.unwrap_err().to_string();
+    assert!(message.contains("depends on others"), "{message}");
+}
+
+#[test]
+fn linkages_in_lanes_pass_their_flat_configurations() {
+    let velocities: [f64; 5] = [0.5, 0.8, 1.1, 1.4, 1.7];
+    let problems = velocities.map(|v| Problem::new(OneFourBar::NEW, upright::<2, 4>(v)));
+    for taylor in [Taylor::new(), Taylor::new().relative_tolerance(1e-12)] {
+        let taylor = taylor.pass_singular_configurations();
+        let ends = Ensemble::new(problems.clone()).solve(END, taylor);
+        for (velocity, end) in velocities.into_iter().zip(ends) {
+            let error = end.unwrap().q[0] - expected(1.0, velocity, END);
+            assert!(error.abs() < 1e-8, "{velocity} {error:e}");
+        }
+    }
+}
+
+#[test]
+fn explicit_methods_pass_flat_configurations() {
+    for velocity in [0.5, 1.0, 1.5, 2.0] {
+        let start = upright::<2, 4>(velocity);
+        let expected = expected(1.0, velocity, END);
+        let problem = Problem::new(&OneFourBar::NEW, start);
+        let fixed = RungeKutta::classical(1e-3).pass_singular_configurations();
+        let error = problem.clone().solve(END, fixed).unwrap().q[0] - expected;
+        assert!(error.abs() < 1e-8, "{velocity} {error:e}");
+        let adaptive = Dop853::new().pass_singular_configurations();
+        let error = problem.solve(END, adaptive).unwrap().q[0] - expected;
+        assert!(error.abs() < 1e-6, "{velocity} {error:e}");
+    }
+}
+
+/// Steps that are short beside the distance at which digits are lost. Without the setting, this motion ends in an error.
+#[test]
+#[ignore = "long"]
+fn short_fixed_steps_pass_flat_configurations() {
+    let fixed = RungeKutta::classical(1e-4).pass_singular_configurations();
+    let start = upright::<2, 4>(1.0);
+    let end = Problem::new(&OneFourBar::NEW, start).solve(END, fixed);
+    let error = end.unwrap().q[0] - expected(1.0, 1.0, END);
+    assert!(error.abs() < 1e-11, "{error:e}");
+}
+
+/// Linkages that are nearly flat are not singular: they turn, and no step passes over that.
+#[test]
+fn near_singular_configurations_are_followed() {
+    for difference in [0.1, -0.1, 0.01, -0.01, 1e-3, -1e-3] {
+        let linkage = OneFourBar {
+            coupler: 1.0 + difference,
+            ..OneFourBar::NEW
+        };
+        let start = linkage.assemble(upright::<2, 4>(1.0)).solve().unwrap().state;
+        let taylor = Taylor::new().relative_tolerance(1e-11);
+        let problem = Problem::new(&linkage, start);
+        let passed = problem.clone().solve(2.0, taylor.pass_singular_configurations());
+        let tolerance = 1e-12;
+        let dop853 = Dop853::new()
+            .relative_tolerance(tolerance)
+            .absolute_tolerance(tolerance);
+        let followed = problem.solve(2.0, dop853).unwrap();
+        let distance = (passed.unwrap().q - followed.q).abs().max();
+        assert!(distance < 1e-9, "{difference} {distance:e}");
+    }
+}
+
+/// Constraints are met to rounding at the ends of steps, and energy is kept.
+#[test]
+fn passing_keeps_constraints_and_energy() {
+    let linkage = OneFourBar::NEW;
+    let start = upright::<2, 4>(1.0);
+    let taylor = Taylor::new().relative_tolerance(1e-13);
+    let mut run = Problem::new(&linkage, start)
+        .start(taylor.pass_singular_configurations())
+        .unwrap();
+    let mut flat = 0;
+    let mut below = false;
+    while let Some(step) = run.step(END).unwrap() {
+        let state = State::new(step.t, step.q, step.v);
+        let (g, w) = linkage.constraint_residuals(&state);
+        assert!(g.abs().max() < 1e-14 && w.abs().max() < 1e-13);
+        let change = linkage.energy(&state) - linkage.energy(&start);
+        assert!(change.abs() < 1e-9, "{change:e}");
+        if (step.q[2] < 0.0) != below {
+            below = !below;
+            flat += 1;
+        }
+    }
+    assert_eq!(flat, 10);
+}
