@@ -43,8 +43,7 @@ pub(super) fn derive_within(declaration: TokenStream, limits: MethodLimits) -> D
     let validator = Validator::new(&model);
     let equations = Equations::derive(&mut model).unwrap();
     let shapes = lowered.outputs;
-    let requested =
-        Requested::derive(&declaration, &lowered.quantities, &mut model, limits).unwrap();
+    let requested = Requested::derive(&declaration, &lowered, &mut model, limits).unwrap();
     let methods = Methods::schedule(&mut model, &equations, &shapes, &requested);
     Derived {
         model,

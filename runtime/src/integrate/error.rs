@@ -177,6 +177,13 @@ pub enum IntegrationError {
         /// The time constant.
         time_constant: f64,
     },
+    /// The compliance of a constraint is not a positive finite number.
+    InvalidCompliance {
+        /// The name of the constraint.
+        constraint: &'static str,
+        /// The compliance.
+        compliance: f64,
+    },
     /// The next update of a state is not later than the present one, for example because a period is shorter than the
     /// resolution of times.
     InvalidUpdate {
@@ -328,6 +335,7 @@ impl fmt::Display for IntegrationError {
             | Self::InvalidSampleInterval { .. }
             | Self::InvalidPeriod { .. }
             | Self::InvalidTimeConstant { .. }
+            | Self::InvalidCompliance { .. }
             | Self::InvalidUpdate { .. } => self.write_invalid_setting(f),
         }
     }

@@ -6,6 +6,7 @@ use super::assembly::Assembly;
 use super::canonical_equations::CanonicalEquations;
 use super::canonical_phase::CanonicalPhase;
 use super::constraints::Constraints;
+use super::degrees_of_freedom::DegreesOfFreedom;
 use super::energy_balance::EnergyBalance;
 use super::equations_of_motion::EquationsOfMotion;
 use super::events::Events;
@@ -167,6 +168,25 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         )
     }
 
+    /// The degrees of freedom at a state, with coordinates and velocities that are independent there, and the constraints that
+    /// are redundant; on several lanes, those of the first. Which constraints depend on others is decided as by the equations of
+    /// motion.
+    ///
+    /// With h independent holonomic and k independent nonholonomic constraints, N − h coordinates and N − h − k velocities are
+    /// independent (D. L. Peterson, G. Gede & M. Hubbard, *Symbolic linearization of equations of motion of constrained
+    /// multibody systems*, Multibody Syst. Dyn. **33** (2015) 143–161). The dependent ones are chosen by pivoting, so that their
+    /// columns of G M^(−1/2) are well-conditioned, with the diagonal of M: units of coordinates and the scaling of
+    /// constraints do not matter.
+    ///
+    /// N − C is a [lower bound](crate::quantities::Constraints::MIN_DEGREES_OF_FREEDOM) everywhere. At a singular configuration
+    /// fewer constraints are independent than nearby, so that the numbers are larger there.
+    fn degrees_of_freedom<const C: usize>(&self, state: &State<S, N>) -> DegreesOfFreedom<N, C>
+    where
+        Self::Model: Constraints<N, C, S>,
+    {
+        DegreesOfFreedom::of(self.model(), state)
+    }
+
     /// A search for a state that meets the constraints, from a guess: `model.assemble(guess).solve()?.state`. See
     /// [`Assembly`].
     fn assemble<const C: usize>(&self, guess: State<S, N>) -> Assembly<'_, Self::Model, S, N, C>
@@ -176,7 +196,7 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         Assembly::new(self.model(), guess)
     }
 
-    /// The state behind an impact at an event, whose function of coordinates and time is the distance of two bodies: the velocity
+    /// The state after an impact at an event, whose function of coordinates and time is the distance of two bodies: the velocity
     /// of approach changes its sign and is multiplied by the coefficient of restitution, by an impulse along the gradient of the
     /// function, and the constraints hold.
     fn impact<const C: usize>(

@@ -197,6 +197,22 @@ where
     most.map(|(constraint, residual, _)| (constraint, residual))
 }
 
+/// Returns the constraint whose compliance is not positive and finite in some lane, and the compliance.
+pub fn invalid_compliance<M, S, const N: usize, const C: usize>(
+    model: &M,
+    prepared: &M::Prepared,
+) -> Option<(usize, f64)>
+where
+    M: Constraints<N, C, S>,
+    S: Scalar,
+{
+    let compliances = model.compliances(prepared);
+    let mut lanes = compliances.iter().enumerate().flat_map(|(i, compliance)| {
+        [compliance.smallest(), compliance.largest()].map(|lane| (i, lane))
+    });
+    lanes.find(|(_, lane)| !(lane.is_finite() && *lane > 0.0))
+}
+
 /// Returns measures of the conditioning for each coordinate, and for each constraint the sine of the angle between its
 /// gradient and the span of the other gradients.
 #[inline]
