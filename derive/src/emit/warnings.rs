@@ -50,14 +50,16 @@ impl Emitter<'_> {
             let labels: Vec<_> = labels.map(|label| format!("`{label}`")).collect();
             let integrals = integrated.iter().map(|(_, integral)| *integral);
             let which = if components.len() == 1 {
-                "this".to_owned()
+                "this is".to_owned()
+            } else if let [one] = labels.as_slice() {
+                format!("{one} is")
             } else {
-                labels.join(", ")
+                format!("{} are", labels.join(", "))
             };
-            let rate = self.as_rate(integrals.collect());
+            let reason = self.as_rates(integrals.collect());
             let note = format!(
-                "{which} can be integrated to a relation of coordinates, and is holonomic in disguise{rate}: write the relation \
-                 under `constraint(…)`, which holds for positions, too, or keep it as it is under `#[allow(deprecated)]`"
+                "{which} holonomic in disguise: {reason}; declare it as `constraint(…)`, so that it holds for positions, too, or \
+                 keep it under `#[allow(deprecated)]`"
             );
             let name = format_ident!("HOLONOMIC_IN_DISGUISE", span = name.span());
             warnings.extend(warn(&name, &note, self.declaration));
@@ -65,18 +67,18 @@ impl Emitter<'_> {
         warnings
     }
 
-    /// Whose rates these constraints are, if that is known of all.
-    fn as_rate(&self, integrals: Option<Vec<Expression>>) -> String {
+    /// Of what these constraints are the rates, as far as that is known.
+    fn as_rates(&self, integrals: Option<Vec<Expression>>) -> String {
+        let Some(integrals) = integrals else {
+            return "a relation of coordinates follows by integration".to_owned();
+        };
         let names = printed_names(self.lowered);
-        let printed = integrals.into_iter().flatten().map(|integral| {
+        let printed = integrals.into_iter().map(|integral| {
             let formula = self.model.graph.display(integral, &names);
             formula.limit(MAX_SWITCHING_FUNCTION_LENGTH).to_string()
         });
         let printed: Vec<_> = printed.collect();
-        if printed.is_empty() {
-            return String::new();
-        }
-        format!(", the rate of {}", printed.join(" and of "))
+        format!("{} is constant in every motion", printed.join(", and "))
     }
 }
 

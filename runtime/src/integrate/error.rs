@@ -128,7 +128,7 @@ pub enum IntegrationError {
         time: f64,
         /// The first component that the projection moves too far.
         component: ComponentName,
-        /// The change that the projection would make to it.
+        /// The size of the change that the projection would make to it, less what rounding errors explain.
         correction: f64,
         /// The largest change allowed: ten times the allowed error, plus an allowance for rounding.
         limit: f64,

@@ -16,7 +16,8 @@ use crate::scalar::Scalar;
 /// Gᵀ λ are the generalized forces of the constraints, with the power λᵀ G q̇. The unit of λ is therefore the unit of power over the
 /// unit of w. For a distance λ is a force, positive where it pushes the ends apart; for a loop that is closed by `tip - anchor`
 /// it is the force on the body of the tip, in the axes of the vector; for the velocity of a point of contact it is the force of
-/// friction on the rolling body, in the axes of the velocity.
+/// friction on the rolling body, in the axes of the velocity. Where constraints depend on each other, λ is not unique: see
+/// [`compliances`](Self::compliances).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a model of {N} coordinates with constraints",
     note = "write the clause `constraint(name = …)` or `nonholonomic(name = …)` in its declaration"

@@ -127,7 +127,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     }
 
     /// The multipliers λ in d/dt (∂L/∂q̇) − ∂L/∂q = Q + Gᵀ λ, for each component of the
-    /// [constraints](crate::quantities::Constraints), if the declaration has some.
+    /// [constraints](crate::quantities::Constraints), if the declaration has some. Those of constraints that depend on each
+    /// other are not unique, and the least in the sense of the [compliances](crate::quantities::Constraints::compliances).
     #[inline]
     fn multipliers<const C: usize>(&self, state: &State<S, N>) -> SVector<S, C>
     where

@@ -124,8 +124,8 @@ fn note_rank<S: Scalar>(prepared: &mut impl AsMut<[S]>, rank: S) {
 }
 
 /// Returns the change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r,
-/// with δᵢ = 0 for each component that is held. Without an impulse it is the smallest in the metric of M that takes the residuals away to
-/// first order.
+/// with δᵢ = 0 for each component that is held. Without an impulse it is the smallest in the metric of M that takes the
+/// residuals away to first order.
 pub fn constrained_response<M, S, const N: usize, const C: usize, const K: usize>(
     model: &M,
     state: &State<S, N>,
@@ -166,7 +166,7 @@ pub(super) fn row_size<S: Scalar, const N: usize, const C: usize>(
     })
 }
 
-/// Returns the constraint with the largest residual relative to its terms, and the residual.
+/// Returns the constraint with the largest residual relative to its terms, or the first whose residual is NaN, and the residual.
 pub fn violated_constraint<M, S, const N: usize, const C: usize>(
     model: &M,
     state: &State<S, N>,
@@ -186,6 +186,9 @@ where
         for j in 0..C {
             let size = row_size(&jacobian, j, &of);
             let ratio = (residuals[j].abs() / one_if_zero(size)).largest();
+            if ratio.is_nan() {
+                return Some((j, residuals[j]));
+            }
             if ratio > max_residual::<S>() && most.is_none_or(|(.., other)| ratio > other) {
                 most = Some((j, residuals[j], ratio));
             }
