@@ -99,9 +99,10 @@ impl Lowerer<'_> {
             Shape::Scalar => vec![self.as_scalar(value, written)?; constraint.shape.count()],
             shape if shape == constraint.shape => value.components().to_vec(),
             shape => {
+                let shape_of_constraint = constraint.shape;
                 let message = format!(
-                    "`{}` is {}, and its compliance is a scalar or likewise: this is {shape}",
-                    compliance.name, constraint.shape
+                    "`{}` is {shape_of_constraint}: write one compliance for all components, or as many, and not {shape}",
+                    compliance.name
                 );
                 return self.reject(written, message);
             }
