@@ -98,7 +98,7 @@ impl Lowerer<'_> {
         let components = match value.shape() {
             Shape::Scalar => vec![self.as_scalar(value, written)?; constraint.shape.count()],
             shape if shape == constraint.shape => value.components().to_vec(),
-            shape => {
+            shape @ Shape::Array { .. } => {
                 let shape_of_constraint = constraint.shape;
                 let message = format!(
                     "`{}` is {shape_of_constraint}: write one compliance for all components, or as many, and not {shape}",

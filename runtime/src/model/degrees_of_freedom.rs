@@ -10,6 +10,15 @@ use crate::scalar::Scalar;
 /// The degrees of freedom of a model with `N` coordinates and `C` constraints at a state, and a choice of independent
 /// coordinates and velocities; returned by [`Lagrangian::degrees_of_freedom`](crate::Lagrangian::degrees_of_freedom).
 ///
+/// With h independent holonomic and k independent nonholonomic constraints, N − h coordinates and N − h − k velocities are
+/// independent (D. L. Peterson, G. Gede & M. Hubbard, *Symbolic linearization of equations of motion of constrained multibody
+/// systems*, Multibody Syst. Dyn. **33** (2015) 143–161). Which constraints depend on others is decided as by the equations of
+/// motion. The dependent coordinates are chosen by pivoting, so that their columns of G M^(−1/2), with the diagonal of M, are
+/// well-conditioned: units of coordinates and the scaling of constraints do not matter.
+///
+/// N − C is a [lower bound](crate::quantities::Constraints::MIN_DEGREES_OF_FREEDOM) everywhere. At a singular configuration
+/// fewer constraints are independent than nearby, so that the numbers are larger there.
+///
 /// ```
 /// use lagrangian::prelude::*;
 ///

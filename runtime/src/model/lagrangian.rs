@@ -52,8 +52,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         model.lagrangian(state, &self.inputs(), &model.prepare())
     }
 
-    /// The energy function h = Σ pᵢ q̇ᵢ − L: conserved where L does not contain the time and no
-    /// generalized force does work. It is T + V only if T is quadratic in q̇ and V does not contain q̇.
+    /// The energy function h = Σ pᵢ q̇ᵢ − L: conserved where L does not contain the time and no generalized force does work.
+    /// It is T + V only if T is quadratic in q̇ and V does not contain q̇.
     #[inline]
     fn energy(&self, state: &State<S, N>) -> S {
         self.model().energy(state, &self.inputs())
@@ -114,8 +114,7 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     }
 
     /// Inverse dynamics: the generalized forces M q̈ − f that must be added to those of the declaration, at the inputs, for these
-    /// accelerations. Where the inputs are 0 and no other forces act, they are those of the actuators. In a loop,
-    /// [`dynamics`](Self::dynamics) has them without computing again what depends on parameters alone.
+    /// accelerations. Where the inputs are 0 and no other forces act, they are those of the actuators.
     #[inline]
     fn inverse_dynamics(
         &self,
@@ -134,10 +133,10 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     where
         Self::Model: Constraints<N, C, S>,
     {
-        let model = self.model();
+        let (model, inputs) = (self.model(), self.inputs());
         let prepared = model.prepare();
         model
-            .accelerations_and_multipliers(state, &self.inputs(), &prepared)
+            .accelerations_and_multipliers(state, &inputs, &prepared)
             .1
     }
 
@@ -163,24 +162,12 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     {
         let model = self.model();
         let prepared = model.prepare();
-        (
-            model.constraint_positions(state, &prepared),
-            model.constraint_velocities(state, &prepared),
-        )
+        let positions = model.constraint_positions(state, &prepared);
+        (positions, model.constraint_velocities(state, &prepared))
     }
 
-    /// The degrees of freedom at a state, with coordinates and velocities that are independent there, and the constraints that
-    /// are redundant; on several lanes, those of the first. Which constraints depend on others is decided as by the equations of
-    /// motion.
-    ///
-    /// With h independent holonomic and k independent nonholonomic constraints, N − h coordinates and N − h − k velocities are
-    /// independent (D. L. Peterson, G. Gede & M. Hubbard, *Symbolic linearization of equations of motion of constrained
-    /// multibody systems*, Multibody Syst. Dyn. **33** (2015) 143–161). The dependent ones are chosen by pivoting, so that their
-    /// columns of G M^(−1/2) are well-conditioned, with the diagonal of M: units of coordinates and the scaling of
-    /// constraints do not matter.
-    ///
-    /// N − C is a [lower bound](crate::quantities::Constraints::MIN_DEGREES_OF_FREEDOM) everywhere. At a singular configuration
-    /// fewer constraints are independent than nearby, so that the numbers are larger there.
+    /// The [degrees of freedom](DegreesOfFreedom) at a state, and coordinates that are independent there; on several lanes,
+    /// those of the first.
     fn degrees_of_freedom<const C: usize>(&self, state: &State<S, N>) -> DegreesOfFreedom<N, C>
     where
         Self::Model: Constraints<N, C, S>,
@@ -188,8 +175,7 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         DegreesOfFreedom::of(self.model(), state)
     }
 
-    /// A search for a state that meets the constraints, from a guess: `model.assemble(guess).solve()?.state`. See
-    /// [`Assembly`].
+    /// The search ([`Assembly`]) for a state that meets the constraints: `model.assemble(guess).solve()?.state`.
     fn assemble<const C: usize>(&self, guess: State<S, N>) -> Assembly<'_, Self::Model, S, N, C>
     where
         Self::Model: Constraints<N, C, S>,
@@ -215,13 +201,11 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
 
     /// The derivatives of the accelerations with respect to q, q̇ and t, at constant inputs.
     ///
-    /// In the first-order form ẋ = A x + B u, x = (q, q̇), they are the lower rows of A, below
-    /// (0 1); the lower rows of B are [`input_jacobian`](Self::input_jacobian).
+    /// In the first-order form ẋ = A x + B u, x = (q, q̇), they are the lower rows of A, below (0 1); the lower rows of B are
+    /// [`input_jacobian`](Self::input_jacobian).
     ///
-    /// For more than a few coupled coordinates they are solved for with a numerical factorization of M.
-    /// Near a singularity of M their accuracy is then what [`Factorization::relative_pivots`] says.
-    ///
-    /// [`Factorization::relative_pivots`]: crate::Factorization::relative_pivots
+    /// For more than a few coupled coordinates they are solved for with a numerical factorization of M. Near a singularity
+    /// of M their accuracy is then what [`relative_pivots`](crate::Factorization::relative_pivots) says.
     #[inline]
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>
     where
