@@ -97,7 +97,7 @@ impl Lowerer<'_> {
         let written = &compliance.expression;
         let components = match value.shape() {
             Shape::Scalar => vec![self.as_scalar(value, written)?; constraint.shape.count()],
-            shape if shape == constraint.shape => value.components().to_vec(),
+            shape @ Shape::Array { .. } if shape == constraint.shape => value.components().to_vec(),
             shape @ Shape::Array { .. } => {
                 let shape_of_constraint = constraint.shape;
                 let message = format!(
