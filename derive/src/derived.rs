@@ -38,7 +38,7 @@ impl Derived {
         let mut equations = Equations::derive(&mut model)
             .map_err(|defect| defects::report(&defect, declaration, lowered, &model, diagnostics))
             .ok()?;
-        let requested = Requested::derive(declaration, &lowered.quantities, &mut model, limits)
+        let requested = Requested::derive(declaration, lowered, &mut model, limits)
             .map_err(|reason| {
                 defects::report_no_regressor(&reason, declaration, lowered, &model, diagnostics);
             })

@@ -26,7 +26,7 @@ mod documentation;
 mod printed_names;
 mod as_declared;
 mod editor;
-mod validation_warning;
+mod warnings;
 mod fallback;
 
 use proc_macro2::TokenStream;
@@ -38,7 +38,7 @@ pub(crate) use emitter::Emitter;
 pub(crate) use fallback::{items as items_without_equations, reduced_without_equations};
 pub(crate) use printed_names::printed_names;
 pub(crate) use routhian::reduced_struct;
-pub(crate) use validation_warning::warning;
+pub(crate) use warnings::warning;
 
 /// All items, in the order in which a reader wants them.
 pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {

@@ -72,7 +72,8 @@ fn implement(
     let reduced = clause.map(|clause| implement_reduced(&emitter, clause, diagnostics));
     let items = items(&emitter);
     let warning = warning(&derived.disagreements, declaration);
-    Some(quote!(#items #warning #reduced))
+    let disguised = emitter.disguise_warnings();
+    Some(quote!(#items #warning #disguised #reduced))
 }
 
 /// Reduces a model by its ignorable coordinates, and writes the struct of what remains and its impls; these have no equations

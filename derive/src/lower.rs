@@ -11,6 +11,7 @@ mod expression;
 mod energies;
 mod events;
 pub(crate) mod constraints;
+mod compliances;
 mod forces;
 mod at_rest;
 mod rest;
@@ -158,6 +159,7 @@ impl Lowerer<'_> {
         let dissipation = self.dissipation(&clauses.dissipation);
         let forces = self.forces(declaration);
         self.known_constraints = self.constraints(clauses);
+        self.compliances(&clauses.compliances);
         let outputs = self.observed(&clauses.outputs, ExpressionContext::Observation);
         let events = self.observed(&clauses.events, ExpressionContext::Energy);
         self.check_events(&clauses.events, &events);

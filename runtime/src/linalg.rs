@@ -3,6 +3,7 @@
 mod factorization;
 mod saddle_point;
 mod independent_rows;
+mod independent_columns;
 mod into_vector;
 pub(crate) mod lane_select;
 pub(crate) mod pivoting;
@@ -12,7 +13,8 @@ mod lane_states;
 
 pub use error_tolerance::ErrorTolerance;
 pub use factorization::Factorization;
-pub(crate) use independent_rows::smallest_sine;
+pub(crate) use independent_columns::ColumnChoice;
+pub(crate) use independent_rows::{RowSpace, smallest_sine};
 pub use into_vector::IntoVector;
 pub use lane_states::LaneStates;
 pub use saddle_point::SaddlePoint;

@@ -35,7 +35,7 @@ impl Emitter<'_> {
         if !self.is_constrained() {
             return TokenStream::new();
         }
-        let constants = constants_of_trait(&self.lowered.constraints);
+        let constants = self.constants_of_constraints();
         let signatures = self.signatures();
         let (root, scalar, state) = (&self.declaration.root, &self.scalar, signatures.state());
         let (vector, prepared) = (signatures.vector(), &signatures.prepared);
@@ -58,6 +58,18 @@ impl Emitter<'_> {
         self.interface(Interface::Constraints, items)
     }
 
+    /// The constants of the impl of `Constraints`.
+    fn constants_of_constraints(&self) -> TokenStream {
+        let constraints = &self.lowered.constraints;
+        let (count, holonomic) = (constraints.len(), constraints.holonomic());
+        let kinds = (0..count).map(|i| self.equations.constraints.restricts_coordinates(i));
+        quote! {
+            const CONSTRAINTS: [&'static str; #count] = Self::CONSTRAINTS;
+            const HOLONOMIC: usize = #holonomic;
+            const INTEGRABLE: [bool; #count] = [#(#kinds),*];
+        }
+    }
+
     /// The impl of `Impacts`, for a model that declares constraints and events.
     pub(super) fn impacts(&self) -> TokenStream {
         if !self.is_constrained() || self.methods.event_functions.is_none() {
@@ -78,6 +90,33 @@ impl Emitter<'_> {
         constants(self.declaration, &self.lowered.constraints)
     }
 
+    /// What kind each constraint is, and how many degrees of freedom there are at least.
+    pub(super) fn constraints_in_words(&self) -> String {
+        if !self.is_constrained() {
+            return String::new();
+        }
+        let (constraints, holonomic) = (
+            &self.lowered.constraints,
+            self.lowered.constraints.holonomic(),
+        );
+        let labels = constraints.labels().into_iter().enumerate();
+        let kinds = labels.map(|(i, label)| {
+            let kind = match self.equations.constraints.restricts_coordinates(i) {
+                _ if i < holonomic => "holonomic",
+                true => "declared as nonholonomic, and holonomic in disguise: it can be integrated to a relation of coordinates",
+                false => "nonholonomic",
+            };
+            format!("- `{label}` is {kind}.\n")
+        });
+        let (n, c) = (self.coordinates(), self.constraint_count());
+        format!(
+            "\n# Constraints\n\n{}\nThere are at least {} degrees of freedom, {n} coordinates less {c} constraints. Where constraints depend \
+             on others, there are more, and λ is not unique.\n",
+            kinds.collect::<String>(),
+            n.saturating_sub(c),
+        )
+    }
+
     /// The items of `Quantities` that a model with constraints has besides.
     pub(super) fn projection(&self) -> TokenStream {
         if !self.is_constrained() {
@@ -92,7 +131,20 @@ impl Emitter<'_> {
             &signatures.prepared,
         );
         let scalar = &self.scalar;
+        let constraints = self.methods.constraints.as_ref();
+        let declared = constraints.and_then(|methods| methods.compliances.as_ref());
+        let check = declared.map(|_| {
+            quote! {
+                fn invalid_compliance(
+                    &self,
+                    prepared: &#prepared,
+                ) -> ::core::option::Option<(::core::primitive::usize, ::core::primitive::f64)> {
+                    #root::__private::invalid_compliance::<Self, #scalar, #n, #c>(self, prepared)
+                }
+            }
+        });
         quote! {
+            #check
             const CONSTRAINTS: &'static [&'static str] = &Self::CONSTRAINTS;
             fn project(
                 &self,
@@ -172,7 +224,19 @@ impl Emitter<'_> {
     ) -> TokenStream {
         let (root, arguments, rank) =
             (&self.declaration.root, self.dimensions(), self.rank(source));
-        quote!(#root::__private::SaddlePoint::<#arguments>::new(#matrix, #rank))
+        let compliances = self.compliances(source);
+        quote!(#root::__private::SaddlePoint::<#arguments>::new(#matrix, #rank)#compliances)
+    }
+
+    /// The call that gives factors the declared compliances; nothing where only accelerations are solved for.
+    fn compliances(&self, source: ParameterSource) -> TokenStream {
+        let constraints = self.methods.constraints.as_ref();
+        let declared = constraints.and_then(|methods| methods.compliances.as_ref());
+        if declared.is_none() || source == ParameterSource::Fields {
+            return TokenStream::new();
+        }
+        let constraints = self.signatures().interface(Interface::Constraints);
+        quote!(.with_compliances(&#constraints::compliances(self, prepared)))
     }
 
     /// The number of independent constraints, or 0 where it is not known.
@@ -195,7 +259,8 @@ impl Emitter<'_> {
         }
         let jacobian = self.call(EmittedMethod::ConstraintJacobian, source);
         let (arguments, rank) = (self.dimensions(), self.rank(source));
-        quote!(#root::__private::saddle_point::<#arguments>(&#mass, &#jacobian, #rank))
+        let compliances = self.compliances(source);
+        quote!(#root::__private::saddle_point::<#arguments>(&#mass, &#jacobian, #rank)#compliances)
     }
 
     /// f, and with constraints behind it γ, by the methods of the model.
@@ -222,15 +287,6 @@ pub(super) fn pattern_of_parts(readers: &TokenStream) -> TokenStream {
         }
     });
     quote!((#accelerations, #multipliers))
-}
-
-/// The constants of the impl of `Constraints`.
-pub(super) fn constants_of_trait(constraints: &Constraints) -> TokenStream {
-    let (count, holonomic) = (constraints.len(), constraints.holonomic());
-    quote! {
-        const CONSTRAINTS: [&'static str; #count] = Self::CONSTRAINTS;
-        const HOLONOMIC: usize = #holonomic;
-    }
 }
 
 /// The names and the indices of the constraints, as constants of the type; nothing where there are none.

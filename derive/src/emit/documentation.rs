@@ -23,7 +23,9 @@ pub(crate) fn of(emitter: &Emitter<'_>, equations: &str) -> String {
         "# The equations of motion\n\nd/dt (∂L/∂q̇) − ∂L/∂q = Q (4.6), with\n\n```text\n",
     );
     text.push_str(equations);
-    text.push_str("```\n\n# Operations\n\n");
+    text.push_str("```\n");
+    text.push_str(&emitter.constraints_in_words());
+    text.push_str("\n# Operations\n\n");
     text.push_str(
         "| method | + − | × | ÷ | √ | sin, cos | others |\n|---|---|---|---|---|---|---|\n",
     );

@@ -24,6 +24,8 @@ pub(crate) struct Constraints {
     pub(crate) declared: Vec<DeclaredConstraint>,
     /// Component by component.
     pub(crate) components: Vec<Constraint>,
+    /// The compliances, component by component, if some are declared.
+    pub(crate) compliances: Option<Vec<Expression>>,
 }
 
 /// A constraint, or a member of a family of constraints.
@@ -32,8 +34,8 @@ pub(crate) struct DeclaredConstraint {
     pub(crate) name: Ident,
     pub(crate) expression: Expr,
     /// The indices of a member.
-    member: Vec<usize>,
-    shape: Shape,
+    pub(super) member: Vec<usize>,
+    pub(super) shape: Shape,
     /// The index of the first component.
     first: usize,
 }
@@ -48,7 +50,7 @@ impl Constraints {
     pub(crate) fn holonomic(&self) -> usize {
         let components = self.components.iter();
         components
-            .filter(|constraint| matches!(constraint, Constraint::Holonomic(_)))
+            .filter(|constraint| constraint.is_holonomic())
             .count()
     }
 
@@ -84,7 +86,7 @@ impl Constraints {
 }
 
 impl DeclaredConstraint {
-    fn indices(&self) -> core::ops::Range<usize> {
+    pub(super) fn indices(&self) -> core::ops::Range<usize> {
         self.first..self.first + self.shape.count()
     }
 
@@ -192,7 +194,9 @@ impl Lowerer<'_> {
         let of_name = |one: &&DeclaredConstraint| unraw(&one.name) == unraw(name);
         let members: Vec<_> = constraints.declared.iter().filter(of_name).collect();
         let Some(first) = members.first() else {
-            return self.no_constraint(name, &constraints);
+            return self.no_constraint(name, &constraints, "reactions", |known| {
+                format!("reaction({known})")
+            });
         };
         let rank = first.member.len();
         if indices.len() < rank {
@@ -229,15 +233,26 @@ impl Lowerer<'_> {
         self.components(value, of_component)
     }
 
-    fn no_constraint<T>(&mut self, name: &Ident, constraints: &Constraints) -> Option<T> {
+    /// Says that there is no constraint of a name, whose reaction or compliance is meant, and how one of the others is written.
+    pub(super) fn no_constraint<T>(
+        &mut self,
+        name: &Ident,
+        constraints: &Constraints,
+        meant: &str,
+        written: impl FnOnce(&str) -> String,
+    ) -> Option<T> {
         let names = constraints.declared.iter().map(|one| unraw(&one.name));
         let mut names: Vec<_> = names.collect();
         names.dedup();
         let message = if names.is_empty() {
-            "there are no constraints, and so no reactions: declare one by `constraint(name = …)`"
-                .to_owned()
+            format!(
+                "there are no constraints, and so no {meant}: declare one by `constraint(name = …)`"
+            )
         } else if let [known] = names.as_slice() {
-            format!("no constraint is called `{name}`: write `reaction({known})`")
+            format!(
+                "no constraint is called `{name}`: write `{}`",
+                written(known)
+            )
         } else {
             format!(
                 "no constraint is called `{name}`: write one of `{}`",

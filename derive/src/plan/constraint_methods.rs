@@ -1,6 +1,6 @@
 //! The programs of a model's constraints.
 
-use lagrangian_symbolic::{ConstraintEquations, ConstraintPrograms, Model};
+use lagrangian_symbolic::{ConstraintEquations, ConstraintPrograms, Expression, Model};
 
 use super::method::Method;
 use super::outputs::MethodOutputs;
@@ -17,11 +17,17 @@ pub(crate) struct ConstraintMethods {
     pub(crate) jacobian: Method,
     /// γ in G q̈ + γ = 0.
     pub(crate) rates: Method,
+    /// The compliances, if some are declared.
+    pub(crate) compliances: Option<Method>,
 }
 
 impl ConstraintMethods {
     /// The methods of a model; none without constraints.
-    pub(super) fn schedule(model: &Model, equations: &ConstraintEquations) -> Option<Self> {
+    pub(super) fn schedule(
+        model: &Model,
+        equations: &ConstraintEquations,
+        compliances: Option<&[Expression]>,
+    ) -> Option<Self> {
         if equations.is_empty() {
             return None;
         }
@@ -36,6 +42,7 @@ impl ConstraintMethods {
             velocities: vector(&equations.velocities),
             jacobian: Method::single(model, &columns, MethodOutputs::ConstraintJacobian),
             rates: vector(&equations.rates),
+            compliances: compliances.map(vector),
         })
     }
 

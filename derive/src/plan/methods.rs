@@ -79,6 +79,7 @@ impl Methods {
             EmittedMethod::ConstraintPositions => constraints.map(|methods| &methods.positions),
             EmittedMethod::ConstraintVelocities => constraints.map(|methods| &methods.velocities),
             EmittedMethod::ConstraintJacobian => constraints.map(|methods| &methods.jacobian),
+            EmittedMethod::Compliances => constraints?.compliances.as_ref(),
             EmittedMethod::ConstraintRates => constraints.map(|methods| &methods.rates),
             EmittedMethod::RelativePivots => self.relative_pivots.as_ref(),
             EmittedMethod::KineticEnergy => energies.map(|[kinetic, _]| kinetic),
@@ -132,6 +133,7 @@ impl Methods {
             .then(|| PivotExpressions::of(model, equations, &kinetics))
             .flatten();
         let stays_regular = stays_regular(model, &kinetics);
+        let compliances = requested.compliances.as_deref();
         let requested = RequestedMethods::schedule(model, equations, &kinetics, requested);
         let energies = kinetics.energies.evaluated(model);
         let event_gradients = (!is_free)
@@ -168,7 +170,7 @@ impl Methods {
             accelerations,
             inverse_dynamics,
             linearize,
-            constraints: ConstraintMethods::schedule(model, &equations.constraints),
+            constraints: ConstraintMethods::schedule(model, &equations.constraints, compliances),
             relative_pivots: pivots.map(|pivots| pivots.schedule(model)),
             stays_regular,
             energies: energies.natural.map(|energies| energies.map(scalar)),

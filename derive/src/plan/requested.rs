@@ -10,7 +10,7 @@ use super::derivatives::Derivatives;
 use super::method::Method;
 use super::outputs::{MethodOutputs, ProgramLayout};
 use crate::limits::MethodLimits;
-use crate::lower::quantities::Quantities;
+use crate::lower::Lowered;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::parameter_list::ParameterList;
 use crate::syntax::scalar::Scalar;
@@ -22,6 +22,8 @@ pub(crate) struct Requested {
     /// The parameters by which is differentiated.
     sensitivities: Option<Vec<Symbol>>,
     regressor: Option<Regressor>,
+    /// The compliances of the constraints, component by component.
+    pub(super) compliances: Option<Vec<Expression>>,
     /// Whether the model is one on every scalar, so also on dual numbers.
     pub(super) is_on_every_scalar: bool,
     pub(super) limits: MethodLimits,
@@ -31,11 +33,12 @@ impl Requested {
     /// Derives the regressor, if there is to be one.
     pub(crate) fn derive(
         declaration: &Declaration,
-        quantities: &Quantities,
+        lowered: &Lowered,
         model: &mut Model,
         limits: MethodLimits,
     ) -> Result<Self, NoRegressor> {
         let clauses = &declaration.clauses;
+        let quantities = &lowered.quantities;
         let named = |list: &ParameterList| {
             let fields = list.fields.as_ref();
             fields.map(|fields| quantities.symbols_of(fields))
@@ -55,6 +58,7 @@ impl Requested {
             sensitivities: sensitivities
                 .map(|list| named(list).unwrap_or_else(|| quantities.parameter_symbols())),
             regressor: regressor.transpose()?,
+            compliances: lowered.constraints.compliances.clone(),
             is_on_every_scalar: Scalar::of(declaration).is_generic(),
             limits,
         })

@@ -141,6 +141,7 @@ table! {
     ConstraintPositions: "constraint_positions", Constraints, ConstraintVector, StateOnly, Prepared, false, false;
     ConstraintVelocities: "constraint_velocities", Constraints, ConstraintVector, StateOnly, Prepared, false, false;
     ConstraintJacobian: "constraint_jacobian", Constraints, ConstraintJacobian, StateOnly, Prepared, false, false;
+    Compliances:       "compliances",        Constraints, ConstraintVector, Parameters, Prepared,  false, false;
     ConstraintRates:   "constraint_rates",  Constraints, ConstraintVector, StateOnly,  Prepared,  false, false;
     KineticEnergy:     "kinetic_energy",     Energies,   Scalar,        StateOnly,     Fields,    true,  false;
     PotentialEnergy:   "potential_energy",   Energies,   Scalar,        StateOnly,     Fields,    true,  false;
@@ -158,10 +159,11 @@ table! {
 }
 
 /// The methods that the traits of the runtime have besides.
-const PROVIDED: [&str; 13] = [
+const PROVIDED: [&str; 14] = [
     "assemble",
     "constraint_residuals",
     "constrained_response",
+    "degrees_of_freedom",
     "impact",
     "multipliers",
     "dynamics",

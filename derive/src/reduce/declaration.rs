@@ -55,6 +55,7 @@ pub(super) fn reduced_declaration(
             .cloned()
             .collect(),
         names_fields: true,
+        allowed: declaration.allowed.clone(),
         clauses: Clauses {
             coordinates: remaining_coordinates(declaration, labels, split, clause),
             functions: clauses.functions.clone(),

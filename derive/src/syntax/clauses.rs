@@ -34,6 +34,8 @@ pub(crate) struct Clauses {
     /// The holonomic constraints.
     pub(crate) constraints: Vec<NamedExpression>,
     pub(crate) nonholonomic: Vec<NamedExpression>,
+    /// The compliances of constraints.
+    pub(crate) compliances: Vec<NamedExpression>,
     pub(crate) outputs: Vec<NamedExpression>,
     pub(crate) events: Vec<NamedExpression>,
     /// The word `taylor`.
@@ -66,7 +68,7 @@ pub(crate) struct Clause {
     pub(crate) expression: Expr,
 }
 
-const KEYWORDS: [&str; 21] = [
+const KEYWORDS: [&str; 22] = [
     "coordinates",
     "function",
     "define",
@@ -79,6 +81,7 @@ const KEYWORDS: [&str; 21] = [
     "force",
     "constraint",
     "nonholonomic",
+    "compliance",
     "output",
     "event",
     "scalar",
@@ -223,6 +226,7 @@ impl Clauses {
             }
             "constraint" => named_expressions(&keyword, input, &mut self.constraints)?,
             "nonholonomic" => named_expressions(&keyword, input, &mut self.nonholonomic)?,
+            "compliance" => named_expressions(&keyword, input, &mut self.compliances)?,
             "output" => named_expressions(&keyword, input, &mut self.outputs)?,
             "event" => named_expressions(&keyword, input, &mut self.events)?,
             "kinetic" => self.kinetic.push(Clause::read(keyword, input)?),

@@ -5,7 +5,7 @@
 
 use proc_macro2::Ident;
 use syn::punctuated::Punctuated;
-use syn::{Data, DeriveInput, Fields, Generics, Token, Visibility};
+use syn::{Attribute, Data, DeriveInput, Fields, Generics, Token, Visibility};
 
 use crate::diagnostics::Diagnostics;
 use crate::syntax::clauses::Clauses;
@@ -24,6 +24,8 @@ pub(crate) struct Declaration {
     pub(crate) clauses: Clauses,
     /// Where the emitted code finds the crate `lagrangian`.
     pub(crate) root: Root,
+    /// The attributes `#[allow(…)]` of the struct.
+    pub(crate) allowed: Vec<Attribute>,
 }
 
 impl Declaration {
@@ -41,7 +43,10 @@ impl Declaration {
             clauses.read(attribute, diagnostics);
         }
         clauses.add_bodies();
+        let allowed = input.attrs.into_iter();
+        let allowed = allowed.filter(|attribute| attribute.path().is_ident("allow"));
         Self {
+            allowed: allowed.collect(),
             name: input.ident,
             visibility: input.vis,
             generics: input.generics,

@@ -17,6 +17,7 @@ pub(super) fn called_otherwise(written: &str) -> Option<&'static str> {
         | "external_force" | "external_forces" | "drag" => "force",
         "constraints" | "holonomic" | "loop" | "closure" | "loops" => "constraint",
         "rolling" | "no_slip" | "nonholonomic_constraint" => "nonholonomic",
+        "compliances" | "stiffness" | "stiffnesses" => "compliance",
         "observables" | "measurements" => "output",
         "definitions" | "with" => "define",
         "bodies" | "links" => "body",

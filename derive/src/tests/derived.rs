@@ -33,18 +33,17 @@ pub(super) fn derive_within(declaration: TokenStream, limits: MethodLimits) -> D
     let input = syn::parse2(declaration).unwrap();
     let declaration = Declaration::parse(input, &mut diagnostics);
     check(&declaration, &mut diagnostics);
-    let lowered = lower(&declaration, &mut diagnostics);
+    let mut lowered = lower(&declaration, &mut diagnostics);
     assert!(
         diagnostics.is_empty(),
         "{}",
         diagnostics.to_compile_errors()
     );
-    let mut model = lowered.model.unwrap();
+    let mut model = lowered.model.take().unwrap();
     let validator = Validator::new(&model);
     let equations = Equations::derive(&mut model).unwrap();
-    let shapes = lowered.outputs;
-    let requested =
-        Requested::derive(&declaration, &lowered.quantities, &mut model, limits).unwrap();
+    let shapes = lowered.outputs.clone();
+    let requested = Requested::derive(&declaration, &lowered, &mut model, limits).unwrap();
     let methods = Methods::schedule(&mut model, &equations, &shapes, &requested);
     Derived {
         model,

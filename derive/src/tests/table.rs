@@ -84,6 +84,7 @@ fn methods_of_constraints_are_emitted_once() {
                 kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
                 potential = #potential,
                 constraint(rod = x.powi(2) + y.powi(2) - l.powi(2)),
+                compliance(rod = 1.0 / m),
                 force(x = -c * dot(x)),
                 event(side = x),
             )]
@@ -103,9 +104,10 @@ fn methods_of_constraints_are_emitted_once() {
     check(expand(pendulum(&quote!(m * g * y))), is_expected);
     let wrong = expand(pendulum(&quote!(m * g * h)));
     assert!(wrong.to_string().contains("compile_error"));
-    // What is meant beside an error is not known.
-    let may_be_meant =
-        |row: MethodRow| is_expected(row) || row.interface == Interface::StateJacobian;
+    // What is meant beside an error is not known. The trait provides compliances.
+    let may_be_meant = |row: MethodRow| {
+        (is_expected(row) || row.interface == Interface::StateJacobian) && row.name != "compliances"
+    };
     check(wrong, may_be_meant);
 }
 

@@ -128,7 +128,7 @@ pub enum IntegrationError {
         time: f64,
         /// The first component that the projection moves too far.
         component: ComponentName,
-        /// The change that the projection would make to it.
+        /// The size of the change that the projection would make to it, less what rounding errors explain.
         correction: f64,
         /// The largest change allowed: ten times the allowed error, plus an allowance for rounding.
         limit: f64,
@@ -176,6 +176,13 @@ pub enum IntegrationError {
         input: usize,
         /// The time constant.
         time_constant: f64,
+    },
+    /// The compliance of a constraint is not a positive finite number.
+    InvalidCompliance {
+        /// The name of the constraint.
+        constraint: &'static str,
+        /// The compliance.
+        compliance: f64,
     },
     /// The next update of a state is not later than the present one, for example because a period is shorter than the
     /// resolution of times.
@@ -328,6 +335,7 @@ impl fmt::Display for IntegrationError {
             | Self::InvalidSampleInterval { .. }
             | Self::InvalidPeriod { .. }
             | Self::InvalidTimeConstant { .. }
+            | Self::InvalidCompliance { .. }
             | Self::InvalidUpdate { .. } => self.write_invalid_setting(f),
         }
     }

@@ -63,14 +63,12 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
         }
         self.check_finite(end)?;
         let rounding = rounding(projection);
-        let beyond = match &rounding {
-            None => correction.clone(),
-            Some(rounding) => {
-                correction.zip_map(rounding, |x, rounding| (x.abs() - rounding).max(S::zero()))
-            }
-        };
+        let unexplained = rounding.map(|rounding| {
+            correction.zip_map(&rounding, |x, rounding| (x.abs() - rounding).max(S::zero()))
+        });
+        let beyond = unexplained.as_ref().unwrap_or(correction);
         let ratio = match self.lane {
-            None => ratios(&beyond, allowed, 0.0).fold(0.0, f64::max),
+            None => ratios(beyond, allowed, 0.0).fold(0.0, f64::max),
             Some(lane) => {
                 let pairs = beyond.components().zip(allowed.components());
                 let pairs = pairs.map(|(x, allowed)| (x.in_lane(lane), allowed.in_lane(lane)));
@@ -79,7 +77,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
             }
         };
         if is_limited && ratio > MAX_CORRECTION {
-            self.check_distance(end, &beyond, allowed)?;
+            self.check_distance(end, beyond, allowed)?;
         }
         Ok(ratio)
     }

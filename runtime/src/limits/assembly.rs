@@ -10,9 +10,5 @@ pub(crate) const LEAST_DAMPING: f64 = 1e-6;
 /// Problems* (2004), 3.3).
 pub(crate) const SUFFICIENT_DECREASE: f64 = 0.25;
 
-/// The corrections of the velocities, in which constraints are linear: the second takes rounding errors away.
-pub(crate) const VELOCITY_SWEEPS: usize = 2;
-
-/// The residual of a constraint that counts as zero, in terms of its gradient times the state, and for a state near zero
-/// its square.
-pub(crate) use super::projection::max_residual;
+/// What counts as zero, and how often velocities are corrected, is as in the projection of steps.
+pub(crate) use super::projection::{VELOCITY_SWEEPS, max_residual};

@@ -18,6 +18,32 @@ pub(super) struct IndependentRows<S: Scalar, const C: usize> {
     pub(super) sines: SVector<S, C>,
     /// X, by which dependent rows are combinations of independent ones; zeros elsewhere.
     combinations: SMatrix<S, C, C>,
+    /// The weights of the squares of multipliers.
+    pub(super) compliances: SVector<S, C>,
+}
+
+/// An orthonormal basis of the rows of a matrix, in the metric of the diagonal of a mass matrix: of G D^(−1/2).
+pub(crate) struct RowSpace<S: Scalar, const C: usize, const N: usize> {
+    /// 1 for a row that depends on others, 0 for an independent one.
+    pub(crate) dependent: SVector<S, C>,
+    /// The orthonormal rows, as many as there are independent ones, and behind them rows of zeros.
+    pub(crate) directions: SMatrix<S, C, N>,
+}
+
+impl<S: Scalar, const C: usize, const N: usize> RowSpace<S, C, N> {
+    /// Decides as [`IndependentRows`] which rows of `jacobian` depend on others at this matrix.
+    pub(crate) fn of(jacobian: &SMatrix<S, C, N>, mass: &SVector<S, N>) -> Self {
+        let mut steps = Orthogonalization::<S, C, N>::new(jacobian, mass);
+        let mut directions = SMatrix::<S, C, N>::zeros();
+        for step in 0..C {
+            let direction = steps.choose(step, S::zero(), S::zero());
+            directions.set_row(step, &direction.transpose());
+        }
+        Self {
+            dependent: steps.used.map(|used| S::one() - used),
+            directions,
+        }
+    }
 }
 
 /// Returns in each lane the smallest sine of the angle between an independent row of `jacobian` and the rows chosen before it, in
@@ -61,16 +87,17 @@ impl<S: Scalar, const C: usize> IndependentRows<S, C> {
             let is_known = S::one() - is_zero(rank);
             // A row is chosen while fewer than the rank are.
             let is_within = greater(rank, from_index(step));
-            steps.choose(step, is_known, is_within);
+            let _ = steps.choose(step, is_known, is_within);
         }
         steps.rows()
     }
 
-    /// Returns the multipliers of least norm with the reactions Gᵀ λ, for multipliers λ that are 0 for dependent rows.
+    /// Returns the multipliers of least norm with the reactions Gᵀ λ, for multipliers λ that are 0 for dependent rows. The norm
+    /// is √(Σ cᵢ λᵢ²), with the compliances cᵢ.
     ///
     /// The gradients of dependent constraints are X times the gradients of the independent ones. With multipliers μ of the
     /// dependent and λ − Xᵀ μ of the independent constraints the reactions are Gᵀ λ for any μ, and the norm is least for
-    /// μ = (1 + X Xᵀ)⁻¹ X λ.
+    /// μ = (D + X C Xᵀ)⁻¹ X C λ, with the compliances C of the independent constraints and D of the dependent ones.
     pub(super) fn least_norm<const P: usize>(
         &self,
         multipliers: &SMatrix<S, C, P>,
@@ -78,13 +105,15 @@ impl<S: Scalar, const C: usize> IndependentRows<S, C> {
         if self.dependent.iter().all(|x| x.largest() <= 0.0) {
             return *multipliers;
         }
-        let x = &self.combinations;
+        let (x, c) = (&self.combinations, &self.compliances);
         let normal = SMatrix::<S, C, C>::from_fn(|i, j| {
-            let diagonal = if i == j { S::one() } else { S::zero() };
-            (0..C).fold(diagonal, |sum, k| sum + x[(i, k)] * x[(j, k)])
+            let diagonal = if i == j { c[i] } else { S::zero() };
+            (0..C).fold(diagonal, |sum, k| sum + x[(i, k)] * c[k] * x[(j, k)])
         });
         let right = SMatrix::<S, C, P>::from_fn(|i, j| {
-            (0..C).fold(S::zero(), |sum, k| sum + x[(i, k)] * multipliers[(k, j)])
+            (0..C).fold(S::zero(), |sum, k| {
+                sum + x[(i, k)] * c[k] * multipliers[(k, j)]
+            })
         });
         let of_dependent = Factorization::new(normal).solve(&right);
         SMatrix::from_fn(|i, j| {
@@ -128,8 +157,8 @@ impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
     }
 
     /// Chooses the row with the longest rest, where fewer rows than the known rank are chosen, or where the rest of one is not
-    /// negligible, and takes its direction out of the others.
-    fn choose(&mut self, step: usize, is_known: S, is_within: S) {
+    /// negligible, and takes its direction, which it returns, out of the others.
+    fn choose(&mut self, step: usize, is_known: S, is_within: S) -> SVector<S, N> {
         let (mut best, mut longest) = (S::zero(), -S::one());
         for i in 0..C {
             let length = norm(&self.row(i)).masked(S::one() - self.used[i]) - self.used[i];
@@ -160,6 +189,7 @@ impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
                 self.rows[(i, j)] -= part * direction[j];
             }
         }
+        direction
     }
 
     /// The dependent rows in terms of the independent ones.
@@ -193,6 +223,7 @@ impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
             dependent,
             sines: self.sines,
             combinations,
+            compliances: SVector::from_element(S::one()),
         }
     }
 }

@@ -14,7 +14,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::factorization::Factorization;
 use super::independent_rows::IndependentRows;
-use super::lane_select::LaneSelect;
+use super::lane_select::{LaneSelect, greater};
 use crate::limits::MIN_STABLE_PIVOT;
 use crate::scalar::Scalar;
 
@@ -44,6 +44,17 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
         } else {
             Self::with_pivoting(&lower, rank, (&factors, ldlt))
         }
+    }
+
+    /// Weighs the squares of the multipliers by positive compliances, where constraints depend on others. Where one is not
+    /// positive, these multipliers are not finite.
+    #[inline]
+    #[must_use]
+    pub fn with_compliances(mut self, compliances: &SVector<S, C>) -> Self {
+        if let Some(rows) = &mut self.rows {
+            rows.compliances = compliances.map(|c| c / greater(c, S::zero()));
+        }
+        self
     }
 
     /// The matrix of this mass matrix and Jacobian, in the lower triangle.
@@ -87,7 +98,7 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
     }
 
     /// Returns the solutions for some right-hand sides, column by column. Where constraints depend on others, the multipliers
-    /// have the least norm.
+    /// have the least norm, with the squares weighed by the compliances.
     #[inline]
     #[must_use]
     pub fn solve<const P: usize>(&self, right: &SMatrix<S, K, P>) -> SMatrix<S, K, P> {

@@ -16,7 +16,8 @@ use crate::scalar::Scalar;
 /// Gᵀ λ are the generalized forces of the constraints, with the power λᵀ G q̇. The unit of λ is therefore the unit of power over the
 /// unit of w. For a distance λ is a force, positive where it pushes the ends apart; for a loop that is closed by `tip - anchor`
 /// it is the force on the body of the tip, in the axes of the vector; for the velocity of a point of contact it is the force of
-/// friction on the rolling body, in the axes of the velocity.
+/// friction on the rolling body, in the axes of the velocity. Where constraints depend on each other, λ is not unique: see
+/// [`compliances`](Self::compliances).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a model of {N} coordinates with constraints",
     note = "write the clause `constraint(name = …)` or `nonholonomic(name = …)` in its declaration"
@@ -27,6 +28,16 @@ pub trait Constraints<const N: usize, const C: usize, S: Scalar = f64>: Quantiti
 
     /// The number of holonomic constraints.
     const HOLONOMIC: usize;
+
+    /// Whether each of the constraints restricts the coordinates: a holonomic one does, and a nonholonomic one that can be
+    /// integrated to a relation of coordinates, alone or together with others (the theorem of Frobenius: R. L. Bryant et
+    /// al., *Exterior Differential Systems* (1991), II.1). The latter is holonomic in disguise.
+    const INTEGRABLE: [bool; C];
+
+    /// A lower bound of the degrees of freedom: the number of coordinates less the number of constraints, which are independent
+    /// at almost all coordinates. [`Lagrangian::degrees_of_freedom`](crate::Lagrangian::degrees_of_freedom) counts them at a
+    /// state.
+    const MIN_DEGREES_OF_FREEDOM: usize = N.saturating_sub(C);
 
     /// The accelerations q̈ and the multipliers λ under these inputs.
     fn accelerations_and_multipliers(
@@ -63,6 +74,13 @@ pub trait Constraints<const N: usize, const C: usize, S: Scalar = f64>: Quantiti
         impulse_and_residuals: (&SVector<S, N>, &SVector<S, C>),
         held: &[bool; N],
     ) -> SVector<S, N>;
+
+    /// The compliances cᵢ of the constraints, 1 by default. Where constraints depend on each other, λ is not unique: of all λ
+    /// with the same generalized forces Gᵀ λ it is the one for which Σ cᵢ λᵢ² is least.
+    fn compliances(&self, prepared: &Self::Prepared) -> SVector<S, C> {
+        let _ = prepared;
+        SVector::from_element(S::one())
+    }
 
     /// γ in G q̈ + γ = 0.
     fn constraint_rates(&self, state: &State<S, N>, prepared: &Self::Prepared) -> SVector<S, C>;

@@ -9,8 +9,9 @@ pub use super::by_columns::{
 };
 pub use super::operations::operations;
 pub use super::saddle_point::{
-    SaddlePoint, constrained_pivots, constrained_response, constraint_sine, fix_rank, joined,
-    least_pivot, parts, project, rows_of_accelerations, saddle_point, violated_constraint,
+    SaddlePoint, constrained_pivots, constrained_response, constraint_sine, fix_rank,
+    invalid_compliance, joined, least_pivot, parts, project, rows_of_accelerations, saddle_point,
+    violated_constraint,
 };
 
 mod in_every_lane;

@@ -290,6 +290,14 @@ where
     }
 
     fn check(&self) -> Result<(), IntegrationError> {
+        if let Some((constraint, compliance)) =
+            self.model.model().invalid_compliance(&self.prepared)
+        {
+            return Err(IntegrationError::InvalidCompliance {
+                constraint: self.constraint_name(constraint),
+                compliance,
+            });
+        }
         self.law.check()
     }
 

@@ -7,7 +7,7 @@ use super::state::State;
 use crate::scalar::Scalar;
 
 /// A constrained model that declares events: where the function of an event vanishes, two bodies may touch, and
-/// [`Lagrangian::impact`](crate::Lagrangian::impact) has the state behind the impact.
+/// [`Lagrangian::impact`](crate::Lagrangian::impact) has the state after the impact.
 ///
 /// ```
 /// use lagrangian::prelude::*;
@@ -50,7 +50,7 @@ pub trait Impacts<const N: usize, const C: usize, S: Scalar = f64>: Constraints<
     ) -> (SVector<S, N>, S);
 }
 
-/// Returns the state behind an impact at which the function of an event has this gradient, by Newton's law of restitution.
+/// Returns the state after an impact at which the function of an event has this gradient, by Newton's law of restitution.
 ///
 /// The impulse is j ∂φ/∂q, with the impulses Gᵀ p of the constraints: M (v⁺ − v⁻) = j ∂φ/∂q + Gᵀ p and G v⁺ = G v⁻, with j
 /// such that φ̇⁺ = −e φ̇⁻ (F. Pfeiffer & C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), 8.2).

@@ -6,6 +6,7 @@ use super::assembly::Assembly;
 use super::canonical_equations::CanonicalEquations;
 use super::canonical_phase::CanonicalPhase;
 use super::constraints::Constraints;
+use super::degrees_of_freedom::DegreesOfFreedom;
 use super::energy_balance::EnergyBalance;
 use super::equations_of_motion::EquationsOfMotion;
 use super::events::Events;
@@ -51,8 +52,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         model.lagrangian(state, &self.inputs(), &model.prepare())
     }
 
-    /// The energy function h = Σ pᵢ q̇ᵢ − L: conserved where L does not contain the time and no
-    /// generalized force does work. It is T + V only if T is quadratic in q̇ and V does not contain q̇.
+    /// The energy function h = Σ pᵢ q̇ᵢ − L: conserved where L does not contain the time and no generalized force does work.
+    /// It is T + V only if T is quadratic in q̇ and V does not contain q̇.
     #[inline]
     fn energy(&self, state: &State<S, N>) -> S {
         self.model().energy(state, &self.inputs())
@@ -113,8 +114,7 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     }
 
     /// Inverse dynamics: the generalized forces M q̈ − f that must be added to those of the declaration, at the inputs, for these
-    /// accelerations. Where the inputs are 0 and no other forces act, they are those of the actuators. In a loop,
-    /// [`dynamics`](Self::dynamics) has them without computing again what depends on parameters alone.
+    /// accelerations. Where the inputs are 0 and no other forces act, they are those of the actuators.
     #[inline]
     fn inverse_dynamics(
         &self,
@@ -126,16 +126,17 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     }
 
     /// The multipliers λ in d/dt (∂L/∂q̇) − ∂L/∂q = Q + Gᵀ λ, for each component of the
-    /// [constraints](crate::quantities::Constraints), if the declaration has some.
+    /// [constraints](crate::quantities::Constraints), if the declaration has some. Those of constraints that depend on each
+    /// other are not unique, and the least in the sense of the [compliances](crate::quantities::Constraints::compliances).
     #[inline]
     fn multipliers<const C: usize>(&self, state: &State<S, N>) -> SVector<S, C>
     where
         Self::Model: Constraints<N, C, S>,
     {
-        let model = self.model();
+        let (model, inputs) = (self.model(), self.inputs());
         let prepared = model.prepare();
         model
-            .accelerations_and_multipliers(state, &self.inputs(), &prepared)
+            .accelerations_and_multipliers(state, &inputs, &prepared)
             .1
     }
 
@@ -161,14 +162,20 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     {
         let model = self.model();
         let prepared = model.prepare();
-        (
-            model.constraint_positions(state, &prepared),
-            model.constraint_velocities(state, &prepared),
-        )
+        let positions = model.constraint_positions(state, &prepared);
+        (positions, model.constraint_velocities(state, &prepared))
     }
 
-    /// A search for a state that meets the constraints, from a guess: `model.assemble(guess).solve()?.state`. See
-    /// [`Assembly`].
+    /// The [degrees of freedom](DegreesOfFreedom) at a state, and coordinates that are independent there; on several lanes,
+    /// those of the first.
+    fn degrees_of_freedom<const C: usize>(&self, state: &State<S, N>) -> DegreesOfFreedom<N, C>
+    where
+        Self::Model: Constraints<N, C, S>,
+    {
+        DegreesOfFreedom::of(self.model(), state)
+    }
+
+    /// The search ([`Assembly`]) for a state that meets the constraints: `model.assemble(guess).solve()?.state`.
     fn assemble<const C: usize>(&self, guess: State<S, N>) -> Assembly<'_, Self::Model, S, N, C>
     where
         Self::Model: Constraints<N, C, S>,
@@ -176,7 +183,7 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         Assembly::new(self.model(), guess)
     }
 
-    /// The state behind an impact at an event, whose function of coordinates and time is the distance of two bodies: the velocity
+    /// The state after an impact at an event, whose function of coordinates and time is the distance of two bodies: the velocity
     /// of approach changes its sign and is multiplied by the coefficient of restitution, by an impulse along the gradient of the
     /// function, and the constraints hold.
     fn impact<const C: usize>(
@@ -194,13 +201,11 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
 
     /// The derivatives of the accelerations with respect to q, q̇ and t, at constant inputs.
     ///
-    /// In the first-order form ẋ = A x + B u, x = (q, q̇), they are the lower rows of A, below
-    /// (0 1); the lower rows of B are [`input_jacobian`](Self::input_jacobian).
+    /// In the first-order form ẋ = A x + B u, x = (q, q̇), they are the lower rows of A, below (0 1); the lower rows of B are
+    /// [`input_jacobian`](Self::input_jacobian).
     ///
-    /// For more than a few coupled coordinates they are solved for with a numerical factorization of M.
-    /// Near a singularity of M their accuracy is then what [`Factorization::relative_pivots`] says.
-    ///
-    /// [`Factorization::relative_pivots`]: crate::Factorization::relative_pivots
+    /// For more than a few coupled coordinates they are solved for with a numerical factorization of M. Near a singularity
+    /// of M their accuracy is then what [`relative_pivots`](crate::Factorization::relative_pivots) says.
     #[inline]
     fn linearize(&self, state: &State<S, N>) -> Linearization<S, N>
     where

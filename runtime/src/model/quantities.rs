@@ -129,6 +129,13 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         None
     }
 
+    /// Returns the index of a constraint whose [compliance](crate::quantities::Constraints::compliances) is not positive and
+    /// finite, and the compliance. By default `None`, since none is declared.
+    fn invalid_compliance(&self, prepared: &Self::Prepared) -> Option<(usize, f64)> {
+        let _ = prepared;
+        None
+    }
+
     /// Returns the index of the constraint that is nearest to depending on others, in any lane, and the sine of the angle
     /// between its gradient and the span of theirs. A constraint that always depends on others does not count. By default
     /// `None`, since there are no constraints.

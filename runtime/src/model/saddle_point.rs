@@ -125,8 +125,8 @@ fn note_rank<S: Scalar>(prepared: &mut impl AsMut<[S]>, rank: S) {
 }
 
 /// Returns the change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r,
-/// with δᵢ = 0 for each component that is held. Without an impulse it is the smallest in the metric of M that takes the residuals away to
-/// first order.
+/// with δᵢ = 0 for each component that is held. Without an impulse it is the smallest in the metric of M that takes the
+/// residuals away to first order.
 pub fn constrained_response<M, S, const N: usize, const C: usize, const K: usize>(
     model: &M,
     state: &State<S, N>,
@@ -167,7 +167,7 @@ pub(super) fn row_size<S: Scalar, const N: usize, const C: usize>(
     })
 }
 
-/// Returns the constraint with the largest residual relative to its terms, and the residual.
+/// Returns the constraint with the largest residual relative to its terms, or the first whose residual is NaN, and the residual.
 pub fn violated_constraint<M, S, const N: usize, const C: usize>(
     model: &M,
     state: &State<S, N>,
@@ -187,6 +187,9 @@ where
         for j in 0..C {
             let size = row_size(&jacobian, j, &of);
             let ratio = (residuals[j].abs() / one_if_zero(size)).largest();
+            if ratio.is_nan() {
+                return Some((j, residuals[j]));
+            }
             if ratio > max_residual::<S>() && most.is_none_or(|(.., other)| ratio > other) {
                 most = Some((j, residuals[j], ratio));
             }
@@ -196,6 +199,22 @@ where
         }
     }
     most.map(|(constraint, residual, _)| (constraint, residual))
+}
+
+/// Returns the constraint whose compliance is not positive and finite in some lane, and the compliance.
+pub fn invalid_compliance<M, S, const N: usize, const C: usize>(
+    model: &M,
+    prepared: &M::Prepared,
+) -> Option<(usize, f64)>
+where
+    M: Constraints<N, C, S>,
+    S: Scalar,
+{
+    let compliances = model.compliances(prepared);
+    let mut lanes = compliances.iter().enumerate().flat_map(|(i, compliance)| {
+        [compliance.smallest(), compliance.largest()].map(|lane| (i, lane))
+    });
+    lanes.find(|(_, lane)| !(lane.is_finite() && *lane > 0.0))
 }
 
 /// Returns measures of the conditioning for each coordinate, and for each constraint the sine of the angle between its

@@ -12,7 +12,7 @@ use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
 use crate::identity::row_echelon::RowEchelon;
-use crate::{Expression, Graph, Model, Symbol};
+use crate::{Expression, Graph, Model, Rational, Symbol};
 
 /// A relation that holds in every motion: an expression that is zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +36,10 @@ pub struct ConstraintEquations {
     pub jacobian: Vec<Vec<Expression>>,
     /// γ in G q̈ + γ = 0.
     pub rates: Vec<Expression>,
+    /// The constraints, as they are counted in the model, that are declared as nonholonomic and can be integrated, together with
+    /// the holonomic ones: they restrict the coordinates, and not the velocities alone. Where the coefficients of one are
+    /// constant, behind it stands the function of coordinates and time whose rate it is.
+    pub integrable: Vec<(usize, Option<Expression>)>,
 }
 
 /// Why a model has no equations for its constraints. Constraints are counted as they are declared.
@@ -74,6 +78,12 @@ impl Constraint {
             Self::Holonomic(expression) | Self::Nonholonomic(expression) => expression,
         }
     }
+
+    /// Whether it is declared as a relation of coordinates.
+    #[must_use]
+    pub const fn is_holonomic(self) -> bool {
+        matches!(self, Self::Holonomic(_))
+    }
 }
 
 impl ConstraintEquations {
@@ -88,26 +98,31 @@ impl ConstraintEquations {
             check_symbols(&model.graph, position, *constraint)?;
         }
         let declared = model.holonomic_first();
-        let is_holonomic = |i: &&usize| matches!(constraints[**i], Constraint::Holonomic(_));
-        let (holonomic, others): (Vec<_>, Vec<_>) = declared.iter().partition(is_holonomic);
-        let expression = |i: &usize| constraints[*i].expression();
-        let positions: Vec<_> = holonomic.into_iter().map(expression).collect();
+        let ordered: Vec<_> = declared.iter().map(|i| constraints[*i]).collect();
+        let (positions, others) = ordered.split_at(model.holonomic());
+        let [positions, others] = [positions, others].map(|kind| {
+            kind.iter()
+                .map(|constraint| constraint.expression())
+                .collect::<Vec<_>>()
+        });
         let graph = &mut model.graph;
         let direction = graph.constant_velocity_direction(model.coordinates);
         let mut velocities = graph.directional_derivatives(&positions, &direction);
-        velocities.extend(others.into_iter().map(expression));
+        velocities.extend(others);
         let symbols: Vec<_> = (0..model.coordinates).map(Symbol::Velocity).collect();
         let columns = graph.jacobian(&velocities, &symbols);
         let rows = 0..velocities.len();
         let jacobian = rows.map(|i| columns.iter().map(|column| column[i]).collect());
-        let equations = Self {
+        let mut equations = Self {
             rates: graph.directional_derivatives(&velocities, &direction),
             jacobian: jacobian.collect(),
             declared,
             positions,
             velocities,
+            integrable: Vec::new(),
         };
         equations.check(model)?;
+        equations.integrable = equations.find_integrable(model);
         Ok(equations)
     }
 
@@ -124,6 +139,13 @@ impl ConstraintEquations {
         model.graph.substitute(&self.velocities, &at_rest.collect())
     }
 
+    /// Whether a constraint, as they are ordered here, restricts the coordinates: it is holonomic, or in disguise.
+    #[must_use]
+    pub fn restricts_coordinates(&self, row: usize) -> bool {
+        let mut integrable = self.integrable.iter();
+        row < self.positions.len() || integrable.any(|(i, _)| *i == self.declared[row])
+    }
+
     /// How many there are.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -136,24 +158,25 @@ impl ConstraintEquations {
         self.velocities.is_empty()
     }
 
-    /// The constraints that are declared as nonholonomic and can be integrated, together with the holonomic ones: they restrict the
-    /// coordinates, and not the velocities alone.
-    ///
-    /// They are the largest set of declared relations ωⱼ = Aⱼ dq + aⱼ dt with dωⱼ = 0 for all displacements that the set
-    /// allows (the theorem of Frobenius: Bryant et al., Exterior Differential Systems, 1991, chapter II.1).
-    pub fn integrable(&self, model: &mut Model) -> Vec<usize> {
-        let forms = self.forms(model);
+    /// The nonholonomic constraints that can be integrated: those of the largest set of declared relations
+    /// ωⱼ = Aⱼ dq + aⱼ dt with dωⱼ = 0 for all displacements that the set allows (the theorem of Frobenius: Bryant et al.,
+    /// Exterior Differential Systems, 1991, chapter II.1).
+    fn find_integrable(&self, model: &mut Model) -> Vec<(usize, Option<Expression>)> {
         let holonomic = self.positions.len();
+        if holonomic == self.len() {
+            return Vec::new();
+        }
+        let forms = self.forms(model);
         let mut set: Vec<_> = (0..self.len()).collect();
         loop {
-            let kept: Vec<_> = set
-                .iter()
-                .copied()
-                .filter(|row| *row < holonomic || forms.is_closed_on(&model.graph, *row, &set))
-                .collect();
+            let is_kept =
+                |row: &usize| *row < holonomic || forms.is_closed_on(&model.graph, *row, &set);
+            let kept: Vec<_> = set.iter().copied().filter(is_kept).collect();
             if kept.len() == set.len() {
                 let kept = kept.into_iter().filter(|row| *row >= holonomic);
-                return kept.map(|row| self.declared[row]).collect();
+                let kept =
+                    kept.map(|row| (self.declared[row], forms.integral(&mut model.graph, row)));
+                return kept.collect();
             }
             set = kept;
         }
@@ -274,7 +297,7 @@ fn check_symbols(
         return Err(ConstraintDefect::Input(position));
     }
     let has_velocity = contains(|symbol| matches!(symbol, Symbol::Velocity(_)));
-    if has_velocity && matches!(constraint, Constraint::Holonomic(_)) {
+    if has_velocity && constraint.is_holonomic() {
         return Err(ConstraintDefect::Velocity(position));
     }
     Ok(())
@@ -289,6 +312,23 @@ struct Forms {
 }
 
 impl Forms {
+    /// Σ cᵢ xᵢ, if the coefficients are constant.
+    fn integral(&self, graph: &mut Graph, form: usize) -> Option<Expression> {
+        let slopes = self.derivatives[form].concat();
+        let zero = graph.zero();
+        if slopes.iter().any(|slope| *slope != zero) {
+            return None;
+        }
+        let coefficients = &self.coefficients[form];
+        let coordinates = (0..).map(Symbol::Coordinate).take(coefficients.len() - 1);
+        let mut terms = Vec::with_capacity(coefficients.len());
+        for (coefficient, symbol) in coefficients.iter().zip(coordinates.chain([Symbol::Time])) {
+            let symbol = graph.symbol(symbol);
+            terms.push((graph.multiply(*coefficient, symbol), Rational::ONE));
+        }
+        Some(graph.sum(terms))
+    }
+
     /// Whether dω(u, v) = Σ ∂cᵢ/∂xₖ (uₖ vᵢ − vₖ uᵢ) vanishes for all u and v on which the forms of a set vanish.
     fn is_closed_on(&self, graph: &Graph, form: usize, set: &[usize]) -> bool {
         let width = self.coefficients.first().map_or(0, Vec::len);

@@ -73,11 +73,17 @@ impl Model {
 
     /// The indices of the constraints, the holonomic ones first.
     pub(crate) fn holonomic_first(&self) -> Vec<usize> {
-        let is_holonomic = |i: &usize| matches!(self.constraints[*i], Constraint::Holonomic(_));
-        let (mut indices, others): (Vec<_>, Vec<_>) =
-            (0..self.constraints.len()).partition(is_holonomic);
-        indices.extend(others);
+        let mut indices: Vec<_> = (0..self.constraints.len()).collect();
+        indices.sort_by_key(|i| !self.constraints[*i].is_holonomic());
         indices
+    }
+
+    /// How many constraints are holonomic.
+    pub(crate) fn holonomic(&self) -> usize {
+        let constraints = self.constraints.iter();
+        constraints
+            .filter(|constraint| constraint.is_holonomic())
+            .count()
     }
 
     /// The symbols of the inputs.

@@ -20,7 +20,7 @@ pub struct Names {
     pub parameters: Vec<String>,
     /// The names of the inputs, in order.
     pub inputs: Vec<String>,
-    /// The names of the quasi-velocities, in order; their rates are those with dots.
+    /// The names of the quasi-velocities, in order; their rates have the same names with dots.
     pub quasi_velocities: Vec<String>,
     /// The names of the multipliers of constraints, in order.
     pub multipliers: Vec<String>,

@@ -109,3 +109,31 @@ fn a_start_that_is_inconsistent_is_refused_by_name() -> Result<(), AssemblyError
     assert!(error.to_string().contains("assemble"), "{error}");
     Ok(())
 }
+
+/// A constraint that has no value where x is not positive.
+#[derive(Clone, Lagrangian)]
+#[lagrangian(
+    coordinates(x, y, z),
+    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2) + dot(z).powi(2)),
+    constraint(wall = y - 1.0, growth = x.ln() - z),
+)]
+struct Growth {
+    m: f64,
+}
+
+#[test]
+fn a_residual_without_a_value_is_the_one_that_is_named() {
+    let start = State::new(0.0, [-1.0, 5.0, 0.0], [0.0; 3]);
+    let failed = Problem::new(&Growth { m: 1.0 }, start).solve(1.0, Dop853::new());
+    let error = failed.expect_err("ln of −1 has no value").error();
+    let IntegrationError::Inconsistent {
+        constraint,
+        residual,
+        ..
+    } = error
+    else {
+        panic!("{error}");
+    };
+    assert_eq!(constraint, "growth");
+    assert!(residual.is_nan());
+}

@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod consistency;
+mod freedom;
 mod pendulum;
 mod reactions;
 mod redundant;

@@ -1,6 +1,8 @@
 //! Constraints of which some follow from others where all hold.
 
+use lagrangian::Lanes;
 use lagrangian::prelude::*;
+use nalgebra::{SMatrix, SVector};
 
 /// A platform that hangs on three parallel bars of equal length: its angle stays 0, though three bars hold three coordinates.
 #[derive(Clone, Lagrangian)]
@@ -18,6 +20,12 @@ use lagrangian::prelude::*;
         middle_bar = [x, y].norm_squared() - l.powi(2),
         right_bar = (right - [b, 0.0]).norm_squared() - l.powi(2),
     ),
+    compliance(
+        left_bar = 1.0 / stiffness[0],
+        middle_bar = 1.0 / stiffness[1],
+        right_bar = 1.0 / stiffness[2],
+    ),
+    output(left_load = reaction(left_bar)),
     taylor,
 )]
 struct Platform {
@@ -26,6 +34,7 @@ struct Platform {
     b: f64,
     l: f64,
     g: f64,
+    stiffness: [f64; 3],
 }
 
 /// The pendulum as which the platform moves.
@@ -48,6 +57,7 @@ const PLATFORM: Platform = Platform {
     b: 0.5,
     l: 1.25,
     g: 9.81,
+    stiffness: [1.0; 3],
 };
 
 fn start() -> State<f64, 3> {
@@ -84,8 +94,94 @@ fn a_platform_on_three_parallel_bars_moves_as_a_pendulum() -> Result<(), Integra
         assert!((end.q[1] - expected[1]).abs() < 1e-9);
         assert!(end.q[2].abs() < 1e-12);
     }
-    // Each bar carries a third: λ of least norm.
-    let multipliers = PLATFORM.multipliers(&start);
-    println!("{multipliers:?}");
     Ok(())
+}
+
+/// The loads of the bars where they are stiff springs: λ = −K G δ with the displacement δ at which they hold the reactions,
+/// Gᵀ λ = M q̈ − f.
+fn loads_of_springs(platform: &Platform, state: &State<f64, 3>) -> SVector<f64, 3> {
+    let reactions = platform.inverse_dynamics(state, &platform.accelerations(state));
+    let g: SMatrix<f64, 3, 3> = platform.constraint_jacobian(state);
+    let springs = SMatrix::from_diagonal(&SVector::from(platform.stiffness));
+    let whole = g.transpose() * springs * g;
+    // Along the motion that the bars allow they have no stiffness.
+    let negligible = 1e-12 * whole.norm();
+    let flexibility = whole.pseudo_inverse(negligible).expect("a tolerance");
+    springs * g * flexibility * reactions
+}
+
+#[test]
+fn bars_share_a_load_as_stiff_springs_do() {
+    let state = start();
+    for stiffness in [[1.0; 3], [5.0, 1.0, 2.0], [1e6, 2e3, 1e6]] {
+        let platform = Platform {
+            stiffness,
+            ..PLATFORM
+        };
+        let expected = loads_of_springs(&platform, &state);
+        let found = platform.multipliers(&state);
+        let error = (found - expected).amax() / expected.amax();
+        println!("{found:?} {expected:?} {error:.1e}");
+        assert!(error < 1e-13);
+        assert_eq!(platform.outputs(&state).left_load, found[0]);
+        // Neither the accelerations nor the sum of the loads know of it.
+        assert_eq!(
+            platform.accelerations(&state),
+            PLATFORM.accelerations(&state)
+        );
+        assert!((found.sum() - PLATFORM.multipliers(&state).sum()).abs() < 1e-13 * expected.amax());
+    }
+    // Equal bars carry equal loads, and of two outer bars without stiffness the middle one carries all.
+    let [left, middle, right] = PLATFORM.multipliers(&state).into();
+    assert!((left / middle - 1.0).abs() < 1e-14 && (right / middle - 1.0).abs() < 1e-14);
+    let soft = Platform {
+        stiffness: [1e-9, 1.0, 1e-9],
+        ..PLATFORM
+    };
+    let [left, middle, _] = soft.multipliers(&state).into();
+    assert!((left / middle).abs() < 1e-8);
+}
+
+#[test]
+fn compliances_are_the_same_in_lanes_and_along_a_motion() -> Result<(), IntegrationError> {
+    let platform = Platform {
+        stiffness: [5.0, 1.0, 2.0],
+        ..PLATFORM
+    };
+    let state = start();
+    let lanes = State::new(
+        Lanes::<2>::from_f64(0.0),
+        state.q.map(Lanes::from_f64),
+        state.v.map(Lanes::from_f64),
+    );
+    let found = platform.multipliers(&lanes);
+    let alone = platform.multipliers(&state);
+    for i in 0..3 {
+        assert_eq!(found[i].in_lane(1), alone[i]);
+    }
+    // The motion is that of equal bars.
+    let end = Problem::new(&platform, state).solve(2.0, Taylor::new())?;
+    let equal = Problem::new(&PLATFORM, state).solve(2.0, Taylor::new())?;
+    assert!((end.q - equal.q).amax() < 1e-13 && (end.v - equal.v).amax() < 1e-12);
+    Ok(())
+}
+
+#[test]
+fn compliances_are_positive() {
+    for (stiffness, compliance) in [(-2.0, -0.5), (f64::INFINITY, 0.0), (0.0, f64::INFINITY)] {
+        let platform = Platform {
+            stiffness: [1.0, 1.0, stiffness],
+            ..PLATFORM
+        };
+        let error = Problem::new(&platform, start()).solve(1.0, Dop853::new());
+        let error = error.expect_err("the compliance is refused");
+        let expected = IntegrationError::InvalidCompliance {
+            constraint: "right_bar",
+            compliance,
+        };
+        assert_eq!(error.error(), expected);
+        assert!(error.to_string().contains("right_bar"));
+        let loads = platform.multipliers(&start());
+        assert!(loads.iter().any(|load| !load.is_finite()), "{loads}");
+    }
 }

@@ -173,10 +173,16 @@ fn near_singular_configurations_are_followed() {
             coupler: 1.0 + difference,
             ..OneFourBar::NEW
         };
-        let start = linkage.assemble(upright::<2, 4>(1.0)).solve().unwrap().state;
+        let start = linkage
+            .assemble(upright::<2, 4>(1.0))
+            .solve()
+            .unwrap()
+            .state;
         let taylor = Taylor::new().relative_tolerance(1e-11);
         let problem = Problem::new(&linkage, start);
-        let passed = problem.clone().solve(2.0, taylor.pass_singular_configurations());
+        let passed = problem
+            .clone()
+            .solve(2.0, taylor.pass_singular_configurations());
         let tolerance = 1e-12;
         let dop853 = Dop853::new()
             .relative_tolerance(tolerance)

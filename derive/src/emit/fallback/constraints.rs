@@ -33,6 +33,7 @@ impl Fallback<'_> {
         let items = quote::quote! {
             const CONSTRAINTS: [&'static str; #count] = [""; #count];
             const HOLONOMIC: usize = 0;
+            const INTEGRABLE: [bool; #count] = [false; #count];
             fn constrained_response(
                 &self,
                 _: #state,

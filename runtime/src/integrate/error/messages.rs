@@ -88,6 +88,15 @@ impl IntegrationError {
                 "the time constant with which input {input} lags is {}: it must be positive and finite; an actuator without a lag has none",
                 Readable(time_constant)
             ),
+            Self::InvalidCompliance {
+                constraint,
+                compliance,
+            } => write!(
+                f,
+                "the compliance of the constraint {constraint} is {}: it must be positive and finite; a part that does not yield has a \
+                 small one",
+                Readable(compliance)
+            ),
             Self::InvalidUpdate { time, next } => write!(
                 f,
                 "the update of the state at t = {} is followed by one at t = {}: the period of a sampled controller has to be above the \

@@ -1,0 +1,144 @@
+//! The degrees of freedom of a constrained model.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::constraints::Constraints;
+use super::state::State;
+use crate::linalg::{ColumnChoice, RowSpace};
+use crate::scalar::Scalar;
+
+/// The degrees of freedom of a model with `N` coordinates and `C` constraints at a state, and a choice of independent
+/// coordinates and velocities; returned by [`Lagrangian::degrees_of_freedom`](crate::Lagrangian::degrees_of_freedom).
+///
+/// With h independent holonomic and k independent nonholonomic constraints, N − h coordinates and N − h − k velocities are
+/// independent (D. L. Peterson, G. Gede & M. Hubbard, *Symbolic linearization of equations of motion of constrained multibody
+/// systems*, Multibody Syst. Dyn. **33** (2015) 143–161). Which constraints depend on others is decided as by the equations of
+/// motion. The dependent coordinates are chosen by pivoting, so that their columns of G M^(−1/2), with the diagonal of M, are
+/// well-conditioned: units of coordinates and the scaling of constraints do not matter.
+///
+/// N − C is a [lower bound](crate::quantities::Constraints::MIN_DEGREES_OF_FREEDOM) everywhere. At a singular configuration
+/// fewer constraints are independent than nearby, so that the numbers are larger there.
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
+/// /// A crank drives a slider along the x-axis by a connecting rod.
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(theta, phi, x),
+///     kinetic = 0.5 * j * dot(theta).powi(2) + 0.5 * m * dot(x).powi(2) + 0.5 * i * dot(phi).powi(2),
+///     constraint(pin = [r * cos(theta) + l * cos(phi) - x, r * sin(theta) + l * sin(phi)]),
+/// )]
+/// struct SliderCrank { j: f64, i: f64, m: f64, r: f64, l: f64 }
+///
+/// let mechanism = SliderCrank { j: 0.1, i: 0.02, m: 0.5, r: 0.1, l: 0.3 };
+/// let guess = State::new(0.0, [1.0, -0.2, 0.3], [0.0; 3]);
+/// let state = mechanism.assemble(guess).solve()?.state;
+/// let freedom = mechanism.degrees_of_freedom(&state);
+/// assert_eq!(freedom.velocities, 1);
+/// // The coordinates that are independent determine the others.
+/// let nearby = State::new(0.0, state.q.map(|q| q + 0.01), [0.0; 3]);
+/// let found = mechanism.assemble(nearby).hold(freedom.independent_coordinates()).solve()?;
+/// let independent = freedom.independent_coordinates().next().expect("there is one");
+/// assert_eq!(found.state.q[independent], nearby.q[independent]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DegreesOfFreedom<const N: usize, const C: usize> {
+    /// The number of independent coordinates, N less the rank of the holonomic constraints.
+    pub coordinates: usize,
+    /// The number of independent velocities, N less the rank of all constraints: the degrees of freedom.
+    pub velocities: usize,
+    dependent_coordinates: [bool; N],
+    dependent_velocities: [bool; N],
+    redundant: [bool; C],
+}
+
+impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
+    pub(super) fn of<M, S>(model: &M, state: &State<S, N>) -> Self
+    where
+        M: Constraints<N, C, S> + ?Sized,
+        S: Scalar,
+    {
+        let prepared = model.prepare();
+        let mass = model.mass_matrix(state, &prepared).diagonal();
+        let all = model.constraint_jacobian(state, &prepared);
+        let holonomic = SMatrix::from_fn(|i, j| {
+            if i < M::HOLONOMIC {
+                all[(i, j)]
+            } else {
+                S::zero()
+            }
+        });
+        let holonomic = Rows::<N, C>::of(&holonomic, &mass);
+        let all = Rows::<N, C>::of(&all, &mass);
+        let mut coordinates = ColumnChoice::new(holonomic.directions);
+        for _ in 0..holonomic.rank {
+            coordinates.choose_longest();
+        }
+        let mut velocities = ColumnChoice::new(all.directions);
+        for i in (0..N).filter(|i| coordinates.is_chosen[*i]) {
+            velocities.choose(i);
+        }
+        for _ in holonomic.rank..all.rank {
+            velocities.choose_longest();
+        }
+        Self {
+            coordinates: N.saturating_sub(holonomic.rank),
+            velocities: N.saturating_sub(all.rank),
+            dependent_coordinates: coordinates.is_chosen,
+            dependent_velocities: velocities.is_chosen,
+            redundant: all.dependent,
+        }
+    }
+
+    /// The indices of coordinates whose changes determine those of the others, as
+    /// [`Assembly::hold`](crate::assembly::Assembly::hold) takes them.
+    pub fn independent_coordinates(&self) -> impl Iterator<Item = usize> + Clone + use<N, C> {
+        indices(self.dependent_coordinates, false)
+    }
+
+    /// The indices of the coordinates whose velocities determine those of the others, as
+    /// [`Assembly::hold_velocities`](crate::assembly::Assembly::hold_velocities) takes them. They are among the
+    /// independent coordinates.
+    pub fn independent_velocities(&self) -> impl Iterator<Item = usize> + Clone + use<N, C> {
+        indices(self.dependent_velocities, false)
+    }
+
+    /// The indices of constraints that follow from the others at this state. Which of several constraints that depend on each
+    /// other are listed is a choice.
+    pub fn redundant_constraints(&self) -> impl Iterator<Item = usize> + Clone + use<N, C> {
+        indices(self.redundant, true)
+    }
+}
+
+/// The rows of some constraints in the metric of M, at a state in the first lane.
+struct Rows<const N: usize, const C: usize> {
+    rank: usize,
+    dependent: [bool; C],
+    /// An orthonormal basis.
+    directions: SMatrix<f64, C, N>,
+}
+
+impl<const N: usize, const C: usize> Rows<N, C> {
+    fn of<S: Scalar>(jacobian: &SMatrix<S, C, N>, mass: &SVector<S, N>) -> Self {
+        let space = RowSpace::of(jacobian, mass);
+        let dependent = core::array::from_fn(|i| space.dependent[i].in_lane(0) > 0.5);
+        Self {
+            rank: dependent.iter().filter(|dependent| !**dependent).count(),
+            dependent,
+            directions: SMatrix::from_fn(|i, j| space.directions[(i, j)].in_lane(0)),
+        }
+    }
+}
+
+/// The indices at which the marks have a value.
+fn indices<const N: usize>(
+    marks: [bool; N],
+    value: bool,
+) -> impl Iterator<Item = usize> + Clone + use<N> {
+    let marks = marks.into_iter().enumerate();
+    marks
+        .filter(move |(_, mark)| *mark == value)
+        .map(|(i, _)| i)
+}

@@ -1,0 +1,18 @@
+use lagrangian::Lagrangian;
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(x, y),
+    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
+    potential = m * g * y,
+    constraint(rod[i] = [x, y][i] - l for i in 0..2),
+    compliance(rod = 1.0 / k),
+)]
+struct Model {
+    m: f64,
+    g: f64,
+    l: f64,
+    k: f64,
+}
+
+fn main() {}
