@@ -53,16 +53,15 @@ pub(crate) fn smallest_sine<S: Scalar, const C: usize, const N: usize>(
     mass: &SVector<S, N>,
     rank: S,
 ) -> S {
-    let rows = IndependentRows::of(jacobian, mass, rank);
-    rows.sines
-        .iter()
-        .fold(S::one(), |least, sine| least.min(*sine))
+    let steps = Orthogonalization::of(jacobian, mass, rank);
+    let sines = steps.sines.iter();
+    sines.fold(S::one(), |least, sine| least.min(*sine))
 }
 
 /// Rows in the course of orthogonalization.
 struct Orthogonalization<S: Scalar, const C: usize, const N: usize> {
-    /// The rest of each row, scaled to length 1 at the beginning.
-    rows: SMatrix<S, C, N>,
+    /// The rest of each row, as a column, scaled to length 1 at the beginning.
+    rows: SMatrix<S, N, C>,
     /// The factors by which rows were scaled.
     scales: SVector<S, C>,
     /// The coefficients of each row in terms of the orthonormal rows, column by column.
@@ -82,14 +81,7 @@ impl<S: Scalar, const C: usize> IndependentRows<S, C> {
         mass: &SVector<S, N>,
         rank: S,
     ) -> Self {
-        let mut steps = Orthogonalization::<S, C, N>::new(jacobian, mass);
-        for step in 0..C {
-            let is_known = S::one() - is_zero(rank);
-            // A row is chosen while fewer than the rank are.
-            let is_within = greater(rank, from_index(step));
-            let _ = steps.choose(step, is_known, is_within);
-        }
-        steps.rows()
+        Orthogonalization::of(jacobian, mass, rank).rows()
     }
 
     /// Returns the multipliers of least norm with the reactions Gᵀ λ, for multipliers λ that are 0 for dependent rows. The norm
@@ -124,6 +116,18 @@ impl<S: Scalar, const C: usize> IndependentRows<S, C> {
 }
 
 impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
+    /// Chooses as many rows as the rank, or where that is 0 all whose sine is not negligible.
+    fn of(jacobian: &SMatrix<S, C, N>, mass: &SVector<S, N>, rank: S) -> Self {
+        let mut steps = Self::new(jacobian, mass);
+        let is_known = S::one() - is_zero(rank);
+        for step in 0..C {
+            // A row is chosen while fewer than the rank are.
+            let is_within = greater(rank, from_index(step));
+            let _ = steps.choose(step, is_known, is_within);
+        }
+        steps
+    }
+
     fn new(jacobian: &SMatrix<S, C, N>, mass: &SVector<S, N>) -> Self {
         let widths = SVector::<S, N>::from_fn(|i, _| {
             let column = jacobian.column(i);
@@ -132,14 +136,12 @@ impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
             let length = one_if_zero(mass[i]).abs().sqrt();
             length.masked(has_mass) + one_if_zero(largest).masked(S::one() - has_mass)
         });
-        let mut rows = SMatrix::from_fn(|i, j| jacobian[(i, j)] / widths[j]);
-        let scales = SVector::from_fn(|i, _| {
-            let row: SVector<S, N> = SVector::from_fn(|j, _| rows[(i, j)]);
-            S::one() / one_if_zero(norm(&row))
-        });
+        let mut rows = SMatrix::<S, N, C>::from_fn(|j, i| jacobian[(i, j)] / widths[j]);
+        let scales =
+            SVector::from_fn(|i, _| S::one() / one_if_zero(norm(rows.column(i).as_slice())));
         for i in 0..C {
-            for j in 0..N {
-                rows[(i, j)] *= scales[i];
+            for x in &mut rows.column_mut(i) {
+                *x *= scales[i];
             }
         }
         Self {
@@ -152,16 +154,13 @@ impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
         }
     }
 
-    fn row(&self, i: usize) -> SVector<S, N> {
-        SVector::from_fn(|j, _| self.rows[(i, j)])
-    }
-
     /// Chooses the row with the longest rest, where fewer rows than the known rank are chosen, or where the rest of one is not
     /// negligible, and takes its direction, which it returns, out of the others.
     fn choose(&mut self, step: usize, is_known: S, is_within: S) -> SVector<S, N> {
         let (mut best, mut longest) = (S::zero(), -S::one());
         for i in 0..C {
-            let length = norm(&self.row(i)).masked(S::one() - self.used[i]) - self.used[i];
+            let length =
+                norm(self.rows.column(i).as_slice()).masked(S::one() - self.used[i]) - self.used[i];
             let mask = greater(length, longest);
             best += (from_index::<S>(i) - best).masked(mask);
             longest = longest.max(length);
@@ -174,19 +173,21 @@ impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
         for i in 0..C {
             let mask = is_zero(best - from_index(i)) * is_new;
             let scale = S::one() / one_if_zero(longest);
-            direction += self.row(i).map(|x| (x * scale).masked(mask));
+            if mask.largest() > 0.0 {
+                direction += self.rows.column(i).map(|x| (x * scale).masked(mask));
+            }
             self.used[i] += mask;
             self.sines[i] = self.sines[i].masked(S::one() - mask) + longest.masked(mask);
         }
         for i in 0..C {
-            let row = self.row(i);
+            let mut row = self.rows.column_mut(i);
             let is_chosen = is_zero(best - from_index(i)) * is_new;
             // What is chosen before has no part in this direction.
             let open = S::one() - self.used[i] + is_chosen;
-            let part = dot(&row, &direction).masked(open);
+            let part = dot(row.as_slice(), direction.as_slice()).masked(open);
             self.coefficients[(i, step)] = part;
-            for j in 0..N {
-                self.rows[(i, j)] -= part * direction[j];
+            for (x, along) in row.iter_mut().zip(&direction) {
+                *x -= part * *along;
             }
         }
         direction
@@ -194,7 +195,22 @@ impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
 
     /// The dependent rows in terms of the independent ones.
     fn rows(&self) -> IndependentRows<S, C> {
-        let dependent = SVector::from_fn(|i, _| S::one() - self.used[i]);
+        let dependent = self.used.map(|used| S::one() - used);
+        let combinations = if dependent.iter().any(|x| x.largest() > 0.0) {
+            self.combinations(&dependent)
+        } else {
+            SMatrix::zeros()
+        };
+        IndependentRows {
+            dependent,
+            sines: self.sines,
+            combinations,
+            compliances: SVector::from_element(S::one()),
+        }
+    }
+
+    /// X, by which dependent rows are combinations of independent ones.
+    fn combinations(&self, dependent: &SVector<S, C>) -> SMatrix<S, C, C> {
         // The coefficients of the row that is chosen in each step.
         let triangle = SMatrix::<S, C, C>::from_fn(|step, k| {
             (0..C).fold(S::zero(), |sum, i| {
@@ -219,20 +235,15 @@ impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
                 combinations[(i, j)] = unscaled.masked(dependent[i]);
             }
         }
-        IndependentRows {
-            dependent,
-            sines: self.sines,
-            combinations,
-            compliances: SVector::from_element(S::one()),
-        }
+        combinations
     }
 }
 
-fn dot<S: Scalar, const N: usize>(x: &SVector<S, N>, y: &SVector<S, N>) -> S {
-    let pairs = x.iter().zip(y.iter());
+fn dot<S: Scalar>(x: &[S], y: &[S]) -> S {
+    let pairs = x.iter().zip(y);
     pairs.fold(S::zero(), |sum, (x, y)| sum + *x * *y)
 }
 
-fn norm<S: Scalar, const N: usize>(x: &SVector<S, N>) -> S {
+fn norm<S: Scalar>(x: &[S]) -> S {
     square_root(dot(x, x))
 }

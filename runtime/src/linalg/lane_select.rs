@@ -36,7 +36,7 @@ pub(crate) fn square_root<S: Scalar>(x: S) -> S {
 /// Returns an index as a scalar, whose lanes may later have different values.
 #[inline]
 pub(crate) fn from_index<S: Scalar>(index: usize) -> S {
-    (0..index).fold(S::zero(), |number, _| number + S::one())
+    S::from_f64(f64::from(u32::try_from(index).unwrap_or(u32::MAX)))
 }
 
 /// A value that can be selected lane by lane.
