@@ -81,14 +81,16 @@ fn upright<const K: usize, const N: usize>(velocity: f64) -> State<f64, N> {
 }
 
 const END: f64 = 10.0;
+/// Behind two flat configurations.
+const SHORT: f64 = 2.0;
 
 /// Tolerances of the Taylor method with the errors that are allowed after ten seconds.
 const TOLERANCES: [(f64, f64); 4] = [(1e-11, 1e-9), (1e-12, 1e-9), (1e-13, 1e-8), (1e-14, 1e-8)];
 
 /// Compares the linkages with the pendulum for different lengths of the first step, which decide where other steps end.
-fn pass(first_steps: impl Iterator<Item = u32>) {
+fn pass(first_steps: impl Iterator<Item = u32>, tolerances: &[(f64, f64)]) {
     for first in first_steps.map(|i| 0.01 + 0.003 * f64::from(i)) {
-        for (tolerance, allowed) in TOLERANCES {
+        for &(tolerance, allowed) in tolerances {
             let taylor = Taylor::new().relative_tolerance(tolerance);
             let taylor = taylor.pass_singular_configurations();
             let mut run = Problem::new(&OneFourBar::NEW, upright::<2, 4>(1.0))
@@ -108,14 +110,14 @@ fn pass(first_steps: impl Iterator<Item = u32>) {
 }
 
 #[test]
-fn linkages_pass_their_flat_configurations_after_some_first_steps() {
-    pass([0, 7].into_iter());
+fn linkages_pass_their_flat_configurations_after_a_first_step() {
+    pass([7].into_iter(), &TOLERANCES[1..2]);
 }
 
 #[test]
 #[ignore = "long"]
 fn linkages_pass_their_flat_configurations() {
-    pass(0..20);
+    pass(0..20, &TOLERANCES);
 }
 
 #[test]
@@ -127,31 +129,26 @@ fn without_the_setting_a_flat_configuration_ends_the_motion() {
 
 #[test]
 fn linkages_in_lanes_pass_their_flat_configurations() {
-    let velocities: [f64; 5] = [0.5, 0.8, 1.1, 1.4, 1.7];
+    let velocities: [f64; 3] = [0.5, 1.1, 1.7];
     let problems = velocities.map(|v| Problem::new(OneFourBar::NEW, upright::<2, 4>(v)));
-    for taylor in [Taylor::new(), Taylor::new().relative_tolerance(1e-12)] {
-        let taylor = taylor.pass_singular_configurations();
-        let ends = Ensemble::new(problems.clone()).solve(END, taylor);
-        for (velocity, end) in velocities.into_iter().zip(ends) {
-            let error = end.unwrap().q[0] - expected(1.0, velocity, END);
-            assert!(error.abs() < 1e-8, "{velocity} {error:e}");
-        }
+    let taylor = Taylor::new().pass_singular_configurations();
+    let ends = Ensemble::new(problems).solve(SHORT, taylor);
+    for (velocity, end) in velocities.into_iter().zip(ends) {
+        let error = end.unwrap().q[0] - expected(1.0, velocity, SHORT);
+        assert!(error.abs() < 1e-9, "{velocity} {error:e}");
     }
 }
 
 #[test]
 fn explicit_methods_pass_flat_configurations() {
-    for velocity in [0.5, 1.0, 1.5, 2.0] {
-        let start = upright::<2, 4>(velocity);
-        let expected = expected(1.0, velocity, END);
-        let problem = Problem::new(&OneFourBar::NEW, start);
-        let fixed = RungeKutta::classical(1e-3).pass_singular_configurations();
-        let error = problem.clone().solve(END, fixed).unwrap().q[0] - expected;
-        assert!(error.abs() < 1e-8, "{velocity} {error:e}");
-        let adaptive = Dop853::new().pass_singular_configurations();
-        let error = problem.solve(END, adaptive).unwrap().q[0] - expected;
-        assert!(error.abs() < 1e-6, "{velocity} {error:e}");
-    }
+    let start = upright::<2, 4>(1.0);
+    let problem = Problem::new(&OneFourBar::NEW, start);
+    let fixed = RungeKutta::classical(1e-3).pass_singular_configurations();
+    let error = problem.clone().solve(SHORT, fixed).unwrap().q[0] - expected(1.0, 1.0, SHORT);
+    assert!(error.abs() < 1e-9, "{error:e}");
+    let adaptive = Dop853::new().pass_singular_configurations();
+    let error = problem.solve(END, adaptive).unwrap().q[0] - expected(1.0, 1.0, END);
+    assert!(error.abs() < 1e-6, "{error:e}");
 }
 
 /// Steps that are short beside the distance at which digits are lost. Without the setting, this motion ends in an error.
@@ -168,7 +165,7 @@ fn short_fixed_steps_pass_flat_configurations() {
 /// Linkages that are nearly flat are not singular: they turn, and no step passes over that.
 #[test]
 fn near_singular_configurations_are_followed() {
-    for difference in [0.1, -0.1, 0.01, -0.01, 1e-3, -1e-3] {
+    for difference in [0.1, -0.01, 1e-3] {
         let linkage = OneFourBar {
             coupler: 1.0 + difference,
             ..OneFourBar::NEW
