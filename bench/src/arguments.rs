@@ -69,6 +69,14 @@ pub(crate) struct Arguments {
     #[arg(long, group = "task")]
     pub(crate) light_cart_pole: bool,
 
+    /// Andrews' squeezing mechanism, beside Radau5 of `differential-equations`.
+    #[arg(long, group = "task")]
+    pub(crate) constraints: bool,
+
+    /// Instructions of a pendulum whose length is a constraint, over those of the same pendulum by its angle; needs valgrind.
+    #[arg(long, group = "task")]
+    pub(crate) cartesian_pendulum: bool,
+
     /// An arm in space of so many links: accelerations and inverse dynamics beside algorithms written by hand in C.
     #[arg(long, group = "task")]
     pub(crate) spatial: bool,

@@ -68,13 +68,18 @@ pub(crate) fn build(
     Ok(Built { program, seconds })
 }
 
-/// Builds the crate of a model that is no [`Model`], for this processor.
-pub(crate) fn build_source(folders: &Folders, name: &str, main: &str) -> Result<Built, String> {
+/// Builds the crate of a model that is no [`Model`].
+pub(crate) fn build_source(
+    folders: &Folders,
+    name: &str,
+    main: &str,
+    flags: Flags,
+) -> Result<Built, String> {
     let package = package(folders, name, main, &[], true)?;
     let start = Instant::now();
-    cargo_build(folders, &package, Flags::Native, None)?;
+    cargo_build(folders, &package, flags, None)?;
     let seconds = start.elapsed().as_secs_f64();
-    let program = program(folders, name, Flags::Native);
+    let program = program(folders, name, flags);
     Ok(Built { program, seconds })
 }
 
@@ -206,16 +211,29 @@ pub(crate) fn derive_times(folders: &Folders) -> Result<HashMap<String, f64>, St
     Ok(times)
 }
 
-/// The solvers of other crates, for this processor.
-pub(crate) fn build_solvers(folders: &Folders) -> Result<PathBuf, String> {
-    let path = folders.peers.join("solvers.rs");
-    let main = fs::read_to_string(&path).map_err(|error| error.to_string())?;
-    let bench = folders.workspace.join("bench");
-    let bench = bench.to_string_lossy();
-    let dependencies = format!("lagrangian-bench = {{ path = {bench:?} }}\n{SOLVERS}");
-    let package = written(folders, "solvers", &main, &dependencies, false)?;
+/// A peer that is written in Rust, for this processor: solvers of other crates. It has these modules.
+pub(crate) fn build_peer(
+    folders: &Folders,
+    name: &str,
+    modules: &[&str],
+) -> Result<PathBuf, String> {
+    let read = |name: &str| {
+        let path = folders.peers.join(name).with_extension("rs");
+        fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))
+    };
+    let main = read(name)?;
+    let path = |part| folders.workspace.join(part).to_string_lossy().into_owned();
+    let [runtime, bench] = ["runtime", "bench"].map(path);
+    let dependencies = format!(
+        "lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n{SOLVERS}"
+    );
+    let package = written(folders, name, &main, &dependencies, false)?;
+    for module in modules {
+        let path = package.join("src").join(module).with_extension("rs");
+        write(&path, &read(module)?)?;
+    }
     cargo_build(folders, &package, Flags::Native, None)?;
-    Ok(program(folders, "solvers", Flags::Native))
+    Ok(program(folders, name, Flags::Native))
 }
 
 /// The crates of the solvers, and what their code here needs.

@@ -7,6 +7,8 @@ pub(crate) enum Flags {
     Native,
     /// For any of its family, as the compilers do unless they are told.
     Default,
+    /// For processors with vectors of 256 bits: the widest that valgrind knows.
+    Vectors256,
 }
 
 impl Flags {
@@ -17,6 +19,7 @@ impl Flags {
         match self {
             Self::Native => "native",
             Self::Default => "default",
+            Self::Vectors256 => "vectors-256",
         }
     }
 
@@ -25,6 +28,7 @@ impl Flags {
         match self {
             Self::Native => "-C target-cpu=native",
             Self::Default => "",
+            Self::Vectors256 => "-C target-cpu=x86-64-v3",
         }
     }
 
@@ -33,6 +37,7 @@ impl Flags {
         match self {
             Self::Native => &["-O3", "-march=native"],
             Self::Default => &["-O3"],
+            Self::Vectors256 => &["-O3", "-march=x86-64-v3"],
         }
     }
 }

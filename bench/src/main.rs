@@ -54,6 +54,8 @@ mod long_models;
 mod compile_costs;
 mod reduced;
 mod light_cart_pole;
+mod constraints;
+mod cartesian_pendulum;
 
 use std::process::ExitCode;
 
@@ -95,6 +97,12 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if arguments.light_cart_pole {
         return light_cart_pole::run();
+    }
+    if arguments.constraints {
+        return constraints::run(arguments);
+    }
+    if arguments.cartesian_pendulum {
+        return cartesian_pendulum::run();
     }
     if arguments.spatial {
         return spatial::run(arguments);

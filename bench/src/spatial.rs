@@ -86,7 +86,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let mut tables = [Vec::new(), Vec::new()];
     for &links in &arguments.links {
         eprintln!("{links} links: deriving, compiling, measuring");
-        let built = build_source(&folders, &format!("arm-{links}"), &declaration(links))?;
+        let built = build_source(
+            &folders,
+            &format!("arm-{links}"),
+            &declaration(links),
+            Flags::Native,
+        )?;
         eprintln!("  built in {:.1} s", built.seconds);
         for (table, quantity) in tables.iter_mut().zip(QUANTITIES) {
             table.push(quantity.measure(

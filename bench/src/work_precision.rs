@@ -4,7 +4,7 @@
 //! with constants folded; ours are the declared models. Errors are those against our method in double-double, which
 //! `--taylor` compares with references.
 
-mod curve;
+pub(crate) mod curve;
 mod figure;
 
 use std::fmt::Write as _;
@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use crate::arguments::Arguments;
-use crate::cargo::{build, build_solvers};
+use crate::cargo::{build, build_peer};
 use crate::contest::{self, Entry, Rounds};
 use crate::contestant::Contestant;
 use crate::declaration::Calls;
@@ -87,7 +87,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let python = heyoka(&folders)
         .map_err(|error| skipped("heyoka", &error))
         .ok();
-    let solvers = build_solvers(&folders)
+    let solvers = build_peer(&folders, "solvers", &[])
         .map_err(|error| skipped("ode_solvers and differential-equations", &error))
         .ok();
     let sides = Sides {

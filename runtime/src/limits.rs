@@ -36,6 +36,9 @@ pub(crate) const MIN_INDEPENDENT_SINE: f64 = 1e-10;
 /// The number of right-hand sides that are solved together: a vector register of 256 bits holds this number of `f64`.
 pub(crate) const RIGHT_HAND_SIDES_AT_ONCE: usize = 4;
 
+/// The number of rows that are eliminated together, of the same size.
+pub(crate) const ROWS_AT_ONCE: usize = 4;
+
 /// The number of constraints in the report of a mechanism that is not closed.
 pub(crate) const REPORTED_CONSTRAINTS: usize = 6;
 

@@ -2,23 +2,23 @@
 
 /// A run at a tolerance.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Point {
-    pub(super) tolerance: f64,
-    pub(super) seconds: f64,
-    pub(super) error: f64,
+pub(crate) struct Point {
+    pub(crate) tolerance: f64,
+    pub(crate) seconds: f64,
+    pub(crate) error: f64,
 }
 
 /// A method at all tolerances, from the largest.
 #[derive(Clone, Debug)]
-pub(super) struct Curve {
-    pub(super) name: &'static str,
-    pub(super) points: Vec<Point>,
+pub(crate) struct Curve {
+    pub(crate) name: &'static str,
+    pub(crate) points: Vec<Point>,
 }
 
 impl Curve {
     /// The time to reach an error, interpolated in logarithms between the runs that nothing else is both
     /// faster and more precise than. If the coarsest of them is more precise already, its time; if none is precise enough, not a number.
-    pub(super) fn seconds_to(&self, error: f64) -> f64 {
+    pub(crate) fn seconds_to(&self, error: f64) -> f64 {
         let efficient = self.efficient();
         let Some(after) = efficient.iter().position(|point| point.error <= error) else {
             return f64::NAN;
@@ -34,7 +34,7 @@ impl Curve {
     }
 
     /// The runs that no other beats in both, by falling error. None is on it that is not a number.
-    pub(super) fn efficient(&self) -> Vec<Point> {
+    pub(crate) fn efficient(&self) -> Vec<Point> {
         let beaten = |point: &Point| {
             let better = |other: &Point| {
                 other.seconds <= point.seconds

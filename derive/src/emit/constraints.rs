@@ -175,13 +175,13 @@ impl Emitter<'_> {
                     #root::__private::constraint_sine::<Self, #scalar, #n, #c>(self, state, prepared),
                 )
             }
-            fn constraint_pivot(
+            fn pivots(
                 &self,
                 state: #state,
                 prepared: &#prepared,
-            ) -> ::core::option::Option<(::core::primitive::usize, ::core::primitive::f64)> {
-                let pivots = #root::__private::constrained_pivots::<Self, #arguments>(self, state, prepared).1;
-                #root::__private::least_pivot(&pivots)
+            ) -> (#vector, ::core::option::Option<(::core::primitive::usize, ::core::primitive::f64)>) {
+                let (coordinates, constraints) = #root::__private::constrained_pivots::<Self, #arguments>(self, state, prepared);
+                (coordinates, #root::__private::least_pivot(&constraints))
             }
         }
     }

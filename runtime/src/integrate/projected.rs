@@ -9,8 +9,8 @@ use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::projection::Projection;
 use super::stepper::checked_state;
-use super::tolerance::ratios;
 use crate::limits::projection::{CHANGES, MAX_CORRECTION, MOVED_EPSILONS};
+use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -67,15 +67,11 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
             correction.zip_map(&rounding, |x, rounding| (x.abs() - rounding).max(S::zero()))
         });
         let beyond = unexplained.as_ref().unwrap_or(correction);
-        let ratio = match self.lane {
-            None => ratios(beyond, allowed, 0.0).fold(0.0, f64::max),
-            Some(lane) => {
-                let pairs = beyond.components().zip(allowed.components());
-                let pairs = pairs.map(|(x, allowed)| (x.in_lane(lane), allowed.in_lane(lane)));
-                let counting = pairs.filter(|(_, allowed)| *allowed > 0.0);
-                counting.fold(0.0, |most: f64, (x, allowed)| most.max(x.abs() / allowed))
-            }
-        };
+        let ratios = beyond.zip_map(allowed, |x, allowed| {
+            let counts = S::one() - is_zero(allowed);
+            (x.abs() / one_if_zero(allowed)).masked(counts)
+        });
+        let ratio = self.largest(ratios.fold(S::zero(), Scalar::max));
         if is_limited && ratio > MAX_CORRECTION {
             self.check_distance(end, beyond, allowed)?;
         }

@@ -10,7 +10,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::lane_select::{LaneSelect, greater};
 use super::pivoting::{self, PivotedLu};
-use crate::limits::RIGHT_HAND_SIDES_AT_ONCE;
+use crate::limits::{RIGHT_HAND_SIDES_AT_ONCE, ROWS_AT_ONCE};
 use crate::scalar::Scalar;
 
 /// A factored mass matrix.
@@ -72,12 +72,16 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
                     diagonal = pivot;
                 }
             }
-            for i in j + 1..N {
-                let mut entry = matrix[(i, j)];
-                for k in 0..j {
-                    entry -= factors[(i, k)] * factors[(j, k)];
+            let mut i = j + 1;
+            while i < N {
+                // The last rows are computed with the ones before them, twice if need be.
+                if let Some(last) = N.checked_sub(ROWS_AT_ONCE) {
+                    Self::eliminate::<ROWS_AT_ONCE>(matrix, &mut factors, (i.min(last), j));
+                    i += ROWS_AT_ONCE;
+                } else {
+                    Self::eliminate::<1>(matrix, &mut factors, (i, j));
+                    i += 1;
                 }
-                factors[(i, j)] = entry;
             }
             reciprocals[j] = S::one() / pivot;
             relative_pivots[j] = pivot / diagonal;
@@ -94,6 +98,31 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
             kind: Kind::Ldlt,
         };
         (ldlt, is_stable)
+    }
+
+    /// Computes `W` rows of column `j` of L D from the columns to the left, starting at row `first`. They are neighbours in
+    /// memory, and stay in a vector register. Entries above the diagonal, which are not read, may be among them.
+    #[inline]
+    fn eliminate<const W: usize>(
+        matrix: &SMatrix<S, N, N>,
+        factors: &mut SMatrix<S, N, N>,
+        (first, j): (usize, usize),
+    ) {
+        let (left, right) = factors.as_mut_slice().split_at_mut(j * N);
+        let from = matrix.as_slice()[j * N..][first..].first_chunk::<W>();
+        let (Some(from), Some(to)) = (from, right[first..].first_chunk_mut::<W>()) else {
+            return;
+        };
+        let mut rows = *from;
+        for column in left.chunks_exact(N) {
+            let factor = column[j];
+            if let Some(others) = column[first..].first_chunk::<W>() {
+                for (row, other) in rows.iter_mut().zip(others) {
+                    *row -= *other * factor;
+                }
+            }
+        }
+        *to = rows;
     }
 
     /// Factors a matrix with pivoting in the lanes in which L D Lᵀ is not stable, on the cold path.

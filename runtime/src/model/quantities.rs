@@ -136,17 +136,16 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         None
     }
 
-    /// Returns the index of the constraint that is nearest to depending on others, in any lane, and the sine of the angle
-    /// between its gradient and the span of theirs. A constraint that always depends on others does not count. By default
-    /// `None`, since there are no constraints.
+    /// Returns the relative pivots of the coordinates, and the constraint that is nearest to depending on others, in any lane, with
+    /// the sine of the angle between its gradient and the span of theirs. A constraint that always depends on others does
+    /// not count. By default there are no constraints.
     #[inline]
-    fn constraint_pivot(
+    fn pivots(
         &self,
         state: &State<S, N>,
         prepared: &Self::Prepared,
-    ) -> Option<(usize, f64)> {
-        let _ = (state, prepared);
-        None
+    ) -> (SVector<S, N>, Option<(usize, f64)>) {
+        (self.relative_pivots(state, prepared), None)
     }
 }
 

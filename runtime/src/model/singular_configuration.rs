@@ -12,7 +12,8 @@ use crate::limits::{REFERENCE_OFFSETS, VANISHING_INERTIA};
 use crate::linalg::Factorization;
 use crate::scalar::Scalar;
 
-/// Returns the coordinate with the smallest relative pivot, if it is below `min_pivot`.
+/// Returns the constraint that depends on others, or else the coordinate with the smallest relative pivot, if that is below
+/// `min_pivot`.
 #[inline]
 pub(crate) fn singularity<M, S, const N: usize>(
     model: &M,
@@ -24,10 +25,16 @@ where
     M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
-    if let Some(found) = dependent_constraint(model, prepared, state, min_pivot) {
-        return Some(found);
+    let (pivots, constraint) = model.pivots(state, prepared);
+    if let Some((constraint, pivot)) = constraint
+        && pivot < min_pivot
+    {
+        return Some(Singularity::of_constraint(
+            pivot,
+            constraint,
+            M::CONSTRAINTS,
+        ));
     }
-    let pivots = model.relative_pivots(state, prepared);
     let regular = pivots
         .iter()
         .all(|pivot| pivot.abs().smallest() >= min_pivot);
@@ -43,22 +50,6 @@ where
             found
         })
     }
-}
-
-/// Returns the constraint that depends on others, if its relative pivot is below `min_pivot`.
-#[inline]
-fn dependent_constraint<M, S, const N: usize>(
-    model: &M,
-    prepared: &M::Prepared,
-    state: &State<S, N>,
-    min_pivot: f64,
-) -> Option<Singularity>
-where
-    M: Quantities<N, S> + ?Sized,
-    S: Scalar,
-{
-    let (constraint, pivot) = model.constraint_pivot(state, prepared)?;
-    (pivot < min_pivot).then(|| Singularity::of_constraint(pivot, constraint, M::CONSTRAINTS))
 }
 
 /// Tests for a singularity in the course of a motion.

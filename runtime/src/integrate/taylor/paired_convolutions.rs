@@ -49,11 +49,14 @@ impl<S: Scalar, const PAIRS: usize, const LANES: usize, const HALF: usize, A>
     #[inline(always)]
     pub(crate) fn new(arrange: A) -> Self {
         const { assert!(PAIRS.is_multiple_of(LANES)) }
+        // A number that the compiler does not know is written by vector stores. Zeros are written by a call of `memset`, which takes
+        // longer to begin.
+        let zero = core::hint::black_box(S::zero());
         Self {
-            first: [[[S::zero(); PAIRS]; 2]; HALF],
-            second: [[[S::zero(); PAIRS]; 2]; HALF],
-            begun: [[S::zero(); PAIRS]; ORDERS],
-            partial: [S::zero(); PAIRS],
+            first: [[[zero; PAIRS]; 2]; HALF],
+            second: [[[zero; PAIRS]; 2]; HALF],
+            begun: [[zero; PAIRS]; ORDERS],
+            partial: [zero; PAIRS],
             order: 1,
             arrange,
         }
