@@ -20,6 +20,7 @@ import arrays
 from arrays import added, flat, solve
 import reduction
 from derivatives import GREATEST, PRECISE, Dual, NoValue, level
+from constraints import consistent, equilibrated
 from mechanics import Equations, outputs
 from rounding import DEVIATION, SCALE, UNIT, Rounded, Wide
 
@@ -68,9 +69,10 @@ def at_component(x, i, change):
 
 def directions(model, n):
     """The columns of the linearization: by q, by v, by t, by inputs in the order of their fields."""
-    yield from (("dqdd_dq", "q", i) for i in range(n))
-    yield from (("dqdd_dqd", "v", i) for i in range(n))
-    yield "dqdd_dt", "t", 0
+    if not model.is_constrained():
+        yield from (("dqdd_dq", "q", i) for i in range(n))
+        yield from (("dqdd_dqd", "v", i) for i in range(n))
+        yield "dqdd_dt", "t", 0
     for f in model.fields:
         if f.input:
             yield from (("dqdd_du", f, i) for i in range(f.size()))
@@ -100,7 +102,12 @@ def quantities(model, at, trial, slope, linearize=True):
         columns.setdefault(name, []).append(slope(model, at, kind, i, e.a))
     found.update((name, flat(arrays.transpose(c))) for name, c in columns.items())
     shapes = {}
-    for name, (x, shape) in outputs(model, at.t, at.q, at.v, at.fields, e.a).items():
+    if model.is_constrained():
+        c = e.constraints
+        found.update({"lambda": e.multipliers, "g": c.positions, "w": [bare(w) for w in c.velocities], "G": flat(c.jacobian), "gamma": c.rates})
+    if model.energy_balance:
+        found["energy_rate"] = [e.energy_rate()]
+    for name, (x, shape) in outputs(model, at.t, at.q, at.v, at.fields, e).items():
         found["output " + name] = x
         shapes[name] = shape
     return found, shapes, e
@@ -135,12 +142,16 @@ def rounded_at_random(model, at, trial, rng):
 
 
 def of_solution(e):
-    """Skeel's bound |M⁻¹| (|M| |q̈| + |f|), its greatest entry, and that of |M⁻¹| times terms of the size of 1."""
-    n = len(e.a)
-    columns = [solve(e.M, [mpf(i == j) for i in range(n)]) for j in range(n)]
-    load = [added(abs(m * x) for m, x in zip(row, e.a)) + abs(f) for row, f in zip(e.M, e.f)]
-    greatest = lambda load: max(added(abs(columns[j][i]) * load[j] for j in range(n)) for i in range(n))
-    return float(greatest(load)), float(greatest([1] * n))
+    """Skeel's bound |A⁻¹| (|A| |x| + |b|) of A x = b, its greatest entry for q̈ and for λ, and those of |A⁻¹| times terms of the size
+    of 1. A is M, or the matrix of q̈ and λ."""
+    matrix, x, right = e.constraints.matrix(e.M), [*e.a, *e.multipliers], [*e.f, *e.constraints.rates]
+    n = len(x)
+    columns = [solve(matrix, [mpf(i == j) for i in range(n)]) for j in range(n)]
+    load = [added(abs(m * y) for m, y in zip(row, x)) + abs(b) for row, b in zip(matrix, right)]
+    entries = lambda load: [added(abs(columns[j][i]) * load[j] for j in range(n)) for i in range(n)]
+    parts = slice(len(e.a)), slice(len(e.a), n)
+    greatest = lambda load: [float(max(entries(load)[part], default=0)) for part in parts]
+    return greatest(load), greatest([1] * n)
 
 
 def reference(model, at, rng):
@@ -157,10 +168,10 @@ def reference(model, at, rng):
             raise NoValue("no number")
         size = max((abs(float(x)) for x in value), default=0.0)
         noise = max(max_difference(sample[name], value) for sample in samples) / SCALE
-        if name == "qdd":
-            noise = max(noise, UNIT * bound)
-        if "qdd" in name:
-            noise = max(noise, UNIT * inverse)
+        if name in ("qdd", "lambda"):
+            noise = max(noise, UNIT * bound[name == "lambda"])
+        if "qdd" in name or name == "lambda":
+            noise = max(noise, UNIT * inverse[name == "lambda"])
         if not noise <= USELESS * max(size, 1.0):
             raise NoValue("too badly conditioned")
         tolerances[name] = ALLOWANCE * max(noise, UNIT * max(size, 1.0))
@@ -172,6 +183,7 @@ def reference(model, at, rng):
         "qd": at.v,
         "params": [x for f in model.fields for x in flat(at.fields[f.name])],
         "trial": trial,
+        **(dict(zip(("scales", "condition"), equilibrated(e.constraints.matrix(e.M)))) if model.is_constrained() else {}),
         "values": {name: [float(x) for x in value] for name, value in values.items()},
         "tolerances": tolerances,
     }, shapes
@@ -279,7 +291,14 @@ def drawn_state(model, rng, mode):
     v = [rng.uniform(-2.0, 2.0) for _ in q]
     if rng.random() < 0.1:
         v = [0.0 for _ in q]
-    return Inputs(rng.uniform(-2.0, 2.0), q, v, fields)
+    at = Inputs(rng.uniform(-2.0, 2.0), q, v, fields)
+    return on_the_constraints(model, at) if model.is_constrained() and rng.random() < 0.5 else at
+
+
+def on_the_constraints(model, at):
+    """A state on the constraints near one, as near as binary64 numbers are."""
+    q, v = consistent(model, at.mapped(mpf))
+    return Inputs(at.t, [float(x) for x in q], [float(x) for x in v], at.fields)
 
 
 def drawn_coordinate(draw, rng):
@@ -304,8 +323,8 @@ def references(model, count, seed):
     modes = ["plain"] + [rng.choice(MODES) for _ in range(count - 1)]
     for mode in modes:
         for attempt in range(TRIES):
-            at = drawn_state(model, rng, mode if attempt < TRIES / 2 else "plain")
             try:
+                at = drawn_state(model, rng, mode if attempt < TRIES / 2 else "plain")
                 state, shapes = reference(model, at, rng)
             except (NoValue, OverflowError, ZeroDivisionError, ValueError):
                 continue
