@@ -7,9 +7,9 @@
 //! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with no digits lost near θ = 0. M is not inverted; the
 //! solution is straight-line code with one division for each pivot.
 
-use crate::limits::{MAX_TRANSPARENT_ELIMINATION, MIN_CONSTRAINT_PIVOT};
+use crate::limits::{MAX_TRANSPARENT_ELIMINATION, MIN_SADDLE_POINT_PIVOT};
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
-use crate::{Expression, Graph, Rational};
+use crate::{Binary, Expression, Graph, Node, Rational};
 
 /// A symbolically factored symmetric matrix.
 #[derive(Clone, Debug)]
@@ -17,6 +17,8 @@ pub struct Ldlt {
     /// The pivots, the entries of D, by coordinate. Where all are positive, M is positive definite and
     /// the solution is stable.
     pub pivots: Vec<Expression>,
+    /// What else has to be positive for a stable solution, of a saddle point problem.
+    pub(crate) conditions: Vec<Expression>,
     /// The rows in the order of elimination, and the entries of each in the same order.
     rows: Vec<PivotRow<usize>>,
 }
@@ -47,47 +49,101 @@ impl Ldlt {
         for row in &mut rows {
             row.others.sort_by_key(|(i, _)| position[*i]);
         }
-        Some(Self { pivots, rows })
+        Some(Self {
+            pivots,
+            conditions: Vec::new(),
+            rows,
+        })
     }
 
-    /// Reverses the pivots of constraints, the rows of a saddle point problem from `coordinates` on, which are negative, and
-    /// compares them with what the elimination of coordinates makes of them: the solution is stable where all pivots are
-    /// positive.
-    pub(crate) fn with_negative_pivots(mut self, graph: &mut Graph, coordinates: usize) -> Self {
-        let (numerator, denominator) = MIN_CONSTRAINT_PIVOT;
-        let least = Rational::new(-numerator, denominator).unwrap_or(Rational::ZERO);
-        let count = self.pivots.len().saturating_sub(coordinates);
-        let mut terms = vec![Vec::new(); count];
-        let mut is_reduced = vec![false; count];
-        for row in &self.rows {
-            for (i, entry) in &row.others {
-                let Some(constraint) = i.checked_sub(coordinates) else {
-                    continue;
-                };
-                if graph.is_zero(*entry) {
-                    continue;
-                }
-                if row.unknown < coordinates {
-                    let factor = graph.divide(*entry, row.pivot);
-                    let product = graph.multiply(factor, *entry);
-                    terms[constraint].push((product, Rational::ONE));
-                } else {
-                    is_reduced[constraint] = true;
-                }
-            }
-        }
-        for ((pivot, terms), is_reduced) in self.pivots[coordinates..]
-            .iter_mut()
-            .zip(terms)
-            .zip(is_reduced)
-        {
+    /// Reverses the pivots of constraints, the rows of a saddle point problem from `coordinates` on, which are negative, and adds
+    /// the conditions for a stable solution: where these and all pivots are positive, no entry loses or gains many digits.
+    ///
+    /// - A pivot is no small remainder of what it is subtracted from.
+    /// - The pivot p of a constraint that is eliminated before a coordinate k, to which e couples it, leaves k with e²/p more:
+    ///   this is no large multiple of Mₖₖ, unless e is no large multiple of the other components of the gradient, of which p is
+    ///   made. The latter depends on units, as all pivoting does; it matters where k is light or without mass.
+    pub(crate) fn with_negative_pivots(
+        mut self,
+        graph: &mut Graph,
+        mass: &[Vec<Expression>],
+        coordinates: usize,
+    ) -> Option<Self> {
+        for pivot in &mut self.pivots[coordinates..] {
             *pivot = graph.negate(*pivot);
+        }
+        let mut conditions = Vec::new();
+        for (position, row) in self.rows.iter().enumerate() {
+            let pivot = self.pivots[row.unknown];
+            if row.unknown < coordinates {
+                if has_difference(graph, pivot) {
+                    let before = mass[row.unknown][row.unknown];
+                    conditions.push(exceeds(graph, pivot, before));
+                }
+                continue;
+            }
+            let (gradient, is_reduced) = self.reductions(graph, position, coordinates);
             if is_reduced {
-                let before = graph.sum(terms);
-                *pivot = graph.sum([(*pivot, Rational::ONE), (before, least.clone())]);
+                let [before, _] = gradient;
+                conditions.push(exceeds(graph, pivot, before));
+            }
+            for (k, entry) in &row.others {
+                if *k >= coordinates || graph.is_zero(*entry) {
+                    continue;
+                }
+                let square = graph.multiply(*entry, *entry);
+                let [_, squares] = gradient;
+                let by_gradient = exceeds(graph, squares, square);
+                let inertia = mass[*k][*k];
+                conditions.push(if graph.is_zero(inertia) {
+                    by_gradient
+                } else {
+                    let product = graph.multiply(pivot, inertia);
+                    let by_inertia = exceeds(graph, product, square);
+                    graph.binary(Binary::Max, by_gradient, by_inertia)
+                });
             }
         }
-        self
+        for condition in conditions {
+            match graph.as_constant(condition) {
+                Some(number) if *number > Rational::ZERO => {}
+                Some(_) => return None,
+                None if self.conditions.contains(&condition) => {}
+                None => self.conditions.push(condition),
+            }
+        }
+        Some(self)
+    }
+
+    /// Of the constraint whose row is eliminated at a position, what the elimination of coordinates makes of its pivot, Σ e²/p, and
+    /// Σ e² of their entries; and whether constraints reduce the pivot.
+    fn reductions(
+        &self,
+        graph: &mut Graph,
+        position: usize,
+        coordinates: usize,
+    ) -> ([Expression; 2], bool) {
+        let unknown = self.rows[position].unknown;
+        let (mut quotients, mut squares, mut is_reduced) = (Vec::new(), Vec::new(), false);
+        for before in &self.rows[..position] {
+            let mut entries = before.others.iter();
+            let entry = entries.find(|(i, _)| *i == unknown);
+            let Some(entry) = entry.map(|(_, entry)| *entry) else {
+                continue;
+            };
+            if graph.is_zero(entry) {
+                continue;
+            }
+            if before.unknown >= coordinates {
+                is_reduced = true;
+                continue;
+            }
+            let square = graph.multiply(entry, entry);
+            let factor = graph.divide(entry, before.pivot);
+            quotients.push((graph.multiply(factor, entry), Rational::ONE));
+            squares.push((square, Rational::ONE));
+        }
+        ([graph.sum(quotients), graph.sum(squares)], is_reduced)
     }
 
     /// x in M x = `right`.
@@ -103,6 +159,25 @@ impl Ldlt {
             solution[row.unknown] = rewrite(graph, value);
         }
         solution
+    }
+}
+
+/// What is positive where `x` exceeds the least part of `y` that a pivot may be.
+fn exceeds(graph: &mut Graph, x: Expression, y: Expression) -> Expression {
+    let (numerator, denominator) = MIN_SADDLE_POINT_PIVOT;
+    let least = Rational::new(-numerator, denominator).unwrap_or(Rational::ZERO);
+    graph.sum([(x, Rational::ONE), (y, least)])
+}
+
+/// Whether terms are subtracted in a pivot.
+fn has_difference(graph: &Graph, pivot: Expression) -> bool {
+    let mut pivot = pivot;
+    while let Node::Opaque(operand) = graph.node(pivot) {
+        pivot = *operand;
+    }
+    match graph.node(pivot) {
+        Node::Sum(terms) => terms.iter().any(|(_, factor)| factor.is_negative()),
+        _ => false,
     }
 }
 

@@ -349,3 +349,34 @@ def constrained_bodies(m, rng):
     if chance(rng, 0.4):
         m.force("w0", m.input("torque", (3,)))
     observed(m, rng, qs, scalars, vectors)
+
+
+@kind
+def constrained_quaternions(m, rng):
+    """A body in the four components of a quaternion, whose length a constraint holds: M is singular along it."""
+    q = [m.coordinate(c) for c in ("a", "b", "c", "d")]
+    for x in q:
+        m.q_draw[x.data] = (-1.2, 1.2)
+    w, v = q[0], q[1:]
+    rates = [dot(x) for x in q]
+    omega = m.define("omega", [
+        2 * (w * rates[k + 1] - v[k] * rates[0] + v[(k + 2) % 3] * rates[(k + 1) % 3 + 1] - v[(k + 1) % 3] * rates[(k + 2) % 3 + 1]) for k in range(3)
+    ])
+    inertia = m.parameter("inertia", (3, 3), draw="inertia")
+    m.kinetic.append(0.5 * omega.dot(inertia * omega))
+    a, b, c, d = q
+    last = m.define("last", [2 * (b * d - a * c), 2 * (c * d + a * b), 1 - 2 * (b**2 + c**2)])
+    m.potential.append(m.parameter("weight") * last.dot(m.parameter("center", (3,))))
+    square = a**2 + b**2 + c**2 + d**2
+    scalars = [m.constraint("unit", rng.choice((square - 1, tree.sqrt(square) - 1, 0.5 * (1 - square))))]
+    if chance(rng, 0.4):
+        m.coordinate("p", 3)
+        p = tree.family("p")
+        m.kinetic.append(0.5 * m.parameter("m", draw="positive") * dot(p).norm_squared())
+        m.potential.append(m.parameter("g") * member("p", 2))
+        scalars.append(m.constraint("plane", member("p", 2) - m.parameter("radius", draw="positive") * last[2]))
+    if chance(rng, 0.4):
+        m.force("omega", rng.choice((lambda: m.input("torque", (3,)), lambda: -0.3 * omega))())
+    if chance(rng, 0.3):
+        scalars.append(m.slip("pivot", omega[2] - m.parameter("spin") * rng.choice((tree.node(1), sin(t)))))
+    observed(m, rng, q, scalars)
