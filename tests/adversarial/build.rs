@@ -15,7 +15,11 @@ fn main() {
     println!("cargo::rerun-if-env-changed=ADVERSARIAL_MODELS");
     let root = env::var("CARGO_MANIFEST_DIR").expect("cargo sets CARGO_MANIFEST_DIR");
     let files = env::var_os("ADVERSARIAL_MODELS").map_or_else(
-        || vec!["models/passing.json".into(), "models/motions.json".into()],
+        || {
+            ["passing", "motions", "constrained"]
+                .map(|name| format!("models/{name}.json").into())
+                .into()
+        },
         |file| vec![PathBuf::from(file)],
     );
     let files: Vec<PathBuf> = files

@@ -4,6 +4,7 @@
 
 mod at;
 mod comparison;
+mod conditioning;
 mod evaluation;
 pub mod external;
 mod motions;
@@ -12,6 +13,7 @@ pub mod splits;
 
 pub use at::{At, Values};
 pub use comparison::{Comparison, compare, compare_each};
+pub use conditioning::Conditioning;
 pub use evaluation::{
     Entries, Evaluate, Found, constrained, driven, energies, energy_rate, motion, reduced, rows,
 };

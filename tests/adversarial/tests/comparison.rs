@@ -12,6 +12,7 @@ fn comparison(found: &[f64], expected: &[f64]) -> Comparison {
         found: Ok(found.to_vec()),
         expected: expected.to_vec(),
         tolerance: 0.25,
+        conditioning: None,
     }
 }
 
