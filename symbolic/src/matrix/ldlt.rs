@@ -31,8 +31,15 @@ impl Ldlt {
         let mut pivots = vec![graph.zero(); mass.len()];
         let mut position = vec![0; mass.len()];
         let mut rows = Vec::with_capacity(mass.len());
+        // Pivots come to vanish where the matrix is indefinite.
+        let is_indefinite = (0..mass.len()).any(|i| graph.is_zero(mass[i][i]));
         for _ in mass {
-            let mut row = matrix.take(graph, best_pivot(graph, &matrix)?);
+            let mut best = best_pivot(graph, &matrix)?;
+            while is_indefinite && graph.vanishes(&[matrix.pivot(best)?]) {
+                matrix.remove_pivot(best);
+                best = best_pivot(graph, &matrix)?;
+            }
+            let mut row = matrix.take(graph, best);
             if row.others.len() > limit {
                 return None;
             }
