@@ -319,7 +319,8 @@ def inertia(rng, mode, n):
     return [[sign * x for x in row] for row in m]
 
 
-MODES = ("plain", "plain", "equal", "zero", "negative", "scaled")
+# How values of fields are drawn beside the first state of a model, in which all are plain.
+MODES = ["plain", "plain", "equal", "zero", "negative", "scaled"]
 TRIES = 40
 
 

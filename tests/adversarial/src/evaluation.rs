@@ -1,6 +1,8 @@
 //! Everything that a model evaluates, by the names that the data have for it.
 
-use lagrangian::quantities::{Constraints, Energies, EnergyBalance, Inputs, Quantities, StateJacobian};
+use lagrangian::quantities::{
+    Constraints, Energies, EnergyBalance, Inputs, Quantities, StateJacobian,
+};
 use lagrangian::{Dop853, Lagrangian, Problem, RouthReduction, Routhian, State, StopReason};
 use nalgebra::{SMatrix, SVector};
 

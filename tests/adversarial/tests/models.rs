@@ -71,7 +71,12 @@ fn check_conditioned(comparisons: &[Comparison]) {
         count += 1;
         let error = conditioning.relative_error(comparison);
         let bound = 1e-15 * conditioning.unknowns as f64 * conditioning.condition;
-        let Comparison { quantity, state, model, .. } = comparison;
+        let Comparison {
+            quantity,
+            state,
+            model,
+            ..
+        } = comparison;
         let at = format!("{quantity} at state {state} of {model}");
         assert!(error <= bound, "{error:e} exceeds {bound:e}: {at}");
         worst = worst.max(error / bound);
