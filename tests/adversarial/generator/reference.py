@@ -180,7 +180,11 @@ def reference(model, at, rng):
         if not noise <= USELESS * max(size, 1.0):
             raise NoValue("too badly conditioned")
         tolerances[name] = ALLOWANCE * max(noise, UNIT * max(size, 1.0))
+    conditioning = {}
     if model.is_constrained():
+        scales, condition = equilibrated(e.constraints.matrix(e.M))
+        conditioning = {"scales": scales, "condition": condition}
+        allow_for_condition(e, scales, condition, tolerances)
         allow_for_solution(model, exact, e, values, tolerances, rng)
     if model.ignorable:
         add_reduced(model, exact, values, tolerances, rng)
@@ -190,7 +194,7 @@ def reference(model, at, rng):
         "qd": at.v,
         "params": [x for f in model.fields for x in flat(at.fields[f.name])],
         "trial": trial,
-        **(dict(zip(("scales", "condition"), equilibrated(e.constraints.matrix(e.M)))) if model.is_constrained() else {}),
+        **conditioning,
         "values": {name: [float(x) for x in value] for name, value in values.items()},
         "tolerances": tolerances,
     }, shapes
@@ -210,6 +214,14 @@ def by_elimination(e):
     inverse = [solve(s, [mpf(i == j) for i in rows]) for j in rows]
     rates = [added(abs(x) * y for x, y in zip(g[j], motion)) + abs(e.constraints.rates[j]) for j in rows]
     return {"qdd": float(max(motion)), "lambda": float(max(added(abs(inverse[j][i]) * rates[j] for j in rows) for i in rows))}
+
+
+def allow_for_condition(e, scales, condition, tolerances):
+    """q̈ and λ may be off by 10⁻¹⁵ times the number n of unknowns and the condition number of D A D, relative to the greatest of D⁻¹ x."""
+    x, n = [*e.a, *e.multipliers], len(e.a)
+    bound = 1e-15 * len(x) * condition * max(float(abs(y)) / d for y, d in zip(x, scales))
+    for name, part in (("qdd", scales[:n]), ("lambda", scales[n:])):
+        tolerances[name] = max(tolerances[name], bound * max(part))
 
 
 def allow_for_solution(model, at, e, values, tolerances, rng):
