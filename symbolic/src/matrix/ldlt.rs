@@ -7,7 +7,7 @@
 //! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with no digits lost near θ = 0. M is not inverted; the
 //! solution is straight-line code with one division for each pivot.
 
-use crate::limits::{MAX_TRANSPARENT_ELIMINATION, MIN_SADDLE_POINT_PIVOT};
+use crate::limits::{MAX_TRANSPARENT_ELIMINATION, MIN_ELIMINATED_GRADIENT, MIN_SADDLE_POINT_PIVOT};
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
 use crate::{Binary, Expression, Graph, Node, Rational};
 
@@ -68,8 +68,8 @@ impl Ldlt {
     ///
     /// - A pivot is no small remainder of what it is subtracted from.
     /// - The pivot p of a constraint that is eliminated before a coordinate k, to which e couples it, leaves k with e²/p more:
-    ///   this is no large multiple of Mₖₖ, unless e is no large multiple of the other components of the gradient, of which p is
-    ///   made. The latter depends on units, as all pivoting does; it matters where k is light or without mass.
+    ///   this is no large multiple of what is left of Mₖₖ, unless e is no large multiple of the other components of the gradient, of
+    ///   which p is made. The latter depends on units, as all pivoting does; it matters where k is light or without mass.
     pub(crate) fn with_negative_pivots(
         mut self,
         graph: &mut Graph,
@@ -85,28 +85,27 @@ impl Ldlt {
             if row.unknown < coordinates {
                 if has_difference(graph, pivot) {
                     let before = mass[row.unknown][row.unknown];
-                    conditions.push(exceeds(graph, pivot, before));
+                    conditions.push(exceeds(graph, pivot, before, MIN_SADDLE_POINT_PIVOT));
                 }
                 continue;
             }
-            let (gradient, is_reduced) = self.reductions(graph, position, coordinates);
-            if is_reduced {
-                let [before, _] = gradient;
-                conditions.push(exceeds(graph, pivot, before));
+            let [before, squares] = self.reductions(graph, row.unknown, position, coordinates);
+            if self.reduces_by_constraint(graph, row.unknown, position, coordinates) {
+                conditions.push(exceeds(graph, pivot, before, MIN_SADDLE_POINT_PIVOT));
             }
             for (k, entry) in &row.others {
                 if *k >= coordinates || graph.is_zero(*entry) {
                     continue;
                 }
                 let square = graph.multiply(*entry, *entry);
-                let [_, squares] = gradient;
-                let by_gradient = exceeds(graph, squares, square);
-                let inertia = mass[*k][*k];
-                conditions.push(if graph.is_zero(inertia) {
+                let by_gradient = exceeds(graph, squares, square, MIN_ELIMINATED_GRADIENT);
+                let [reduction, _] = self.reductions(graph, *k, position, coordinates);
+                let inertia = graph.subtract(mass[*k][*k], reduction);
+                conditions.push(if graph.vanishes(&[inertia]) {
                     by_gradient
                 } else {
                     let product = graph.multiply(pivot, inertia);
-                    let by_inertia = exceeds(graph, product, square);
+                    let by_inertia = exceeds(graph, product, square, MIN_SADDLE_POINT_PIVOT);
                     graph.binary(Binary::Max, by_gradient, by_inertia)
                 });
             }
@@ -122,35 +121,41 @@ impl Ldlt {
         Some(self)
     }
 
-    /// Of the constraint whose row is eliminated at a position, what the elimination of coordinates makes of its pivot, Σ e²/p, and
-    /// Σ e² of their entries; and whether constraints reduce the pivot.
+    /// What the elimination of coordinates before a position makes of the diagonal entry of an unknown, Σ e²/p, and Σ e² of its
+    /// entries e there.
     fn reductions(
         &self,
         graph: &mut Graph,
+        unknown: usize,
         position: usize,
         coordinates: usize,
-    ) -> ([Expression; 2], bool) {
-        let unknown = self.rows[position].unknown;
-        let (mut quotients, mut squares, mut is_reduced) = (Vec::new(), Vec::new(), false);
-        for before in &self.rows[..position] {
-            let mut entries = before.others.iter();
-            let entry = entries.find(|(i, _)| *i == unknown);
-            let Some(entry) = entry.map(|(_, entry)| *entry) else {
-                continue;
-            };
-            if graph.is_zero(entry) {
-                continue;
+    ) -> [Expression; 2] {
+        let (mut quotients, mut squares) = (Vec::new(), Vec::new());
+        for row in &self.rows[..position] {
+            if row.unknown < coordinates {
+                let entry = row.entry(unknown).unwrap_or(graph.zero());
+                let factor = graph.divide(entry, row.pivot);
+                quotients.push((graph.multiply(factor, entry), Rational::ONE));
+                squares.push((graph.multiply(entry, entry), Rational::ONE));
             }
-            if before.unknown >= coordinates {
-                is_reduced = true;
-                continue;
-            }
-            let square = graph.multiply(entry, entry);
-            let factor = graph.divide(entry, before.pivot);
-            quotients.push((graph.multiply(factor, entry), Rational::ONE));
-            squares.push((square, Rational::ONE));
         }
-        ([graph.sum(quotients), graph.sum(squares)], is_reduced)
+        [graph.sum(quotients), graph.sum(squares)]
+    }
+
+    /// Whether constraints that are eliminated before a position change the diagonal entry of an unknown.
+    fn reduces_by_constraint(
+        &self,
+        graph: &Graph,
+        unknown: usize,
+        position: usize,
+        coordinates: usize,
+    ) -> bool {
+        let constraints = self.rows[..position].iter();
+        let mut constraints = constraints.filter(|row| row.unknown >= coordinates);
+        constraints.any(|row| {
+            row.entry(unknown)
+                .is_some_and(|entry| !graph.is_zero(entry))
+        })
     }
 
     /// x in M x = `right`.
@@ -169,9 +174,13 @@ impl Ldlt {
     }
 }
 
-/// What is positive where `x` exceeds the least part of `y` that a pivot may be.
-fn exceeds(graph: &mut Graph, x: Expression, y: Expression) -> Expression {
-    let (numerator, denominator) = MIN_SADDLE_POINT_PIVOT;
+/// What is positive where `x` exceeds this part of `y`.
+fn exceeds(
+    graph: &mut Graph,
+    x: Expression,
+    y: Expression,
+    (numerator, denominator): (i64, i64),
+) -> Expression {
     let least = Rational::new(-numerator, denominator).unwrap_or(Rational::ZERO);
     graph.sum([(x, Rational::ONE), (y, least)])
 }

@@ -126,6 +126,13 @@ impl<U: Copy + Ord> SymmetricElimination<U> {
 }
 
 impl<U: Copy + Ord> PivotRow<U> {
+    /// Its entry in the column of an unknown.
+    pub(crate) fn entry(&self, unknown: U) -> Option<Expression> {
+        let mut entries = self.others.iter();
+        let entry = entries.find(|(u, _)| *u == unknown);
+        entry.map(|(_, entry)| *entry)
+    }
+
     /// Subtracts the same multiples of its right-hand side from the others.
     pub(crate) fn reduce_right(
         &self,

@@ -19,8 +19,14 @@ pub struct Conditioning {
 }
 
 impl Conditioning {
-    /// The conditioning at a state of the data, for the accelerations and the multipliers.
-    pub(crate) fn of(state: &Value, quantity: &str) -> Option<Self> {
+    /// The conditioning at a state of the data, for the accelerations and the multipliers; nothing for other quantities, and without
+    /// constraints.
+    ///
+    /// # Panics
+    ///
+    /// If a state with scales lacks a condition number, accelerations or multipliers.
+    #[must_use]
+    pub fn of(state: &Value, quantity: &str) -> Option<Self> {
         let all = numbers(state.get("scales")?);
         let [accelerations, multipliers] =
             ["qdd", "lambda"].map(|name| numbers(&state["values"][name]));
