@@ -142,9 +142,14 @@ pub(crate) const MAX_EXPANDED_COORDINATES: u32 = 4;
 /// Insensitive.
 pub(crate) const MAX_QUASI_VELOCITIES: usize = 8;
 
-/// A pivot of a constraint that is less than 2⁻¹³ of what the elimination of coordinates makes of it, a sine of 10⁻² between
-/// gradients, is left to a numerical factorization, with pivoting. By judgement: the solution loses four digits there.
-pub(crate) const MIN_CONSTRAINT_PIVOT: (i64, i64) = (1, 1 << 13);
+/// Where a pivot of a saddle point problem is less than 2⁻⁷ of what it is compared with, a numerical factorization takes over, with
+/// pivoting. By judgement: the solution loses two digits there, as many as the numerical one without pivoting may
+/// (`MIN_STABLE_PIVOT` of the runtime).
+pub(crate) const MIN_SADDLE_POINT_PIVOT: (i64, i64) = (1, 1 << 7);
+
+/// A constraint is eliminated before a coordinate where the squares of its gradient's components by the coordinates before are at
+/// least 2⁻⁴ of the square of that by this coordinate. By judgement: a rod without mass may be 4 m long, and one digit is lost.
+pub(crate) const MIN_ELIMINATED_GRADIENT: (i64, i64) = (1, 1 << 4);
 
 /// Where a pivot row has more entries, the matrix is eliminated numerically, which costs no more than straight-line
 /// code. Made by chains in relative angles, whose M is full; measured: with 14, twelve links become 3578 operations

@@ -15,7 +15,11 @@ fn main() {
     println!("cargo::rerun-if-env-changed=ADVERSARIAL_MODELS");
     let root = env::var("CARGO_MANIFEST_DIR").expect("cargo sets CARGO_MANIFEST_DIR");
     let files = env::var_os("ADVERSARIAL_MODELS").map_or_else(
-        || vec!["models/passing.json".into(), "models/motions.json".into()],
+        || {
+            ["passing", "motions", "constrained"]
+                .map(|name| format!("models/{name}.json").into())
+                .into()
+        },
         |file| vec![PathBuf::from(file)],
     );
     let files: Vec<PathBuf> = files
@@ -149,10 +153,16 @@ fn calls(model: &Value, inputs: &[&str]) -> String {
     if model["motion"].is_object() {
         return motions(model);
     }
-    let mut calls = format!(
-        "crate::motion::<Model, {}>(&model, at)\n        .into_iter()",
-        model["n"]
-    );
+    // A model with inputs as arguments is of another type.
+    let function = |of: &str| match model["constraints"].as_u64() {
+        None => format!("crate::motion::<{of}, {}>", model["n"]),
+        Some(constraints) => format!("crate::constrained::<{of}, {}, {constraints}>", model["n"]),
+    };
+    let mut calls = format!("{}(&model, at)\n        .into_iter()", function("Model"));
+    if model["energy_balance"] == true {
+        write!(calls, "\n        .chain(crate::energy_rate(&model, at))")
+            .expect("strings accept everything");
+    }
     if model["energies"] == true {
         write!(calls, "\n        .chain(crate::energies(&model, at))")
             .expect("strings accept everything");
@@ -169,8 +179,9 @@ fn calls(model: &Value, inputs: &[&str]) -> String {
         .chain({{
             let nowhere = Model::new(&mut Values::unknown());
             let unset = Model {{ {unset}, ..model.clone() }};
-            crate::motion(&unset.with_inputs(model.inputs()), at)
-        }})"
+            {}(&unset.with_inputs(model.inputs()), at)
+        }})",
+            function("_")
         )
         .expect("strings accept everything");
     }

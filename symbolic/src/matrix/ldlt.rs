@@ -7,9 +7,9 @@
 //! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with no digits lost near θ = 0. M is not inverted; the
 //! solution is straight-line code with one division for each pivot.
 
-use crate::limits::{MAX_TRANSPARENT_ELIMINATION, MIN_CONSTRAINT_PIVOT};
+use crate::limits::{MAX_TRANSPARENT_ELIMINATION, MIN_ELIMINATED_GRADIENT, MIN_SADDLE_POINT_PIVOT};
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
-use crate::{Expression, Graph, Rational};
+use crate::{Binary, Expression, Graph, Node, Rational};
 
 /// A symbolically factored symmetric matrix.
 #[derive(Clone, Debug)]
@@ -17,6 +17,8 @@ pub struct Ldlt {
     /// The pivots, the entries of D, by coordinate. Where all are positive, M is positive definite and
     /// the solution is stable.
     pub pivots: Vec<Expression>,
+    /// What else has to be positive for a stable solution, of a saddle point problem.
+    pub(crate) conditions: Vec<Expression>,
     /// The rows in the order of elimination, and the entries of each in the same order.
     rows: Vec<PivotRow<usize>>,
 }
@@ -29,8 +31,15 @@ impl Ldlt {
         let mut pivots = vec![graph.zero(); mass.len()];
         let mut position = vec![0; mass.len()];
         let mut rows = Vec::with_capacity(mass.len());
+        // Pivots come to vanish where the matrix is indefinite.
+        let is_indefinite = (0..mass.len()).any(|i| graph.is_zero(mass[i][i]));
         for _ in mass {
-            let mut row = matrix.take(graph, best_pivot(graph, &matrix)?);
+            let mut best = best_pivot(graph, &matrix)?;
+            while is_indefinite && graph.vanishes(&[matrix.pivot(best)?]) {
+                matrix.remove_pivot(best);
+                best = best_pivot(graph, &matrix)?;
+            }
+            let mut row = matrix.take(graph, best);
             if row.others.len() > limit {
                 return None;
             }
@@ -47,47 +56,106 @@ impl Ldlt {
         for row in &mut rows {
             row.others.sort_by_key(|(i, _)| position[*i]);
         }
-        Some(Self { pivots, rows })
+        Some(Self {
+            pivots,
+            conditions: Vec::new(),
+            rows,
+        })
     }
 
-    /// Reverses the pivots of constraints, the rows of a saddle point problem from `coordinates` on, which are negative, and
-    /// compares them with what the elimination of coordinates makes of them: the solution is stable where all pivots are
-    /// positive.
-    pub(crate) fn with_negative_pivots(mut self, graph: &mut Graph, coordinates: usize) -> Self {
-        let (numerator, denominator) = MIN_CONSTRAINT_PIVOT;
-        let least = Rational::new(-numerator, denominator).unwrap_or(Rational::ZERO);
-        let count = self.pivots.len().saturating_sub(coordinates);
-        let mut terms = vec![Vec::new(); count];
-        let mut is_reduced = vec![false; count];
-        for row in &self.rows {
-            for (i, entry) in &row.others {
-                let Some(constraint) = i.checked_sub(coordinates) else {
-                    continue;
-                };
-                if graph.is_zero(*entry) {
-                    continue;
-                }
-                if row.unknown < coordinates {
-                    let factor = graph.divide(*entry, row.pivot);
-                    let product = graph.multiply(factor, *entry);
-                    terms[constraint].push((product, Rational::ONE));
-                } else {
-                    is_reduced[constraint] = true;
-                }
-            }
-        }
-        for ((pivot, terms), is_reduced) in self.pivots[coordinates..]
-            .iter_mut()
-            .zip(terms)
-            .zip(is_reduced)
-        {
+    /// Reverses the pivots of constraints, the rows of a saddle point problem from `coordinates` on, which are negative, and adds
+    /// the conditions for a stable solution: where these and all pivots are positive, no entry loses or gains many digits.
+    ///
+    /// - A pivot is no small remainder of what it is subtracted from.
+    /// - The pivot p of a constraint that is eliminated before a coordinate k, to which e couples it, leaves k with e²/p more:
+    ///   this is no large multiple of what is left of Mₖₖ, unless e is no large multiple of the other components of the gradient, of
+    ///   which p is made. The latter depends on units, as all pivoting does; it matters where k is light or without mass.
+    pub(crate) fn with_negative_pivots(
+        mut self,
+        graph: &mut Graph,
+        mass: &[Vec<Expression>],
+        coordinates: usize,
+    ) -> Option<Self> {
+        for pivot in &mut self.pivots[coordinates..] {
             *pivot = graph.negate(*pivot);
-            if is_reduced {
-                let before = graph.sum(terms);
-                *pivot = graph.sum([(*pivot, Rational::ONE), (before, least.clone())]);
+        }
+        let mut conditions = Vec::new();
+        for (position, row) in self.rows.iter().enumerate() {
+            let pivot = self.pivots[row.unknown];
+            if row.unknown < coordinates {
+                if has_difference(graph, pivot) {
+                    let before = mass[row.unknown][row.unknown];
+                    conditions.push(exceeds(graph, pivot, before, MIN_SADDLE_POINT_PIVOT));
+                }
+                continue;
+            }
+            let [before, squares] = self.reductions(graph, row.unknown, position, coordinates);
+            if self.reduces_by_constraint(graph, row.unknown, position, coordinates) {
+                conditions.push(exceeds(graph, pivot, before, MIN_SADDLE_POINT_PIVOT));
+            }
+            for (k, entry) in &row.others {
+                if *k >= coordinates || graph.is_zero(*entry) {
+                    continue;
+                }
+                let square = graph.multiply(*entry, *entry);
+                let by_gradient = exceeds(graph, squares, square, MIN_ELIMINATED_GRADIENT);
+                let [reduction, _] = self.reductions(graph, *k, position, coordinates);
+                let inertia = graph.subtract(mass[*k][*k], reduction);
+                conditions.push(if graph.vanishes(&[inertia]) {
+                    by_gradient
+                } else {
+                    let product = graph.multiply(pivot, inertia);
+                    let by_inertia = exceeds(graph, product, square, MIN_SADDLE_POINT_PIVOT);
+                    graph.binary(Binary::Max, by_gradient, by_inertia)
+                });
             }
         }
-        self
+        for condition in conditions {
+            match graph.as_constant(condition) {
+                Some(number) if *number > Rational::ZERO => {}
+                Some(_) => return None,
+                None if self.conditions.contains(&condition) => {}
+                None => self.conditions.push(condition),
+            }
+        }
+        Some(self)
+    }
+
+    /// What the elimination of coordinates before a position makes of the diagonal entry of an unknown, Σ e²/p, and Σ e² of its
+    /// entries e there.
+    fn reductions(
+        &self,
+        graph: &mut Graph,
+        unknown: usize,
+        position: usize,
+        coordinates: usize,
+    ) -> [Expression; 2] {
+        let (mut quotients, mut squares) = (Vec::new(), Vec::new());
+        for row in &self.rows[..position] {
+            if row.unknown < coordinates {
+                let entry = row.entry(unknown).unwrap_or(graph.zero());
+                let factor = graph.divide(entry, row.pivot);
+                quotients.push((graph.multiply(factor, entry), Rational::ONE));
+                squares.push((graph.multiply(entry, entry), Rational::ONE));
+            }
+        }
+        [graph.sum(quotients), graph.sum(squares)]
+    }
+
+    /// Whether constraints that are eliminated before a position change the diagonal entry of an unknown.
+    fn reduces_by_constraint(
+        &self,
+        graph: &Graph,
+        unknown: usize,
+        position: usize,
+        coordinates: usize,
+    ) -> bool {
+        let constraints = self.rows[..position].iter();
+        let mut constraints = constraints.filter(|row| row.unknown >= coordinates);
+        constraints.any(|row| {
+            row.entry(unknown)
+                .is_some_and(|entry| !graph.is_zero(entry))
+        })
     }
 
     /// x in M x = `right`.
@@ -103,6 +171,29 @@ impl Ldlt {
             solution[row.unknown] = rewrite(graph, value);
         }
         solution
+    }
+}
+
+/// What is positive where `x` exceeds this part of `y`.
+fn exceeds(
+    graph: &mut Graph,
+    x: Expression,
+    y: Expression,
+    (numerator, denominator): (i64, i64),
+) -> Expression {
+    let least = Rational::new(-numerator, denominator).unwrap_or(Rational::ZERO);
+    graph.sum([(x, Rational::ONE), (y, least)])
+}
+
+/// Whether terms are subtracted in a pivot.
+fn has_difference(graph: &Graph, pivot: Expression) -> bool {
+    let mut pivot = pivot;
+    while let Node::Opaque(operand) = graph.node(pivot) {
+        pivot = *operand;
+    }
+    match graph.node(pivot) {
+        Node::Sum(terms) => terms.iter().any(|(_, factor)| factor.is_negative()),
+        _ => false,
     }
 }
 

@@ -48,6 +48,18 @@ impl<U: Copy + Ord> SymmetricElimination<U> {
         rows.filter_map(|(u, row)| Some((*u, *row.get(u)?, row.len() - 1)))
     }
 
+    /// The diagonal entry of an unknown, unless it is zero.
+    pub(crate) fn pivot(&self, unknown: U) -> Option<Expression> {
+        self.rows.get(&unknown)?.get(&unknown).copied()
+    }
+
+    /// Makes the diagonal entry of an unknown zero.
+    pub(crate) fn remove_pivot(&mut self, unknown: U) {
+        if let Some(row) = self.rows.get_mut(&unknown) {
+            row.remove(&unknown);
+        }
+    }
+
     /// Whether the matrix vanishes.
     pub(crate) fn is_zero(&self) -> bool {
         self.rows.values().all(BTreeMap::is_empty)
@@ -114,6 +126,13 @@ impl<U: Copy + Ord> SymmetricElimination<U> {
 }
 
 impl<U: Copy + Ord> PivotRow<U> {
+    /// Its entry in the column of an unknown.
+    pub(crate) fn entry(&self, unknown: U) -> Option<Expression> {
+        let mut entries = self.others.iter();
+        let entry = entries.find(|(u, _)| *u == unknown);
+        entry.map(|(_, entry)| *entry)
+    }
+
     /// Subtracts the same multiples of its right-hand side from the others.
     pub(crate) fn reduce_right(
         &self,

@@ -291,7 +291,7 @@ impl Kinetics {
     }
 
     /// Whether the Taylor series of a motion are to be solved for with pivoting: where constraints may come to depend on each
-    /// other, or a coordinate may lose its inertia, which a constraint replaces.
+    /// other, where the factors are not stable everywhere, or where a coordinate may lose its inertia, which a constraint replaces.
     pub fn needs_pivoting(&self, graph: &mut Graph) -> bool {
         let Some(solution) = &self.solution else {
             return false;
@@ -303,6 +303,7 @@ impl Kinetics {
             .filter(|pivot| pivot.coordinates.iter().all(|i| *i < coordinates));
         !self.constraints.is_empty()
             && (self.constraints.len() > 1
+                || solution.is_stable_in_part()
                 || of_coordinates.any(|pivot| !graph.never_comes_to_vanish(pivot.value)))
     }
 
@@ -343,7 +344,7 @@ impl Kinetics {
 /// `coordinates` are positive where M is, and those of the multipliers negative; their opposites are the pivots.
 fn ldlt_solver(graph: &mut Graph, system: &LinearSystem, coordinates: usize) -> Option<Solver> {
     let ldlt = Ldlt::factor(graph, &system.mass, MAX_PIVOT_NEIGHBOURS)?;
-    let ldlt = ldlt.with_negative_pivots(graph, coordinates);
+    let ldlt = ldlt.with_negative_pivots(graph, &system.mass, coordinates)?;
     Some(Solver::Ldlt(ldlt, system.forcing.clone()))
 }
 

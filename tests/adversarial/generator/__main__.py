@@ -23,6 +23,7 @@ import document
 from building import OPTIMIZATION, built
 from kinds import KINDS
 from minimization import minimized
+from reference import MODES
 from report import Report
 
 MODELS = Path(__file__).resolve().parents[1] / "models"
@@ -37,6 +38,7 @@ def arguments():
     parser.add_argument("--shard", type=int, default=120, help="how many models are compiled at a time")
     parser.add_argument("--each", type=int, default=3, help="how many models of each kind are selected")
     parser.add_argument("--states", type=int, help="how many states of a model are selected at most")
+    parser.add_argument("--modes", type=lambda text: text.split(","), help="how values of fields are drawn, apart by commas; all if absent")
     parser.add_argument("--name", default="passing", help="the file of the models that are selected")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--optimize", type=int, default=0, help="the level of optimization of models, 1 for many motions")
@@ -51,6 +53,7 @@ def arguments():
         parser.error(f"no kinds are named {', '.join(unknown)}: there are {', '.join(KINDS)}")
     given.folder = given.folder.resolve()
     OPTIMIZATION[0] = given.optimize
+    MODES[:] = given.modes or MODES
     return given
 
 
@@ -94,6 +97,7 @@ def select(given):
     command = f"python3 tests/adversarial/generator select --seed {given.seed} --each {given.each}"
     command += f" --name {given.name} --kinds {','.join(given.kinds)}" if given.kinds else ""
     command += f" --states {given.states}" if given.states else ""
+    command += f" --modes {','.join(given.modes)}" if given.modes else ""
     sample = Sample(given.states)
     for name, contents in ((given.name, "models that agree"), ("failing", "models that are wrong or refused")):
         chosen = [sample.fewer(model) for model in models if fails(model) == (name == "failing")]

@@ -32,6 +32,8 @@ def assembled(name, model, text, states, shapes):
         "kind": model.kind,
         "n": len(model.coordinate_labels()),
         "energies": model.lagrangian is None,
+        **({"constraints": len(states[0]["values"]["lambda"])} if states and model.is_constrained() else {}),
+        **({"energy_balance": True} if model.energy_balance else {}),
         **({"ignorable": model.ignorable_places()} if model.ignorable else {}),
         "fields": [field(f) for f in model.fields],
         "outputs": shapes,
@@ -58,7 +60,7 @@ def spelled(state):
     """Numbers as words in a string: binary64 numbers that are read back as they are."""
     words = lambda x: " ".join(repr(float(y)) for y in (x if isinstance(x, list) else [x]))
     tables = {key: {name: words(x) for name, x in state[key].items()} for key in ("values", "tolerances")}
-    lists = ("t", "q", "qd", "params", "trial", "end", "starts")
+    lists = ("t", "q", "qd", "params", "trial", "end", "starts", "scales", "condition")
     row = {**{key: words(state[key]) for key in lists if key in state}, **tables}
     if "run" in state:
         row["run"] = {key: x if isinstance(x, (str, bool)) else words(x) for key, x in state["run"].items()}

@@ -17,10 +17,12 @@ TIME = 2  # The level of duals in τ; those of second derivatives in time are on
 
 
 class Point:
-    """Where expressions are evaluated: t, q, v by place, fields by name, and accelerations where they are known."""
+    """Where expressions are evaluated: t, q, v by place, fields by name, and accelerations and reactions of constraints where they are
+    known."""
 
-    def __init__(self, t, q, v, fields, accelerations=None):
+    def __init__(self, t, q, v, fields, accelerations=None, reactions=None):
         self.t, self.q, self.v, self.fields, self.accelerations = t, q, v, fields, accelerations
+        self.reactions = reactions
 
     def moving(self, order, what, i):
         """t, or a coordinate, as it moves: `order` time derivatives deep."""
@@ -163,6 +165,10 @@ class Evaluator:
     def of_dot(self, e, order, env):
         moving = self(e.args[0], order + 1, env)
         return entrywise(lambda x: x.b if level(x) == TIME + order else 0, moving)
+
+    def of_reaction(self, e, order, env):
+        name, indices = e.data
+        return self.point.reactions[name, tuple(resolve(i, env) for i in indices)]
 
     def of_array(self, e, order, env):
         return self.args(e, order, env)

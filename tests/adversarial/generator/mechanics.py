@@ -1,12 +1,13 @@
-"""Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q of a model, numerically, at one point."""
+"""Lagrange's equations d/dt (∂L/∂q̇) − ∂L/∂q = Q + Gᵀ λ of a model, numerically, at one point."""
 
-from arrays import added, depth, entrywise, flat, solve
+from arrays import added, depth, entrywise, flat
+from constraints import Constraints, derivative, environments
 from derivatives import Jet, level
 from evaluation import Evaluator, Point
 
 
 class Equations:
-    """L, T, V, p, the energy function h, M, f, Q and q̈ of a model at t, q, v under the fields' values."""
+    """L, T, V, p, the energy function h, M, f, Q, q̈ and λ of a model at t, q, v under the fields' values."""
 
     def __init__(self, model, t, q, v, fields):
         n = len(q)
@@ -36,7 +37,17 @@ class Equations:
             first(n + i) - second(i, 2 * n) - added(second(i, n + j) * v[j] for j in range(n)) + self.Q[i]
             for i in range(n)
         ]
-        self.a = solve(self.M, self.f)
+        self.explicit = first(2 * n)
+        self.constraints = Constraints(model, of, v)
+        self.a, self.multipliers = self.constraints.solved(self.M, self.f)
+
+    def reactions(self):
+        return self.constraints.reactions(self.multipliers)
+
+    def energy_rate(self):
+        """dh/dt = Q·q̇ − ∂L/∂t − λᵀ a, where the constraints hold."""
+        power = added(x * y for x, y in zip(self.Q, self.v))
+        return power - self.explicit - added(x * a for x, a in zip(self.multipliers, self.constraints.rests))
 
     def dissipated(self, model, of):
         total = added(of(e) for e in model.dissipation)
@@ -66,25 +77,14 @@ class Equations:
         return [added(m * x for m, x in zip(row, a)) - f for row, f in zip(self.M, self.f)]
 
 
-def environments(ranges):
-    if not ranges:
-        return [{}]
-    variable, low, high = ranges[0]
-    return [{variable: i, **rest} for i in range(low, high) for rest in environments(ranges[1:])]
-
-
-def derivative(x, i):
-    return x.first.get(i, 0) if level(x) == Jet.level else 0
-
-
 def value_of(x):
     """Without derivatives by coordinates, velocities and time."""
     return entrywise(lambda y: y.a if level(y) == Jet.level else y, x)
 
 
-def outputs(model, t, q, v, fields, a):
-    """The outputs, each a list of numbers row by row, and its shape (rows, columns) if it is no scalar."""
-    of = Evaluator(model, Point(t, q, v, fields, a))
+def outputs(model, t, q, v, fields, e):
+    """The outputs where these equations hold, each a list of numbers row by row, and its shape (rows, columns) if it is no scalar."""
+    of = Evaluator(model, Point(t, q, v, fields, e.a, e.reactions()))
     found = {}
     for row in model.outputs:
         x = of(row.expression)

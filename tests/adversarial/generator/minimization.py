@@ -18,7 +18,7 @@ from spelling import declaration
 from tree import E, node
 
 CLAUSES = ("kinetic", "potential", "dissipation")
-ROWS = ("definitions", "forces", "outputs")
+ROWS = ("definitions", "forces", "constraints", "nonholonomic", "outputs")
 BATCH = 48
 # What may stand in the place of such a node: any of its arguments.
 REPLACEABLE = ("add", "sub", "mul", "div", "neg", "powi", "powf", "call", "dot")

@@ -73,7 +73,7 @@ def quantities(model, at, constants, step):
     for name, moved in (("reduced dqdd_dq", lambda i: (bumped(q, i, step), v)), ("reduced dqdd_dqd", lambda i: (q, bumped(v, i, step)))):
         columns = [[(x - y) / step for x, y in zip(r.accelerations(*moved(i)), base)] for i in range(len(q))]
         found[name] = flat(transpose(columns))
-    for name, (x, _) in outputs(model, at.t, at.q, e.v, at.fields, e.a).items():
+    for name, (x, _) in outputs(model, at.t, at.q, e.v, at.fields, e).items():
         found["reduced output " + name] = x
     return found
 

@@ -11,6 +11,7 @@ Gaussian elimination, J. ACM 26, 1979). `ALLOWANCE` is for algorithms that take 
 and for samples that are all small by chance.
 """
 
+import copy
 import math
 import random
 
@@ -20,6 +21,7 @@ import arrays
 from arrays import added, flat, solve
 import reduction
 from derivatives import GREATEST, PRECISE, Dual, NoValue, level
+from constraints import consistent, equilibrated
 from mechanics import Equations, outputs
 from rounding import DEVIATION, SCALE, UNIT, Rounded, Wide
 
@@ -27,6 +29,8 @@ BITS = 240
 STEP = 2.0**-100
 SAMPLES = 4
 ALLOWANCE = 32
+# The same for q̈ and λ, which are solved for without pivoting down to pivots of 2⁻⁷.
+ALLOWANCE_OF_PIVOTS = 128
 RECONSTRUCTION = 1e-8  # Relative errors of two integrations, each of which has 1e-11.
 USELESS = 1e-5  # A tolerance so great, relative to the quantity, tests nothing.
 
@@ -68,9 +72,10 @@ def at_component(x, i, change):
 
 def directions(model, n):
     """The columns of the linearization: by q, by v, by t, by inputs in the order of their fields."""
-    yield from (("dqdd_dq", "q", i) for i in range(n))
-    yield from (("dqdd_dqd", "v", i) for i in range(n))
-    yield "dqdd_dt", "t", 0
+    if not model.is_constrained():
+        yield from (("dqdd_dq", "q", i) for i in range(n))
+        yield from (("dqdd_dqd", "v", i) for i in range(n))
+        yield "dqdd_dt", "t", 0
     for f in model.fields:
         if f.input:
             yield from (("dqdd_du", f, i) for i in range(f.size()))
@@ -100,7 +105,12 @@ def quantities(model, at, trial, slope, linearize=True):
         columns.setdefault(name, []).append(slope(model, at, kind, i, e.a))
     found.update((name, flat(arrays.transpose(c))) for name, c in columns.items())
     shapes = {}
-    for name, (x, shape) in outputs(model, at.t, at.q, at.v, at.fields, e.a).items():
+    if model.is_constrained():
+        c = e.constraints
+        found.update({"lambda": e.multipliers, "g": c.positions, "w": [bare(w) for w in c.velocities], "G": flat(c.jacobian), "gamma": c.rates})
+    if model.energy_balance:
+        found["energy_rate"] = [e.energy_rate()]
+    for name, (x, shape) in outputs(model, at.t, at.q, at.v, at.fields, e).items():
         found["output " + name] = x
         shapes[name] = shape
     return found, shapes, e
@@ -135,12 +145,16 @@ def rounded_at_random(model, at, trial, rng):
 
 
 def of_solution(e):
-    """Skeel's bound |M⁻¹| (|M| |q̈| + |f|), its greatest entry, and that of |M⁻¹| times terms of the size of 1."""
-    n = len(e.a)
-    columns = [solve(e.M, [mpf(i == j) for i in range(n)]) for j in range(n)]
-    load = [added(abs(m * x) for m, x in zip(row, e.a)) + abs(f) for row, f in zip(e.M, e.f)]
-    greatest = lambda load: max(added(abs(columns[j][i]) * load[j] for j in range(n)) for i in range(n))
-    return float(greatest(load)), float(greatest([1] * n))
+    """Skeel's bound |A⁻¹| (|A| |x| + |b|) of A x = b, its greatest entry for q̈ and for λ, and those of |A⁻¹| times terms of the size
+    of 1. A is M, or the matrix of q̈ and λ."""
+    matrix, x, right = e.constraints.matrix(e.M), [*e.a, *e.multipliers], [*e.f, *e.constraints.rates]
+    n = len(x)
+    columns = [solve(matrix, [mpf(i == j) for i in range(n)]) for j in range(n)]
+    load = [added(abs(m * y) for m, y in zip(row, x)) + abs(b) for row, b in zip(matrix, right)]
+    entries = lambda load: [added(abs(columns[j][i]) * load[j] for j in range(n)) for i in range(n)]
+    parts = slice(len(e.a)), slice(len(e.a), n)
+    greatest = lambda load: [float(max(entries(load)[part], default=0)) for part in parts]
+    return greatest(load), greatest([1] * n)
 
 
 def reference(model, at, rng):
@@ -151,19 +165,30 @@ def reference(model, at, rng):
     values, shapes, e = quantities(model, exact, [mpf(x) for x in trial], by_differences)
     samples = [rounded_at_random(model, at, trial, rng) for _ in range(SAMPLES)]
     bound, inverse = of_solution(e)
+    eliminated = by_elimination(e) if model.is_constrained() else {}
     tolerances = {}
     for name, value in values.items():
         if not all(math.isfinite(float(x)) and abs(x) < 1e100 for x in value):
             raise NoValue("no number")
         size = max((abs(float(x)) for x in value), default=0.0)
         noise = max(max_difference(sample[name], value) for sample in samples) / SCALE
-        if name == "qdd":
-            noise = max(noise, UNIT * bound)
-        if "qdd" in name:
-            noise = max(noise, UNIT * inverse)
+        if name in ("qdd", "lambda"):
+            noise = max(noise, UNIT * bound[name == "lambda"])
+        if "qdd" in name or name == "lambda":
+            noise = max(noise, UNIT * inverse[name == "lambda"])
+        # Without inertia coordinates are not eliminated first.
+        if UNIT * eliminated.get(name, 0.0) <= USELESS * max(size, 1.0):
+            noise = max(noise, UNIT * eliminated.get(name, 0.0))
         if not noise <= USELESS * max(size, 1.0):
             raise NoValue("too badly conditioned")
-        tolerances[name] = ALLOWANCE * max(noise, UNIT * max(size, 1.0))
+        allowance = ALLOWANCE_OF_PIVOTS if name in eliminated else ALLOWANCE
+        tolerances[name] = allowance * max(noise, UNIT * max(size, 1.0))
+    conditioning = {}
+    if model.is_constrained():
+        scales, condition = equilibrated(e.constraints.matrix(e.M))
+        conditioning = {"scales": scales, "condition": condition}
+        allow_for_condition(e, scales, condition, tolerances)
+        allow_for_solution(model, exact, e, values, tolerances, rng)
     if model.ignorable:
         add_reduced(model, exact, values, tolerances, rng)
     return {
@@ -172,9 +197,50 @@ def reference(model, at, rng):
         "qd": at.v,
         "params": [x for f in model.fields for x in flat(at.fields[f.name])],
         "trial": trial,
+        **conditioning,
         "values": {name: [float(x) for x in value] for name, value in values.items()},
         "tolerances": tolerances,
     }, shapes
+
+
+def by_elimination(e):
+    """What is lost where coordinates are eliminated first, whatever their inertia: |M⁻¹| (|f| + |Gᵀ| |λ|) in q̈, in which the reaction of a
+    heavy body on a light one may cancel, and from there |S⁻¹| |G| times it in λ, with S = G M⁻¹ Gᵀ. To M, which may be singular, as much of
+    Gᵀ G is added as makes their greatest entries equal: that is of no consequence for q̈."""
+    g, n, rows = e.constraints.jacobian, len(e.a), range(len(e.multipliers))
+    added_to = [[added(g[l][i] * g[l][j] for l in rows) for j in range(n)] for i in range(n)]
+    weight = max(map(abs, flat(e.M))) / max(map(abs, flat(added_to)))
+    mass = [[e.M[i][j] + weight * added_to[i][j] for j in range(n)] for i in range(n)]
+    columns = [solve(mass, [mpf(i == j) for i in range(n)]) for j in range(n)]
+    load = [abs(e.f[i]) + added(abs(g[j][i] * e.multipliers[j]) for j in rows) for i in range(n)]
+    motion = [added(abs(columns[j][i]) * load[j] for j in range(n)) for i in range(n)]
+    s = [[added(g[j][i] * columns[k][i] * g[l][k] for i in range(n) for k in range(n)) for l in rows] for j in rows]
+    inverse = [solve(s, [mpf(i == j) for i in rows]) for j in rows]
+    rates = [added(abs(x) * y for x, y in zip(g[j], motion)) + abs(e.constraints.rates[j]) for j in rows]
+    return {"qdd": float(max(motion)), "lambda": float(max(added(abs(inverse[j][i]) * rates[j] for j in rows) for i in rows))}
+
+
+def allow_for_condition(e, scales, condition, tolerances):
+    """q̈ and λ may be off by 10⁻¹⁵ times the number n of unknowns and the condition number of D A D, relative to the greatest of D⁻¹ x."""
+    x, n = [*e.a, *e.multipliers], len(e.a)
+    bound = 1e-15 * len(x) * condition * max(float(abs(y)) / d for y, d in zip(x, scales))
+    for name, part in (("qdd", scales[:n]), ("lambda", scales[n:])):
+        tolerances[name] = max(tolerances[name], bound * max(part))
+
+
+def allow_for_solution(model, at, e, values, tolerances, rng):
+    """Outputs, and the rate of the energy, may be off by what q̈ and λ make of them that are off by their tolerances: where λ is zero
+    by the structure of the equations, elimination with pivoting finds it without an error, which others do not."""
+    off = lambda x, name: x + rng.choice((-1, 1)) * mpf(tolerances[name])
+    for _ in range(SAMPLES):
+        moved = copy.copy(e)
+        moved.a = [off(x, "qdd") for x in e.a]
+        moved.multipliers = [off(x, "lambda") for x in e.multipliers]
+        found = {"output " + name: x for name, (x, _) in outputs(model, at.t, at.q, at.v, at.fields, moved).items()}
+        if model.energy_balance:
+            found["energy_rate"] = [moved.energy_rate()]
+        for name, x in found.items():
+            tolerances[name] = max(tolerances[name], *(float(abs(a - b)) for a, b in zip(x, values[name])))
 
 
 def add_reduced(model, exact, values, tolerances, rng):
@@ -269,7 +335,8 @@ def inertia(rng, mode, n):
     return [[sign * x for x in row] for row in m]
 
 
-MODES = ("plain", "plain", "equal", "zero", "negative", "scaled")
+# How values of fields are drawn beside the first state of a model, in which all are plain.
+MODES = ["plain", "plain", "equal", "zero", "negative", "scaled"]
 TRIES = 40
 
 
@@ -279,7 +346,14 @@ def drawn_state(model, rng, mode):
     v = [rng.uniform(-2.0, 2.0) for _ in q]
     if rng.random() < 0.1:
         v = [0.0 for _ in q]
-    return Inputs(rng.uniform(-2.0, 2.0), q, v, fields)
+    at = Inputs(rng.uniform(-2.0, 2.0), q, v, fields)
+    return on_the_constraints(model, at) if model.is_constrained() and rng.random() < 0.5 else at
+
+
+def on_the_constraints(model, at):
+    """A state on the constraints near one, as near as binary64 numbers are."""
+    q, v = consistent(model, at.mapped(mpf))
+    return Inputs(at.t, [float(x) for x in q], [float(x) for x in v], at.fields)
 
 
 def drawn_coordinate(draw, rng):
@@ -304,8 +378,8 @@ def references(model, count, seed):
     modes = ["plain"] + [rng.choice(MODES) for _ in range(count - 1)]
     for mode in modes:
         for attempt in range(TRIES):
-            at = drawn_state(model, rng, mode if attempt < TRIES / 2 else "plain")
             try:
+                at = drawn_state(model, rng, mode if attempt < TRIES / 2 else "plain")
                 state, shapes = reference(model, at, rng)
             except (NoValue, OverflowError, ZeroDivisionError, ValueError):
                 continue

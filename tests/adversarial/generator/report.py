@@ -14,10 +14,53 @@ def motions(model):
     return sum(each)
 
 
+class Constrained:
+    """How far q̈ and λ are off relative to the condition of the equilibrated matrix: the greatest of |D⁻¹ δx| / |D⁻¹ x|, in units of
+    10⁻¹⁵ times the number of unknowns times the condition."""
+
+    def __init__(self):
+        self.states, self.beyond = 0, []
+        self.worst = self.worst_well_conditioned = (0.0, "")
+
+    def add(self, model, c):
+        state = model["states"][c["state"]]
+        if "scales" not in state or c["quantity"] not in ("qdd", "lambda"):
+            return
+        numbers = lambda text: [float(x) for x in text.split()]
+        scales, n = numbers(state["scales"]), model["n"]
+        expected = [numbers(state["values"][name]) for name in ("qdd", "lambda")]
+        size = max(abs(x) / d for x, d in zip(sum(expected, []), scales))
+        found, first = parsed(c["found"]), n * (c["quantity"] == "lambda")
+        error = max(abs(x - y) / d for x, y, d in zip(found, expected[first > 0], scales[first:]))
+        condition = float(state["condition"])
+        relative = error / size if size > 0 else 0.0
+        at = f"{c['quantity']} of {model['id']}, state {c['state']}, condition {condition:.1e}"
+        self.worst = max(self.worst, (relative / (1e-15 * len(scales) * condition), at))
+        if condition < 1e3:
+            self.worst_well_conditioned = max(self.worst_well_conditioned, (relative, at))
+        if relative > 1e-15 * len(scales) * condition:
+            self.beyond.append(at)
+        self.states += 1
+
+    def lines(self):
+        if not self.states:
+            return []
+        return [
+            f"error of q̈ and λ / (10⁻¹⁵ n cond): {self.worst[0]:.2g} at most, {self.worst[1]}; {len(self.beyond)} of {self.states} beyond",
+            f"relative error of q̈ and λ where cond < 10³: {self.worst_well_conditioned[0]:.2g} at most, {self.worst_well_conditioned[1]}",
+        ]
+
+
+def parsed(found):
+    """The numbers in `Ok([…])`."""
+    return [float(x) for x in found.removeprefix("Ok([").removesuffix("])").split(", ")]
+
+
 class Report:
     def __init__(self):
         self.rows = defaultdict(lambda: {"models": 0, "motions": 0, "states": 0, "compared": 0, "refused": 0, "wrong": set(), "worst": 0.0, "at": ""})
         self.wrong, self.refused = {}, {}
+        self.constrained = Constrained()
         self.seconds = 0.0
         self.unusable = 0
 
@@ -41,6 +84,7 @@ class Report:
                 row["refused"] += 1
                 self.refused[model["id"]] = model, f"{c['quantity']} at state {c['state']} {model['states'][c['state']]}:\n{c['refused']}"
             return
+        self.constrained.add(model, c)
         error, tolerance = float(c["error"]), float(c["tolerance"])
         row["compared"] += 1
         ratio = error / tolerance if tolerance > 0 else (0.0 if error == 0 else math.inf)
@@ -60,6 +104,7 @@ class Report:
         states = sum(row["states"] for row in self.rows.values())
         compared = sum(row["compared"] for row in self.rows.values())
         lines.append(f"{'all':24}{total:7}{moving:8}{states:7}{compared:10}{len(self.refused):9}{len(self.wrong):7}")
+        lines += self.constrained.lines()
         lines.append(f"{self.unusable} models without a usable state; {self.seconds:.0f} s of compilation")
         return "\n".join(lines)
 

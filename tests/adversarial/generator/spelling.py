@@ -92,6 +92,10 @@ class Printer:
     def spell_dot(self, e):
         return f"dot({self.text(e.args[0])})", ATOM
 
+    def spell_reaction(self, e):
+        name, indices = e.data
+        return f"reaction({name}{''.join(f'[{self.index(i)}]' for i in indices)})", ATOM
+
     def spell_array(self, e):
         return f"[{', '.join(self.text(a) for a in e.args)}]", ATOM
 
@@ -184,10 +188,11 @@ def declaration(model, rng):
         lines.append(f"    lagrangian = {printer.text(model.lagrangian)},")
     for force in model.forces:
         lines += table(printer, "force", [force])
+    lines += table(printer, "constraint", model.constraints)
+    lines += table(printer, "nonholonomic", model.nonholonomic)
     lines += table(printer, "output", model.outputs)
     lines += table(printer, "event", model.events)
-    if model.taylor:
-        lines.append("    taylor,")
+    lines += [f"    {clause}," for clause in ("taylor", "energy_balance") if getattr(model, clause)]
     if model.ignorable:
         lines.append(f"    routhian(Reduced{', half_angles' if model.half_angles else ''}),")
     lines += [")]", "pub struct Model {"]

@@ -83,6 +83,11 @@ def dot(e):
     return E("dot", e)
 
 
+def reaction(constraint, *indices):
+    """The multiplier of a constraint, or of a member of a family of them."""
+    return E("reaction", data=(constraint, indices))
+
+
 def total(variable, low, high, body, inclusive=False):
     """`(low..high).map(|variable| body).sum()`; `high` may be (variable, offset)."""
     return E("sum", body, data=(variable, low, high, inclusive))
@@ -208,8 +213,11 @@ class Model:
     # The coordinates that are ignorable, by name; then there is a reduced model, in half angles or not.
     ignorable: list = field(default_factory=list)
     half_angles: bool = False
+    constraints: list = field(default_factory=list)
+    nonholonomic: list = field(default_factory=list)
     events: list = field(default_factory=list)
     taylor: bool = False
+    energy_balance: bool = False
     # Whether its terms may be beyond the range of binary64 where it is not.
     wide: bool = False
     # What is integrated, and how it is compared; none if the model is evaluated at states alone.
@@ -263,6 +271,18 @@ class Model:
 
     def force(self, text, expression, indices=(), ranges=()):
         self.forces.append(Named(text, node(expression), indices, ranges))
+
+    def constraint(self, text, expression, indices=(), ranges=()):
+        self.constraints.append(Named(text, node(expression), indices, ranges))
+        return reaction(text)
+
+    def slip(self, text, expression, indices=(), ranges=()):
+        """A nonholonomic constraint."""
+        self.nonholonomic.append(Named(text, node(expression), indices, ranges))
+        return reaction(text)
+
+    def is_constrained(self):
+        return bool(self.constraints or self.nonholonomic)
 
     def event(self, text, expression):
         self.events.append(Named(text, node(expression)))

@@ -10,6 +10,7 @@ use serde_json::Value;
 use crate::{
     Entries, Evaluate, Found, MODELS,
     at::{At, numbers},
+    conditioning::Conditioning,
 };
 
 /// One quantity of one model at one state.
@@ -27,6 +28,8 @@ pub struct Comparison {
     pub expected: Vec<f64>,
     /// The greatest distance that any entry may have.
     pub tolerance: f64,
+    /// Of the accelerations and multipliers of a model with constraints.
+    pub conditioning: Option<Conditioning>,
 }
 
 impl Comparison {
@@ -128,6 +131,7 @@ pub fn compare_each(mut hand_over: impl FnMut(Comparison)) {
                     state: index,
                     expected: numbers(&state["values"][&quantity]),
                     tolerance: numbers(&state["tolerances"][&quantity])[0],
+                    conditioning: Conditioning::of(state, &quantity),
                     quantity,
                     found,
                 });

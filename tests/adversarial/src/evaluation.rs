@@ -1,6 +1,8 @@
 //! Everything that a model evaluates, by the names that the data have for it.
 
-use lagrangian::quantities::{Energies, Inputs, StateJacobian};
+use lagrangian::quantities::{
+    Constraints, Energies, EnergyBalance, Inputs, Quantities, StateJacobian,
+};
 use lagrangian::{Dop853, Lagrangian, Problem, RouthReduction, Routhian, State, StopReason};
 use nalgebra::{SMatrix, SVector};
 
@@ -15,14 +17,55 @@ pub type Found = (&'static str, Entries);
 /// The function that evaluates a model.
 pub type Evaluate = fn(&At) -> Vec<Found>;
 
-/// What every model has.
+/// What every model without constraints has.
 #[must_use]
 pub fn motion<M: Lagrangian<N, Model: StateJacobian<N>>, const N: usize>(
     model: &M,
     at: &At,
 ) -> Vec<Found> {
+    let linearization = model.linearize(&at.state::<N>());
+    let mut found = common(model, at);
+    found.extend([
+        ("dqdd_dq", Ok(rows(&linearization.position))),
+        ("dqdd_dqd", Ok(rows(&linearization.velocity))),
+        ("dqdd_dt", Ok(rows(&linearization.time))),
+    ]);
+    found
+}
+
+/// What every model with constraints has.
+#[must_use]
+pub fn constrained<M, const N: usize, const C: usize>(model: &M, at: &At) -> Vec<Found>
+where
+    M: Lagrangian<N, Model: Constraints<N, C>>,
+{
     let state = at.state::<N>();
-    let linearization = model.linearize(&state);
+    let (positions, velocities) = model.constraint_residuals(&state);
+    let quantities = model.model();
+    let rates = quantities.constraint_rates(&state, &quantities.prepare());
+    let mut found = common(model, at);
+    found.extend([
+        ("lambda", Ok(rows(&model.multipliers(&state)))),
+        ("G", Ok(rows(&model.constraint_jacobian(&state)))),
+        ("g", Ok(rows(&positions))),
+        ("w", Ok(rows(&velocities))),
+        ("gamma", Ok(rows(&rates))),
+    ]);
+    found
+}
+
+/// The rate of the energy, of models with the clause `energy_balance`.
+#[must_use]
+pub fn energy_rate<M: Lagrangian<N, Model: EnergyBalance<N>>, const N: usize>(
+    model: &M,
+    at: &At,
+) -> Vec<Found> {
+    vec![("energy_rate", Ok(vec![model.energy_rate(&at.state::<N>())]))]
+}
+
+/// What every model has.
+fn common<M: Lagrangian<N>, const N: usize>(model: &M, at: &At) -> Vec<Found> {
+    let state = at.state::<N>();
     let equations = model.dynamics();
     let trial = SVector::<f64, N>::from(at.trial::<N>());
     vec![
@@ -35,9 +78,6 @@ pub fn motion<M: Lagrangian<N, Model: StateJacobian<N>>, const N: usize>(
         ("qdd", Ok(rows(&model.accelerations(&state)))),
         ("qdd", Ok(rows(&equations.accelerations(&state)))),
         ("inverse", Ok(rows(&model.inverse_dynamics(&state, &trial)))),
-        ("dqdd_dq", Ok(rows(&linearization.position))),
-        ("dqdd_dqd", Ok(rows(&linearization.velocity))),
-        ("dqdd_dt", Ok(rows(&linearization.time))),
     ]
 }
 

@@ -4,6 +4,7 @@
 
 mod at;
 mod comparison;
+mod conditioning;
 mod evaluation;
 pub mod external;
 mod motions;
@@ -12,7 +13,10 @@ pub mod splits;
 
 pub use at::{At, Values};
 pub use comparison::{Comparison, compare, compare_each};
-pub use evaluation::{Entries, Evaluate, Found, driven, energies, motion, reduced, rows};
+pub use conditioning::Conditioning;
+pub use evaluation::{
+    Entries, Evaluate, Found, constrained, driven, energies, energy_rate, motion, reduced, rows,
+};
 pub use motions::{ends, lanes, reduced_ends};
 pub use regulators::compare_regulators;
 

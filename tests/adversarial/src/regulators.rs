@@ -50,6 +50,7 @@ fn compared(problem: &Value) -> Vec<Comparison> {
         found,
         expected: numbers(&problem[quantity]),
         tolerance: numbers(&problem["tolerances"][quantity])[0],
+        conditioning: None,
     };
     found.map(comparison).into()
 }

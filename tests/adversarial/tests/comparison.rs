@@ -1,6 +1,6 @@
 //! That a comparison fails where it has to, and that data are read as they are written.
 
-use lagrangian_adversarial::{At, Comparison, Values, compare_regulators};
+use lagrangian_adversarial::{At, Comparison, Conditioning, Values, compare_regulators};
 use nalgebra::SMatrix;
 use serde_json::json;
 
@@ -12,6 +12,7 @@ fn comparison(found: &[f64], expected: &[f64]) -> Comparison {
         found: Ok(found.to_vec()),
         expected: expected.to_vec(),
         tolerance: 0.25,
+        conditioning: None,
     }
 }
 
@@ -32,6 +33,22 @@ fn what_is_not_finite_is_wrong() {
 fn lengths_must_agree() {
     assert!(!comparison(&[1.0], &[1.0, 2.0]).is_within());
     assert!(!comparison(&[1.0, 2.0], &[1.0]).is_within());
+}
+
+#[test]
+fn errors_are_relative_to_the_greatest_scaled_unknown() {
+    let state = json!({
+        "scales": "1.0 1.0 2.0", "condition": "10.0", "values": { "qdd": "1.0 2.0", "lambda": "6.0" },
+    });
+    let error = |quantity: &str, found: &[f64], expected: &[f64]| {
+        let conditioning = Conditioning::of(&state, quantity).expect("scales");
+        conditioning.relative_error(&comparison(found, expected))
+    };
+    // Of 1, 2 and 6/2 the greatest is 3.
+    assert!((error("qdd", &[1.0, 2.5], &[1.0, 2.0]) - 0.5 / 3.0).abs() < 1e-15);
+    assert!((error("lambda", &[6.6], &[6.0]) - 0.3 / 3.0).abs() < 1e-15);
+    assert!(error("lambda", &[f64::NAN], &[6.0]).is_infinite());
+    assert!(Conditioning::of(&state, "p").is_none());
 }
 
 #[test]

@@ -11,6 +11,7 @@ fn models_agree_with_an_independent_evaluation() {
     // Without states nothing would be compared.
     assert!(comparisons.len() >= 12 * MODELS.len());
     check(&comparisons);
+    check_conditioned(&comparisons);
     let of_motions = |c: &Comparison| MOTIONS.iter().any(|(kind, _)| kind_of(&c.model) == *kind);
     // Another file may have none.
     let motions = MOTIONS
@@ -57,6 +58,39 @@ fn regulators_are_those_of_scipy() {
     let comparisons = compare_regulators(&file);
     assert!(comparisons.len() >= 2 * 48);
     check(&comparisons);
+}
+
+/// Fails unless q̈ and λ of models with constraints are within 10⁻¹⁵ times the number of unknowns times the condition number of their
+/// equilibrated matrix, and within 10⁻¹¹ where this number is below 10³.
+fn check_conditioned(comparisons: &[Comparison]) {
+    let (mut worst, mut worst_of_regular, mut count) = (0.0_f64, 0.0_f64, 0);
+    for comparison in comparisons {
+        let Some(conditioning) = &comparison.conditioning else {
+            continue;
+        };
+        count += 1;
+        let error = conditioning.relative_error(comparison);
+        let bound = 1e-15 * conditioning.unknowns as f64 * conditioning.condition;
+        let Comparison {
+            quantity,
+            state,
+            model,
+            ..
+        } = comparison;
+        let at = format!("{quantity} at state {state} of {model}");
+        assert!(error <= bound, "{error:e} exceeds {bound:e}: {at}");
+        worst = worst.max(error / bound);
+        if conditioning.condition < 1e3 {
+            assert!(error <= 1e-11, "{error:e}: {at}");
+            worst_of_regular = worst_of_regular.max(error);
+        }
+    }
+    println!(
+        "{count} q̈ and λ: {worst:.2} of 10⁻¹⁵ n cond at most, {worst_of_regular:.1e} where cond < 10³"
+    );
+    let is_constrained = |(id, _): &&(&str, _)| id.starts_with("constrained");
+    let constrained = MODELS.iter().filter(is_constrained).count();
+    assert!(count >= 3 * constrained, "{count} q̈ and λ");
 }
 
 /// Prints the worst comparison of each quantity, and fails if any is wrong.

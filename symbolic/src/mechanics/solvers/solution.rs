@@ -103,7 +103,8 @@ impl Solution {
             }
             Solver::Ldlt(solver, forcing) => {
                 let accelerations = solver.solve(graph, forcing);
-                (solver.pivots.clone(), accelerations)
+                let pivots = [&*solver.pivots, &solver.conditions].concat();
+                (pivots, accelerations)
             }
         };
         Self {
@@ -135,6 +136,11 @@ impl Solution {
     #[must_use]
     pub fn eliminates_mass_matrix(&self) -> bool {
         matches!(self.solver, Solver::Ldlt(..))
+    }
+
+    /// Whether the factors of a saddle point problem are stable only where conditions hold.
+    pub(crate) fn is_stable_in_part(&self) -> bool {
+        matches!(&self.solver, Solver::Ldlt(ldlt, _) if !ldlt.conditions.is_empty())
     }
 
     /// What q̈ is divided by, as far as it is no number: where one of these vanishes, M is singular.

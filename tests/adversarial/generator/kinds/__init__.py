@@ -20,6 +20,7 @@ from kinds import (  # noqa: E402, F401
     bodies,
     branches,
     chains,
+    constrained,
     corners,
     discontinuous,
     domains,

@@ -92,3 +92,53 @@ def vanishing_drift(m, rng):
     m.kinetic.append(0.5 * m0 * dot(x) ** 2 + 0.5 * m1 * dot(y) ** 2 + 0.5 * (dot(x) + drift) ** 2)
     m.states.append({"q": [0.3, 2.5], "v": [-1.25, -0.17], "m0": 2.0, "m1": 2.2})
     m.states.append({"q": [0.3, 4.5], "v": [-1.25, -0.17], "m0": 2.0, "m1": 2.2})
+
+
+@kind
+def constrained_past_a_pivot(m, rng):
+    """The gradient by the coordinate that is eliminated first vanishes at z = π/2, where that by the other does not."""
+    z, alpha = m.coordinate("z"), m.coordinate("alpha")
+    mass = m.parameter("m", draw="positive")
+    m.kinetic.append(0.5 * mass * (dot(z) ** 2 + (2 + tree.sin(z)) * dot(alpha) ** 2))
+    m.potential.append(mass * z * alpha)
+    m.output("force", m.constraint("held", tree.sin(z) + 0.75 * alpha))
+    m.taylor = True
+    for z in (1.5, 1.57, 1.5707963, 1.5707963267948966):
+        m.states.append({"q": [z, -1.3], "v": [0.7, -0.4], "m": 1.5})
+
+
+@kind
+def constrained_follower(m, rng):
+    """A follower without mass, of which the gradient by the cam vanishes at θ = 0."""
+    s, theta = m.coordinate("s"), m.coordinate("theta")
+    j, k = m.parameter("j", draw="positive"), m.parameter("k", draw="positive")
+    m.kinetic.append(0.5 * j * dot(theta) ** 2)
+    m.potential.append(0.5 * k * s**2)
+    m.output("force", m.constraint("cam", s - 0.3 * cos(theta)))
+    m.taylor = True
+    for theta in (0.1, 0.01, 1e-4, 1e-9, 0.0):
+        m.states.append({"q": [0.3, theta], "v": [0.2, 5.0], "j": 1.5, "k": 40.0})
+
+
+@kind
+def constrained_coupled_inertia(m, rng):
+    """The inertia that is left of s without θ is a small part of what it is."""
+    theta, s = m.coordinate("theta"), m.coordinate("s")
+    m0, m1 = m.parameter("m0", draw="positive"), m.parameter("m1", draw="positive")
+    m.kinetic.append(0.5 * m0 * dot(theta) ** 2 + 0.5 * m1 * dot(s) ** 2 + 0.5 * (dot(s) + 2 * s * dot(theta)) ** 2)
+    m.constraint("held", tree.exp(0.3 * theta) - cos(1.5 * s))
+    m.states.append({"q": [-0.0024, -0.0253], "v": [-0.06, -0.3], "m0": 2.5e-7, "m1": 2.1e-4})
+
+
+@kind
+def constrained_chain_without_mass(m, rng):
+    """A pivot that vanishes identically, though not in its terms."""
+    y, theta, z, s, beta = (m.coordinate(c) for c in ("y", "theta", "z", "s", "beta"))
+    m.kinetic.append(0.5 * m.parameter("m0", draw="positive") * dot(s) ** 2 + 0.5 * m.parameter("m1", draw="positive") * dot(beta) ** 2)
+    m.potential.append(m.parameter("k") * sqrt(1 + y**2))
+    m.constraint("first", 3 * y + 0.2 * tree.sin(y) - beta)
+    m.constraint("second", theta - sqrt(1 + y**2))
+    m.constraint("third", 2 * z + 0.2 * tree.sin(z) - (0.5 * s - y) / (2 + y**4))
+    m.slip("slip", dot(s) - tree.sin(beta) * dot(beta))
+    m.output("force", tree.reaction("third") + tree.reaction("slip"))
+    m.states.append({"q": [0.3, 1.1, -0.4, 0.8, 1.2], "v": [0.2, 0.1, -0.7, 0.5, 0.4], "m0": 1.5, "m1": 0.7, "k": 2.0})
