@@ -24,13 +24,43 @@ pub struct Ldlt {
 impl Ldlt {
     /// Factors M, unless there is no nonzero pivot, or a pivot row has more than `limit` other entries.
     pub fn factor(graph: &mut Graph, mass: &[Vec<Expression>], limit: usize) -> Option<Self> {
+        Self::factor_by(graph, mass, limit, |graph, matrix| best_pivot(graph, matrix))
+    }
+
+    /// Factors the matrix of a saddle point problem, like M. The gradients of its constraints may depend on each other in the
+    /// coordinates that are eliminated before them: their pivots then vanish identically until other coordinates are
+    /// eliminated.
+    pub(crate) fn factor_saddle_point(
+        graph: &mut Graph,
+        matrix: &[Vec<Expression>],
+        limit: usize,
+    ) -> Option<Self> {
+        Self::factor_by(graph, matrix, limit, |graph, matrix| {
+            loop {
+                let best = best_pivot(graph, matrix)?;
+                let pivot = matrix.diagonal(graph, best);
+                if !graph.vanishes(&[pivot]) {
+                    return Some(best);
+                }
+                matrix.clear_diagonal(best);
+            }
+        })
+    }
+
+    fn factor_by(
+        graph: &mut Graph,
+        mass: &[Vec<Expression>],
+        limit: usize,
+        best_pivot: impl Fn(&Graph, &mut SymmetricElimination<usize>) -> Option<usize>,
+    ) -> Option<Self> {
         let rewrite = rewriting(mass.len());
         let mut matrix = SymmetricElimination::new(graph, mass, |i| i);
         let mut pivots = vec![graph.zero(); mass.len()];
         let mut position = vec![0; mass.len()];
         let mut rows = Vec::with_capacity(mass.len());
         for _ in mass {
-            let mut row = matrix.take(graph, best_pivot(graph, &matrix)?);
+            let best = best_pivot(graph, &mut matrix)?;
+            let mut row = matrix.take(graph, best);
             if row.others.len() > limit {
                 return None;
             }

@@ -48,6 +48,18 @@ impl<U: Copy + Ord> SymmetricElimination<U> {
         rows.filter_map(|(u, row)| Some((*u, *row.get(u)?, row.len() - 1)))
     }
 
+    /// The diagonal entry of an unknown.
+    pub(crate) fn diagonal(&self, graph: &Graph, u: U) -> Expression {
+        self.entry(graph, u, u)
+    }
+
+    /// Removes the diagonal entry of an unknown, which is zero.
+    pub(crate) fn clear_diagonal(&mut self, u: U) {
+        if let Some(row) = self.rows.get_mut(&u) {
+            row.remove(&u);
+        }
+    }
+
     /// Whether the matrix vanishes.
     pub(crate) fn is_zero(&self) -> bool {
         self.rows.values().all(BTreeMap::is_empty)

@@ -342,8 +342,13 @@ impl Kinetics {
 /// The solution through the factors of M, or of the matrix of a saddle point problem. There as many pivots as there are
 /// `coordinates` are positive where M is, and those of the multipliers negative; their opposites are the pivots.
 fn ldlt_solver(graph: &mut Graph, system: &LinearSystem, coordinates: usize) -> Option<Solver> {
-    let ldlt = Ldlt::factor(graph, &system.mass, MAX_PIVOT_NEIGHBOURS)?;
-    let ldlt = ldlt.with_negative_pivots(graph, coordinates);
+    let (matrix, limit) = (&system.mass, MAX_PIVOT_NEIGHBOURS);
+    let ldlt = if coordinates < matrix.len() {
+        Ldlt::factor_saddle_point(graph, matrix, limit)
+    } else {
+        Ldlt::factor(graph, matrix, limit)
+    };
+    let ldlt = ldlt?.with_negative_pivots(graph, coordinates);
     Some(Solver::Ldlt(ldlt, system.forcing.clone()))
 }
 
