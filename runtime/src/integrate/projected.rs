@@ -25,11 +25,29 @@ pub(crate) struct Projected<'a, S: Scalar, D: Dynamics<S> + ?Sized> {
     pub(crate) lane: Option<usize>,
 }
 
+/// Returns the part of the sizes of components that rounding errors explain.
+fn rounding_part<S: Scalar>() -> S {
+    S::from_f64(CHANGES * MOVED_EPSILONS * S::machine_epsilon())
+}
+
 /// Returns the corrections that rounding errors explain, where a projection knows them.
 fn rounding<S: Scalar, X: VectorSpace<S>>(projection: &Projection<S, X>) -> Option<X> {
-    let part = S::from_f64(CHANGES * MOVED_EPSILONS * S::machine_epsilon());
     let sizes = projection.sizes.as_ref();
-    sizes.map(|sizes| sizes.map(|size| size * part))
+    sizes.map(|sizes| sizes.map(|size| size * rounding_part()))
+}
+
+/// Adds to allowed errors the rounding errors that constraints carry from components of these sizes to others. Without
+/// them, no step would be short enough for a component that the constraints keep at zero.
+#[inline]
+pub(crate) fn allow_rounding<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    (t, x): (S, &D::State),
+    sizes: &D::State,
+    allowed: &mut D::State,
+) {
+    if let Some(sizes) = dynamics.rounding_sizes(t, x, sizes) {
+        allowed.add_scaled(rounding_part(), &sizes);
+    }
 }
 
 /// Returns the end of a step on the manifold, and the correction. The correction is added to the compensated sum, so

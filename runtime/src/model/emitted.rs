@@ -10,7 +10,7 @@ pub use super::by_columns::{
 pub use super::operations::operations;
 pub use super::saddle_point::{
     SaddlePoint, constrained_pivots, constrained_response, fix_rank, joined, least_pivot, parts,
-    project, rows_of_accelerations, saddle_point, violated_constraint,
+    project, rows_of_accelerations, saddle_point, sizes_in_metric, violated_constraint,
 };
 
 mod in_every_lane;

@@ -24,7 +24,9 @@ pub struct Ldlt {
 impl Ldlt {
     /// Factors M, unless there is no nonzero pivot, or a pivot row has more than `limit` other entries.
     pub fn factor(graph: &mut Graph, mass: &[Vec<Expression>], limit: usize) -> Option<Self> {
-        Self::factor_by(graph, mass, limit, |graph, matrix| best_pivot(graph, matrix))
+        Self::factor_by(graph, mass, limit, |graph, matrix| {
+            best_pivot(graph, matrix)
+        })
     }
 
     /// Factors the matrix of a saddle point problem, like M. The gradients of its constraints may depend on each other in the
