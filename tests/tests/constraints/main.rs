@@ -2,7 +2,10 @@
 
 mod closed_forms;
 mod consistency;
+mod junctions;
+mod mechanisms;
 mod pendulum;
 mod reactions;
 mod redundant;
 mod references;
+mod same_bits;
