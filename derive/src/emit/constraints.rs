@@ -153,6 +153,14 @@ impl Emitter<'_> {
             ) -> ::core::option::Option<#root::problem::Projection<#scalar, #root::Phase<#scalar, #n>>> {
                 ::core::option::Option::Some(#root::__private::project::<Self, #arguments>(self, state, prepared))
             }
+            fn sizes_in_metric(
+                &self,
+                state: #state,
+                prepared: &#prepared,
+                sizes: &#root::Phase<#scalar, #n>,
+            ) -> ::core::option::Option<#root::Phase<#scalar, #n>> {
+                ::core::option::Option::Some(#root::__private::sizes_in_metric(self, state, prepared, sizes))
+            }
             fn fix_rank(&self, state: #state, prepared: &mut #prepared) {
                 #root::__private::fix_rank::<Self, #arguments>(self, state, prepared);
             }

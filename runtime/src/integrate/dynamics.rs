@@ -54,6 +54,17 @@ pub trait Dynamics<S: Scalar = f64> {
         x.allowed_error(tolerance)
     }
 
+    /// Returns the sizes to which rounding errors of the components are proportional near a state, where constraints carry
+    /// rounding errors from components of the given sizes to others, even to those that are zero. By default `None`: each
+    /// component has its own.
+    ///
+    /// In the equations of motion of a model with constraints, the sizes are in the metric of the mass matrix.
+    #[inline]
+    fn rounding_sizes(&self, t: S, x: &Self::State, sizes: &Self::State) -> Option<Self::State> {
+        let _ = (t, x, sizes);
+        None
+    }
+
     /// Returns a state at which the derivative is the same as at x + `compensation`, but is computed with smaller
     /// rounding errors, because whole periods ([`PERIODS`](crate::GeneralizedCoordinates::PERIODS)) of angles are
     /// subtracted. By default it is x.
@@ -240,6 +251,11 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for &D {
     #[inline]
     fn allowed_error(&self, x: &D::State, tolerance: &ErrorTolerance<S>) -> D::State {
         (**self).allowed_error(x, tolerance)
+    }
+
+    #[inline]
+    fn rounding_sizes(&self, t: S, x: &D::State, sizes: &D::State) -> Option<D::State> {
+        (**self).rounding_sizes(t, x, sizes)
     }
 
     #[inline]

@@ -14,6 +14,18 @@ use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
+/// Components are moved alternately up and down, and all in one direction.
+const ALTERNATIONS: [f64; 2] = [1.0, -1.0];
+
+/// Returns a state whose components are moved.
+fn moved<S: Scalar, X: VectorSpace<S>>(state: &X, by: &X, alternation: f64) -> X {
+    let mut sign = 1.0;
+    state.zip_map(by, |x, by| {
+        sign *= alternation;
+        x + by * S::from_f64(sign)
+    })
+}
+
 /// The end of a step that is projected, or the initial state of a motion.
 pub(crate) struct Projected<'a, S: Scalar, D: Dynamics<S> + ?Sized> {
     pub(crate) dynamics: &'a D,
@@ -21,15 +33,35 @@ pub(crate) struct Projected<'a, S: Scalar, D: Dynamics<S> + ?Sized> {
     pub(crate) t: S,
     /// The state from which the step was taken.
     pub(crate) before: &'a D::State,
+    /// The length of the step in each lane; 0 at the start of a motion.
+    pub(crate) length: S,
     /// The lane of a motion with its own steps; `None` for all lanes together.
     pub(crate) lane: Option<usize>,
 }
 
+/// Returns the part of the sizes of components that rounding errors explain.
+fn rounding_part<S: Scalar>() -> S {
+    S::from_f64(CHANGES * MOVED_EPSILONS * S::machine_epsilon())
+}
+
 /// Returns the corrections that rounding errors explain, where a projection knows them.
 fn rounding<S: Scalar, X: VectorSpace<S>>(projection: &Projection<S, X>) -> Option<X> {
-    let part = S::from_f64(CHANGES * MOVED_EPSILONS * S::machine_epsilon());
     let sizes = projection.sizes.as_ref();
-    sizes.map(|sizes| sizes.map(|size| size * part))
+    sizes.map(|sizes| sizes.map(|size| size * rounding_part()))
+}
+
+/// Adds to allowed errors the rounding errors that constraints carry from components of these sizes to others. Without
+/// them, no step would be short enough for a component that the constraints keep at zero.
+#[inline]
+pub(crate) fn allow_rounding<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    (t, x): (S, &D::State),
+    sizes: &D::State,
+    allowed: &mut D::State,
+) {
+    if let Some(sizes) = dynamics.rounding_sizes(t, x, sizes) {
+        allowed.add_scaled(rounding_part(), &sizes);
+    }
 }
 
 /// Returns the end of a step on the manifold, and the correction. The correction is added to the compensated sum, so
@@ -44,8 +76,8 @@ pub(crate) fn corrected<S: Scalar, X: VectorSpace<S>>(
 }
 
 impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
-    /// Returns the largest component of the correction over its allowed error. Components without an allowed error do
-    /// not count.
+    /// Returns the largest component of the correction over its allowed error; at most the limit where rounding explains
+    /// more. Components without an allowed error do not count.
     ///
     /// # Errors
     ///
@@ -74,6 +106,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
         let ratio = self.largest(ratios.fold(S::zero(), Scalar::max));
         if is_limited && ratio > MAX_CORRECTION {
             self.check_distance(end, beyond, allowed)?;
+            return Ok(MAX_CORRECTION);
         }
         Ok(ratio)
     }
@@ -110,7 +143,8 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
 
     /// Returns an error unless the tolerance and rounding explain the correction. The effect of rounding is found by
     /// moving the components of a state on the manifold by some rounding errors, of themselves and of their change in
-    /// the step, and projecting it again.
+    /// the step, and projecting it again; and by integrating the changes of their derivatives twice over the step, for
+    /// velocities and for coordinates.
     #[cold]
     fn check_distance(
         &self,
@@ -119,18 +153,23 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
         allowed: &D::State,
     ) -> Result<(), IntegrationError> {
         let mut limit = allowed.map(|allowed| allowed * S::from_f64(MAX_CORRECTION));
-        for alternation in [1.0, -1.0] {
-            let part = MOVED_EPSILONS * S::machine_epsilon();
-            let mut sign = 1.0;
-            let moved = end.zip_map(self.before, |x, before| {
-                sign *= alternation;
-                x + (x.abs() + (x - before).abs()) * S::from_f64(sign * part)
-            });
+        let part = S::from_f64(MOVED_EPSILONS * S::machine_epsilon());
+        let by = end.zip_map(self.before, |x, before| {
+            (x.abs() + (x - before).abs()) * part
+        });
+        for alternation in ALTERNATIONS {
+            let moved = moved(end, &by, alternation);
             if let Some(projection) = self.dynamics.project(self.t, &moved) {
                 let mut change = projection.state;
                 change.add_scaled(-S::one(), &moved);
                 limit.add_scaled(S::from_f64(CHANGES), &change.map(Scalar::abs));
             }
+        }
+        if self.largest(self.length) > 0.0 {
+            let once = self.change_within(end, &by);
+            let twice = self.change_within(end, &once);
+            limit.add_scaled(S::from_f64(CHANGES), &once);
+            limit.add_scaled(S::from_f64(CHANGES), &twice);
         }
         let pairs = correction.components().zip(limit.components());
         let mut pairs = pairs.zip(allowed.components()).enumerate();
@@ -147,6 +186,20 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
             correction: self.largest(correction.abs()),
             limit: self.largest(limit),
         })
+    }
+
+    /// Returns how much a motion changes over the step if its components are moved.
+    fn change_within(&self, end: &D::State, by: &D::State) -> D::State {
+        let derivative = self.dynamics.derivative(self.t, end);
+        let mut changes = by.map(|_| S::zero());
+        for alternation in ALTERNATIONS {
+            let moved = moved(end, by, alternation);
+            let mut slope = self.dynamics.derivative(self.t, &moved);
+            slope.add_scaled(-S::one(), &derivative);
+            changes.add_scaled(self.length, &slope.map(Scalar::abs));
+        }
+        let shared = self.dynamics.rounding_sizes(self.t, end, &changes);
+        shared.unwrap_or(changes)
     }
 
     /// Returns the error for a start, which names the constraint that is violated where the dynamics know it.
@@ -195,6 +248,7 @@ pub(crate) fn check_start<S: Scalar, D: Dynamics<S> + ?Sized>(
         dynamics,
         t,
         before: x,
+        length: S::zero(),
         lane: None,
     };
     let (end, correction) = corrected(&Compensated::new(x.clone()), &projection);
@@ -223,6 +277,7 @@ pub(crate) fn nearest<S: Scalar, D: Dynamics<S> + ?Sized>(
         dynamics,
         t,
         before: x,
+        length: S::zero(),
         lane: None,
     };
     if projection.has_failed() {

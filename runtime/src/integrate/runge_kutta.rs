@@ -349,6 +349,7 @@ impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
             dynamics,
             t,
             before: self.state.value(),
+            length: S::from_f64((time - self.clock.time()).abs()),
             lane: None,
         };
         let (end, correction) = corrected(&state, &projection);

@@ -98,6 +98,11 @@ impl<S: Scalar, D: Dynamics<S>> Dynamics<S> for WithSizes<D, D::State> {
     }
 
     #[inline]
+    fn rounding_sizes(&self, t: S, x: &Self::State, sizes: &Self::State) -> Option<Self::State> {
+        self.dynamics.rounding_sizes(t, x, sizes)
+    }
+
+    #[inline]
     fn reduced(&self, x: &Self::State, compensation: &Self::State) -> Self::State {
         self.dynamics.reduced(x, compensation)
     }

@@ -11,7 +11,7 @@ pub use super::operations::operations;
 pub use super::saddle_point::{
     SaddlePoint, constrained_pivots, constrained_response, constraint_sine, fix_rank,
     invalid_compliance, joined, least_pivot, parts, project, rows_of_accelerations, saddle_point,
-    violated_constraint,
+    sizes_in_metric, violated_constraint,
 };
 
 mod in_every_lane;

@@ -231,6 +231,17 @@ where
         }
     }
 
+    #[inline]
+    fn rounding_sizes(&self, t: S, x: &Self::State, sizes: &Self::State) -> Option<Self::State> {
+        let (model, phase) = (self.model.model(), Phase::new(sizes.q, sizes.v));
+        let found = model.sizes_in_metric(&x.at_time(t), &self.prepared, &phase)?;
+        Some(Phase {
+            q: found.q,
+            v: found.v,
+            z: sizes.z.clone(),
+        })
+    }
+
     /// Subtracts whole periods from angles, unless a law reads them.
     #[inline]
     fn reduced(&self, x: &Self::State, compensation: &Self::State) -> Self::State {

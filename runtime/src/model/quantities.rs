@@ -111,6 +111,19 @@ pub trait Quantities<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         None
     }
 
+    /// Returns the largest component of each kind that coordinates and velocities of these sizes have in the metric of M at a
+    /// state; by default `None`, since there are no constraints.
+    #[inline]
+    fn sizes_in_metric(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+        sizes: &Phase<S, N>,
+    ) -> Option<Phase<S, N>> {
+        let _ = (state, prepared, sizes);
+        None
+    }
+
     /// Returns the index of the constraint that a state violates most, and its residual g, or the residual of its velocity ġ if
     /// the coordinates meet it. By default `None`, since there are no constraints.
     fn violated_constraint(

@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::constraints::Constraints;
 use super::phase::Phase;
+use super::quantities::Quantities;
 use super::state::State;
 use crate::integrate::Projection;
 use crate::limits::projection::{
@@ -279,6 +280,27 @@ fn in_metric<S: Scalar, const N: usize>(
     })
 }
 
+fn phase_in_metric<S: Scalar, const N: usize>(
+    mass: &SMatrix<S, N, N>,
+    phase: &Phase<S, N>,
+) -> Phase<S, N> {
+    Phase::new(in_metric(mass, &phase.q), in_metric(mass, &phase.v))
+}
+
+/// Returns the largest component of each kind that coordinates and velocities of these sizes have in the metric of M.
+pub fn sizes_in_metric<M, S, const N: usize>(
+    model: &M,
+    state: &State<S, N>,
+    prepared: &M::Prepared,
+    sizes: &Phase<S, N>,
+) -> Phase<S, N>
+where
+    M: Quantities<N, S>,
+    S: Scalar,
+{
+    phase_in_metric(&model.mass_matrix(state, prepared), sizes)
+}
+
 /// Projects a state onto the constraints in the metric of M: coordinates by Newton's method with the factors at the
 /// state, then velocities with the constraints at the projected coordinates.
 ///
@@ -304,21 +326,20 @@ where
             projected.q += correction(&factors, &residuals);
         }
     }
-    for _ in 0..VELOCITY_SWEEPS {
+    let before_velocities = model.constraint_velocities(&projected, prepared);
+    projected.v += correction(&factors, &before_velocities);
+    for _ in 1..VELOCITY_SWEEPS {
         let residuals = model.constraint_velocities(&projected, prepared);
         projected.v += correction(&factors, &residuals);
     }
     let positions = model.constraint_positions(&projected, prepared);
     let velocities = model.constraint_velocities(&projected, prepared);
-    let sizes = Phase::new(
-        in_metric(&mass, &projected.q),
-        in_metric(&mass, &projected.v),
-    );
+    let sizes = phase_in_metric(&mass, &projected.x);
     let mut projection = Projection::new(projected.x).with_sizes(sizes);
     let tolerance = S::from_f64(max_residual::<S>());
     for j in 0..C {
         let position_size = before[j].abs() + row_size(&jacobian, j, &projected.q);
-        let velocity_size = row_size(&jacobian, j, &projected.v);
+        let velocity_size = before_velocities[j].abs() + row_size(&jacobian, j, &projected.v);
         projection = projection
             .checked(j, positions[j], position_size * tolerance)
             .checked(j, velocities[j], velocity_size * tolerance);

@@ -1,6 +1,8 @@
 //! The equations of constraints, and what is wrong with them, against closed forms and known examples.
 
-use lagrangian_symbolic::{Constraint, ConstraintDefect, ConstraintEquations, Model};
+use lagrangian_symbolic::{
+    Constraint, ConstraintDefect, ConstraintEquations, Equations, Kinetics, Model,
+};
 use lagrangian_symbolic_testing::{Draft, Quantity, assert_close, value};
 
 fn holonomic(g: Quantity<'_>) -> Constraint {
@@ -193,4 +195,32 @@ fn relations_of_velocities_that_can_be_integrated_are_known() {
     assert_eq!(in_time, [0]);
     let along = integrable(2, |d| vec![nonholonomic(d.v(0) - d.q(1))]);
     assert_eq!(along, [0; 0]);
+}
+
+/// Three constraints of two coordinates with constant gradients, and of two angles: the third has no pivot before an angle is
+/// eliminated, and none may be taken for one.
+#[test]
+fn constraints_that_depend_on_each_other_in_some_coordinates_are_solved_for() {
+    let mut model = model(4, |d| {
+        let [x, y, a, b] = d.qs();
+        vec![
+            holonomic(x - a.sin()),
+            holonomic(y - x - b.sin()),
+            holonomic(y + a.cos() + d.p(0) * b.cos()),
+        ]
+    });
+    let equations = Equations::derive(&mut model).unwrap();
+    let kinetics = Kinetics::cheapest(&mut model, &equations);
+    let solution = kinetics.solution.expect("few unknowns");
+    let graph = &model.graph;
+    for pivot in graph.evaluate(&solution.pivots, value) {
+        assert!(pivot.abs() > 1e-3, "{pivot}");
+    }
+    let found = graph.evaluate(&solution.accelerations, value);
+    let forcing = graph.evaluate(&kinetics.system.forcing, value);
+    for (row, right) in kinetics.system.mass.iter().zip(forcing) {
+        let row = graph.evaluate(row, value);
+        let left: f64 = row.iter().zip(&found).map(|(entry, x)| entry * x).sum();
+        assert_close(left, right);
+    }
 }

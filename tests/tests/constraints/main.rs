@@ -3,8 +3,11 @@
 mod closed_forms;
 mod consistency;
 mod freedom;
+mod junctions;
+mod mechanisms;
 mod pendulum;
 mod reactions;
 mod redundant;
 mod references;
 mod singular;
+mod same_bits;

@@ -4,6 +4,8 @@ use lagrangian::Lanes;
 use lagrangian::prelude::*;
 use nalgebra::{SMatrix, SVector};
 
+use crate::mechanisms;
+
 /// A platform that hangs on three parallel bars of equal length: its angle stays 0, though three bars hold three coordinates.
 #[derive(Clone, Lagrangian)]
 #[lagrangian(
@@ -184,4 +186,30 @@ fn compliances_are_positive() {
         let loads = platform.multipliers(&start());
         assert!(loads.iter().any(|load| !load.is_finite()), "{loads}");
     }
+}
+
+/// Its angle is zero, and so are the accelerations of the angle but for rounding errors, which do not shorten steps.
+#[test]
+fn what_a_redundant_constraint_keeps_at_zero_does_not_shorten_steps() {
+    for index in [0, 1, 3, 4] {
+        let (platform, start) = mechanisms::Platform::numbered(index);
+        for tolerance in [1e-6, 1e-10, 1e-14] {
+            let problem = Problem::new(&platform, start);
+            let motion = problem.solve(2.0, Taylor::new().relative_tolerance(tolerance));
+            let statistics = motion.expect("a motion").statistics;
+            assert!(statistics.rejected <= statistics.steps, "{statistics:?}");
+        }
+    }
+}
+
+/// Three bars that are not parallel hold it, whatever its weight.
+#[test]
+fn a_structure_that_is_held_stays_at_rest() -> Result<(), IntegrationError> {
+    let (platform, start) = mechanisms::Platform::numbered(2);
+    let end = Problem::new(&platform, start).solve(10.0, Taylor::new())?;
+    assert!((end.q - start.q).amax() < 1e-15 && end.v.amax() < 1e-15);
+    let method = || Dop853::new().absolute_tolerance(1e-12);
+    let end = Problem::new(&platform, start).solve(10.0, method())?;
+    assert!((end.q - start.q).amax() < 1e-15 && end.v.amax() < 1e-15);
+    Ok(())
 }

@@ -370,6 +370,7 @@ impl<X> Dop853Stepper<X> {
             dynamics,
             t,
             before,
+            length: S::from_f64(h.abs()),
             lane: None,
         };
         let (end, correction) = corrected(&state, &projection);

@@ -1,6 +1,7 @@
 //! The residual of a Taylor polynomial in the differential equations.
 
 use crate::integrate::dynamics::Dynamics;
+use crate::integrate::projected::allow_rounding;
 use crate::limits::taylor::{CHANGES, CROSSING_ROUNDING, MOVED_EPSILONS, RESIDUAL_PER_ORDER};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
@@ -85,6 +86,9 @@ impl<S: Scalar> Allowance<S> {
         derivative: &D::State,
         allowed: &mut D::State,
     ) {
+        let mut sizes = point.state.map(Scalar::abs);
+        sizes.add_scaled(self.h, &derivative.map(Scalar::abs));
+        allow_rounding(dynamics, (point.t, &point.state), &sizes, allowed);
         for alternation in [1.0, -1.0] {
             let (t, moved) = moved(point.t, &point.state, alternation);
             let mut change = dynamics.derivative(t, &moved);

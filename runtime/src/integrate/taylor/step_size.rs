@@ -7,6 +7,7 @@ use crate::integrate::binary_logarithm::{EXPONENT, exp2, log2};
 use crate::integrate::component_name::ComponentName;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
+use crate::integrate::projected::allow_rounding;
 use crate::integrate::singularity::Singularity;
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::NEGLIGIBLE_TERM;
@@ -27,7 +28,10 @@ where
 {
     let tau = S::from_f64(length / polynomial.unit);
     let reached = reached(polynomial.from.value(), &polynomial.coefficients, tau);
-    Tolerance::weights(&dynamics.allowed_error(&reached, tolerance))
+    let mut allowed = dynamics.allowed_error(&reached, tolerance);
+    let here = (S::from_f64(polynomial.time), polynomial.from.value());
+    allow_rounding(dynamics, here, &reached, &mut allowed);
+    Tolerance::weights(&allowed)
 }
 
 /// Returns the sizes that the components reach up to τ.

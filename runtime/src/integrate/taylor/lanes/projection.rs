@@ -72,6 +72,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             dynamics,
             t,
             before,
+            length: (t - Lanes(self.time)).abs(),
             lane: None,
         };
         let (mut end, correction) = corrected(state, projection);
@@ -117,6 +118,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             dynamics,
             t,
             before,
+            length: Lanes([0.0; L]),
             lane: Some(lane),
         };
         let (end, correction) = corrected(&self.state, &projection);

@@ -32,6 +32,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             dynamics,
             t: S::from_f64(next.time),
             before: present.from.value(),
+            length: S::from_f64((next.time - present.time).abs()),
             lane: None,
         };
         let (end, correction) = corrected(&next.from, projection);
