@@ -198,6 +198,9 @@ pub(crate) mod passing {
     /// The sine below which rounding makes corrections onto the constraints larger than the tolerance.
     pub(crate) const SMALL_SINE: f64 = 0.25;
 
+    /// The sine below which an end of a step that cannot be projected is reported as a singular configuration.
+    pub(crate) const NEARLY_SINGULAR: f64 = 0.1;
+
     /// The factor between the lengths of steps that are tried, and their number.
     pub(crate) const CHANGE: f64 = 1.15;
     pub(crate) const MAX_ATTEMPTS: u32 = 10;

@@ -8,7 +8,9 @@ use super::compensated::Compensated;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::projection::Projection;
+use super::singularity_check::singular;
 use super::stepper::checked_state;
+use crate::limits::passing::NEARLY_SINGULAR;
 use crate::limits::projection::{CHANGES, MAX_CORRECTION, MOVED_EPSILONS};
 use crate::linalg::lane_select::{is_zero, one_if_zero};
 use crate::linalg::{ErrorTolerance, VectorSpace};
@@ -84,6 +86,35 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
     /// If the projection has failed, is not finite, or has moved the state by more than the tolerance and rounding
     /// explain; fixed steps have no tolerance.
     pub(crate) fn check(
+        &self,
+        (projection, end): (&Projection<S, D::State>, &D::State),
+        correction: &D::State,
+        allowed: &D::State,
+        is_limited: bool,
+    ) -> Result<f64, IntegrationError> {
+        let checked = self.distance((projection, end), correction, allowed, is_limited);
+        checked.map_err(|error| self.cause(end, error))
+    }
+
+    /// Returns the error, or the singular configuration near which the step ends or begins, since that is its cause then.
+    #[cold]
+    fn cause(&self, end: &D::State, error: IntegrationError) -> IntegrationError {
+        // The start of a motion is reported by the constraint that it violates.
+        if self.largest(self.length) <= 0.0 {
+            return error;
+        }
+        for x in [end, self.before] {
+            let sine = self.dynamics.constraint_sine(self.t, x);
+            if sine.is_some_and(|sine| self.largest(sine) < NEARLY_SINGULAR)
+                && let Some(found) = self.dynamics.singularity(self.t, x, NEARLY_SINGULAR)
+            {
+                return singular::<S>(self.time(), found);
+            }
+        }
+        error
+    }
+
+    fn distance(
         &self,
         (projection, end): (&Projection<S, D::State>, &D::State),
         correction: &D::State,

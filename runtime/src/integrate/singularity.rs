@@ -175,8 +175,8 @@ impl fmt::Display for Singularity {
                 return write!(
                     f,
                     "the constraint {coordinate} depends on others or nearly so (relative pivot {pivot:.1e}), so that the \
-                     reactions are not unique: at a dead centre or a change point of the mechanism begin elsewhere, and \
-                     leave out a constraint that follows from others"
+                     reactions are not unique: at a dead centre or a change point of the mechanism begin elsewhere, or let the \
+                     method pass_singular_configurations(), and leave out a constraint that follows from others"
                 );
             }
             Cause::MassMatrix => {}
