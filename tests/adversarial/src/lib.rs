@@ -22,7 +22,7 @@ pub use regulators::compare_regulators;
 
 /// The models, written by the build script.
 #[rustfmt::skip]
-#[allow(missing_docs, unreachable_pub, unused, clippy::all, clippy::pedantic)]
+#[allow(missing_docs, unreachable_pub, unused, deprecated, clippy::all, clippy::pedantic)]
 mod models {
     use crate::Evaluate;
 
