@@ -11,7 +11,7 @@ pub struct Conditioning {
     /// The condition number.
     pub condition: f64,
     /// The number of coordinates and constraints.
-    pub unknowns: usize,
+    pub unknowns: u32,
     /// D for the entries of the quantity that is compared.
     scales: Vec<f64>,
     /// The greatest entry of D⁻¹ x, of all unknowns x.
@@ -39,7 +39,7 @@ impl Conditioning {
         let scaled = unknowns.zip(&all).map(|(x, d)| (x / d).abs());
         Some(Self {
             condition: numbers(&state["condition"])[0],
-            unknowns: all.len(),
+            unknowns: u32::try_from(all.len()).unwrap_or(u32::MAX),
             scales,
             size: scaled.fold(0.0, f64::max),
         })

@@ -70,7 +70,7 @@ fn check_conditioned(comparisons: &[Comparison]) {
         };
         count += 1;
         let error = conditioning.relative_error(comparison);
-        let bound = 1e-15 * conditioning.unknowns as f64 * conditioning.condition;
+        let bound = 1e-15 * f64::from(conditioning.unknowns) * conditioning.condition;
         let Comparison {
             quantity,
             state,
