@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 /// The door of a wagon hangs on three hinges: one holds a point, another its place in the plane, and the third one direction of
 /// it.
+#[allow(clippy::struct_field_names)] // Its body has its name.
 #[derive(Clone, Lagrangian)]
 #[lagrangian(
     coordinates(s, p: Vector3, psi, theta, phi),

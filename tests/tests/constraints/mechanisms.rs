@@ -31,6 +31,12 @@ pub(crate) struct Pendulum {
 }
 
 impl Pendulum {
+    /// The first three events as functions of the state.
+    pub(crate) fn functions(&self) -> impl Fn(&State<f64, 2>) -> [f64; 3] + Copy + use<> {
+        let l = self.l;
+        move |x| [x.q[0] - 0.3 * l, x.q[1] + 0.8 * l, x.v[1]]
+    }
+
     pub(crate) fn numbered(index: usize) -> (Self, State<f64, 2>) {
         let pendulum = Self {
             m: 0.5 + number(index),
@@ -79,6 +85,12 @@ pub(crate) struct SliderCrank {
 }
 
 impl SliderCrank {
+    /// The first three events as functions of the state.
+    pub(crate) fn functions(&self) -> impl Fn(&State<f64, 7>) -> [f64; 3] + Copy + use<> {
+        let b = self.b;
+        move |x| [x.q[0], x.q[6] - b, x.q[4]]
+    }
+
     pub(crate) fn numbered(index: usize) -> (Self, State<f64, 7>) {
         let model = Self {
             m: 0.5 + number(index),
@@ -153,6 +165,12 @@ pub(crate) struct Disc {
 }
 
 impl Disc {
+    /// The first three events as functions of the state.
+    pub(crate) fn functions(&self) -> impl Fn(&State<f64, 6>) -> [f64; 3] + Copy + use<> {
+        let radius = self.radius;
+        move |x| [x.q[2] - 0.97 * radius, x.v[2], x.q[0]]
+    }
+
     pub(crate) fn numbered(index: usize) -> (Self, State<f64, 6>) {
         let disc = Self {
             m: 0.5 + number(index),
@@ -210,6 +228,12 @@ pub(crate) struct Hoop {
 }
 
 impl Hoop {
+    /// The first three events as functions of the state.
+    pub(crate) fn functions(&self) -> impl Fn(&State<f64, 3>) -> [f64; 3] + Copy + use<> {
+        let r = self.r;
+        move |x| [x.q[2] + 0.9 * r, x.q[1], x.v[2]]
+    }
+
     pub(crate) fn numbered(index: usize) -> (Self, State<f64, 3>) {
         let hoop = Self {
             m: 0.5 + number(index),
@@ -261,6 +285,12 @@ pub(crate) struct Platform {
 }
 
 impl Platform {
+    /// The first three events as functions of the state.
+    pub(crate) fn functions(&self) -> impl Fn(&State<f64, 3>) -> [f64; 3] + Copy + use<> {
+        let l = self.l;
+        move |x| [x.q[0], x.q[1] + 0.8 * l, x.v[1]]
+    }
+
     /// Every third one is held by three bars of which none is redundant.
     pub(crate) fn numbered(index: usize) -> (Self, State<f64, 3>) {
         let l = 0.5 + number(index);
@@ -315,6 +345,12 @@ pub(crate) struct FourBar {
 }
 
 impl FourBar {
+    /// The first three events as functions of the state.
+    pub(crate) fn functions(&self) -> impl Fn(&State<f64, 3>) -> [f64; 3] + Copy + use<> {
+        let c = self.c;
+        move |x| [x.q[1].sin(), c * x.q[2].sin() - 0.4, x.v[2]]
+    }
+
     /// Every fourth one is a parallelogram, which meets configurations in which all of its bars lie in one line; one is open, and one
     /// has no length.
     pub(crate) fn numbered(index: usize) -> (Self, State<f64, 3>) {

@@ -1,6 +1,6 @@
 //! Motions through singular configurations: four-bar linkages of equal lengths, which are flat twice in a turn.
 //!
-//! This is the benchmark A02, "N-four-bar", of the IFToMM library of computational benchmark problems. As long as all cranks are
+//! This is the benchmark A02, "N-four-bar", of the `IFToMM` library of computational benchmark problems. As long as all cranks are
 //! parallel, the linkages move as one pendulum.
 
 use lagrangian::prelude::*;
@@ -62,7 +62,7 @@ struct Pendulum {
 fn expected(linkages: f64, velocity: f64, time: f64) -> f64 {
     let pendulum = Pendulum {
         inertia: (linkages + 1.0) / 3.0 + linkages,
-        weight: 9.81 * ((linkages + 1.0) / 2.0 + linkages),
+        weight: 9.81 * (1.5 * linkages + 0.5),
     };
     let start = State::new(0.0, [0.0], [velocity]);
     let end = Problem::new(&pendulum, start).solve(time, Taylor::new());
@@ -73,7 +73,7 @@ fn expected(linkages: f64, velocity: f64, time: f64) -> f64 {
 fn upright<const K: usize, const N: usize>(velocity: f64) -> State<f64, N> {
     let mut state = State::new(0.0, [0.0; N], [0.0; N]);
     for i in 0..K {
-        state.q[i] = i as f64;
+        state.q[i] = f64::from(u32::try_from(i).unwrap());
         state.q[K + i] = 1.0;
         state.v[i] = velocity;
     }
