@@ -66,6 +66,20 @@ pub(crate) fn allow_rounding<S: Scalar, D: Dynamics<S> + ?Sized>(
     }
 }
 
+/// Raises the allowed errors of a step to a rounding error of the sizes that the components of a state have together, so that
+/// a component which constraints keep at zero does not limit the step.
+pub(crate) fn allow_least<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    (t, x): (S, &D::State),
+    sizes: &D::State,
+    allowed: &mut D::State,
+) {
+    if let Some(sizes) = dynamics.rounding_sizes(t, x, sizes) {
+        let epsilon = S::from_f64(S::machine_epsilon());
+        *allowed = allowed.zip_map(&sizes, |allowed, size| allowed.max(size * epsilon));
+    }
+}
+
 /// Returns the end of a step on the manifold, and the correction. The correction is added to the compensated sum, so
 /// that its rounding errors do not accumulate.
 pub(crate) fn corrected<S: Scalar, X: VectorSpace<S>>(

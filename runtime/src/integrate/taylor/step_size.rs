@@ -7,7 +7,7 @@ use crate::integrate::binary_logarithm::{EXPONENT, exp2, log2};
 use crate::integrate::component_name::ComponentName;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::projected::allow_rounding;
+use crate::integrate::projected::allow_least;
 use crate::integrate::singularity::Singularity;
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::NEGLIGIBLE_TERM;
@@ -30,7 +30,7 @@ where
     let reached = reached(polynomial.from.value(), &polynomial.coefficients, tau);
     let mut allowed = dynamics.allowed_error(&reached, tolerance);
     let here = (S::from_f64(polynomial.time), polynomial.from.value());
-    allow_rounding(dynamics, here, &reached, &mut allowed);
+    allow_least(dynamics, here, &reached, &mut allowed);
     Tolerance::weights(&allowed)
 }
 

@@ -3,7 +3,7 @@
 use super::{Proposals, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::binary_logarithm::{exp2_of_each, log2_of_each};
 use crate::integrate::error::IntegrationError;
-use crate::integrate::projected::allow_rounding;
+use crate::integrate::projected::allow_least;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::step_size::reached;
 use crate::integrate::tolerance::{Tolerance, largest_ratios};
@@ -126,7 +126,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let reached = reached(self.state.value(), &self.coefficients, tau);
         let mut allowed = dynamics.allowed_error(&reached, &self.tolerance(Lanes(self.length)));
         let here = (Lanes(self.time), self.state.value());
-        allow_rounding(dynamics, here, &reached, &mut allowed);
+        allow_least(dynamics, here, &reached, &mut allowed);
         allowed
     }
 
