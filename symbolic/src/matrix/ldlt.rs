@@ -76,6 +76,9 @@ impl Ldlt {
         mass: &[Vec<Expression>],
         coordinates: usize,
     ) -> Option<Self> {
+        if coordinates == mass.len() {
+            return Some(self);
+        }
         for pivot in &mut self.pivots[coordinates..] {
             *pivot = graph.negate(*pivot);
         }
