@@ -117,30 +117,6 @@ fn redundant_and_singular_members_leave_their_neighbours_alone() {
     assert!(found[0] >= 7 && found[1] >= 2 && found[2] > 10, "{found:?}");
 }
 
-#[test]
-#[ignore = "a thousand motions; run with `--include-ignored`"]
-fn a_thousand_members_have_the_bits_that_they_have_alone() {
-    let watched = [Pendulum::SIDE, Pendulum::LEVEL, Pendulum::PULL];
-    let found = in_lanes!(Pendulum: 500, watched, 1.0, Taylor::order_12());
-    assert!(found[0] == 500, "{found:?}");
-    let watched = [Platform::SIDE, Platform::LEVEL, Platform::PULL];
-    let found = in_lanes!(Platform: 225, watched, 1.0, Taylor::order_12());
-    assert!(found[0] == 225, "{found:?}");
-    let watched = [FourBar::FLAT, FourBar::ACROSS, FourBar::PUSH];
-    let found = in_lanes!(FourBar: 225, watched, 1.0, Taylor::order_12());
-    assert!(found[0] > 160 && found[1] > 2, "{found:?}");
-    let watched = [Disc::HEIGHT, Disc::AXIS, Disc::LOAD];
-    let found = in_lanes!(Disc: 25, watched, 0.2, Taylor::order_12());
-    assert!(found[0] == 25, "{found:?}");
-    let watched = [
-        SliderCrank::UPRIGHT,
-        SliderCrank::MIDDLE,
-        SliderCrank::FORCE,
-    ];
-    let found = in_lanes!(SliderCrank: 25, watched, 0.2, Taylor::order_12());
-    assert!(found[0] == 25, "{found:?}");
-}
-
 /// The steps of Runge–Kutta methods are given, so that states in lanes have those that each has alone.
 fn states_in_lanes<M, const N: usize>(model: &M, starts: [State<f64, N>; 4], end: f64)
 where
