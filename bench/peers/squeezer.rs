@@ -4,8 +4,8 @@
 //! The unknowns are q, v, w and λ: q̇ = v, v̇ = w, 0 = M w − f − Gᵀ λ, and g = 0 (index 3), ġ = 0 (index 2) or g̈ = 0
 //! (index 1).
 //!
-//! Tolerances are given component by component: version 0.7.0 transforms a tolerance that is one number anew for each
-//! component, so that of 27 components it is 1e-3 whatever was asked for.
+//! Tolerances are given component by component: version 0.7.0 transforms a scalar tolerance once for each component, which
+//! makes it 1e-3 for 27 components, whatever was asked for.
 
 use std::process::ExitCode;
 

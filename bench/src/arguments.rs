@@ -73,7 +73,7 @@ pub(crate) struct Arguments {
     #[arg(long, group = "task")]
     pub(crate) constraints: bool,
 
-    /// Instructions of a pendulum whose length is a constraint, over those of the same pendulum by its angle; needs valgrind.
+    /// Instructions of a pendulum whose length is a constraint, over a pendulum by its angle; needs valgrind.
     #[arg(long, group = "task")]
     pub(crate) cartesian_pendulum: bool,
 

@@ -1,4 +1,4 @@
-//! A pendulum by the position of its bob, with the length of the rod as a constraint, beside the same pendulum by its angle:
+//! A pendulum by the position of its bob, with the length of the rod as a constraint, beside a pendulum by its angle:
 //! instructions of a motion of 2000 s, 845 swings from side to side and back, as valgrind counts them.
 //!
 //! Both are integrated by the same method at its own tolerance. Instructions do not depend on what the machine does

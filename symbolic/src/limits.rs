@@ -147,8 +147,9 @@ pub(crate) const MAX_QUASI_VELOCITIES: usize = 8;
 /// (`MIN_STABLE_PIVOT` of the runtime).
 pub(crate) const MIN_SADDLE_POINT_PIVOT: (i64, i64) = (1, 1 << 7);
 
-/// A constraint is eliminated before a coordinate where the squares of its gradient's components by the coordinates before are at
-/// least 2⁻⁴ of the square of that by this coordinate. By judgement: a rod without mass may be 4 m long, and one digit is lost.
+/// A constraint is eliminated before a coordinate where the sum of the squares of its derivatives with respect to the
+/// coordinates eliminated before is at least 2⁻⁴ of the square of its derivative with respect to this coordinate. By judgement:
+/// a rod without mass may be 4 m long, and one digit is lost.
 pub(crate) const MIN_ELIMINATED_GRADIENT: (i64, i64) = (1, 1 << 4);
 
 /// Where a pivot row has more entries, the matrix is eliminated numerically, which costs no more than straight-line

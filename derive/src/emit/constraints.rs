@@ -117,7 +117,7 @@ impl Emitter<'_> {
         )
     }
 
-    /// The items of `Quantities` that a model with constraints has besides.
+    /// The items of `Quantities` by which a model with constraints is kept on them.
     pub(super) fn projection(&self) -> TokenStream {
         if !self.is_constrained() {
             return TokenStream::new();
@@ -125,11 +125,7 @@ impl Emitter<'_> {
         let (root, arguments) = (&self.declaration.root, self.dimensions());
         let (n, c) = (self.coordinates(), self.constraint_count());
         let signatures = self.signatures();
-        let (state, vector, prepared) = (
-            signatures.state(),
-            signatures.vector(),
-            &signatures.prepared,
-        );
+        let (state, prepared) = (signatures.state(), &signatures.prepared);
         let scalar = &self.scalar;
         let constraints = self.methods.constraints.as_ref();
         let declared = constraints.and_then(|methods| methods.compliances.as_ref());
@@ -164,15 +160,32 @@ impl Emitter<'_> {
             fn fix_rank(&self, state: #state, prepared: &mut #prepared) {
                 #root::__private::fix_rank::<Self, #arguments>(self, state, prepared);
             }
-            fn relative_pivots(&self, state: #state, prepared: &#prepared) -> #vector {
-                #root::__private::constrained_pivots::<Self, #arguments>(self, state, prepared).0
-            }
             fn violated_constraint(
                 &self,
                 state: #state,
                 prepared: &#prepared,
             ) -> ::core::option::Option<(::core::primitive::usize, #scalar)> {
                 #root::__private::violated_constraint::<Self, #scalar, #n, #c>(self, state, prepared)
+            }
+        }
+    }
+
+    /// The items of `Quantities` by which a model with constraints tells how nearly they depend on each other.
+    pub(super) fn conditioning(&self) -> TokenStream {
+        if !self.is_constrained() {
+            return TokenStream::new();
+        }
+        let (root, arguments) = (&self.declaration.root, self.dimensions());
+        let (n, c, scalar) = (self.coordinates(), self.constraint_count(), &self.scalar);
+        let signatures = self.signatures();
+        let (state, vector, prepared) = (
+            signatures.state(),
+            signatures.vector(),
+            &signatures.prepared,
+        );
+        quote! {
+            fn relative_pivots(&self, state: #state, prepared: &#prepared) -> #vector {
+                #root::__private::constrained_pivots::<Self, #arguments>(self, state, prepared).0
             }
             fn constraint_sine(
                 &self,

@@ -19,11 +19,11 @@ impl Emitter<'_> {
         let inputs = self.signatures().inputs();
         let components = &self.lowered.quantities.inputs;
         let values = components.iter().map(|input| self.read(input));
-        let projection = self.projection();
+        let of_constraints = [self.projection(), self.conditioning()];
         let items = quote! {
             type Inputs = #inputs;
             fn inputs(&self) -> #inputs { #root::__private::vector([#(#values),*]) }
-            #projection
+            #(#of_constraints)*
         };
         let quantities = self.interface(Interface::Quantities, items);
         let lagrangian = self.implement(

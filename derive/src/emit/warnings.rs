@@ -67,7 +67,7 @@ impl Emitter<'_> {
         warnings
     }
 
-    /// Of what these constraints are the rates, as far as that is known.
+    /// Says which functions of the coordinates and the time are constant, as far as they are known.
     fn as_rates(&self, integrals: Option<Vec<Expression>>) -> String {
         let Some(integrals) = integrals else {
             return "a relation of coordinates follows by integration".to_owned();

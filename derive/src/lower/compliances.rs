@@ -1,4 +1,4 @@
-//! The compliances of constraints: weights of the multipliers of which those of redundant constraints are the least.
+//! The compliances of constraints, which weigh the squares of multipliers where constraints are redundant.
 
 use lagrangian_symbolic::{Expression, Rational, Symbol};
 
@@ -87,7 +87,7 @@ impl Lowerer<'_> {
         constraint.copied()
     }
 
-    /// A compliance for each component: a scalar is that of each, and a vector has one for each.
+    /// A compliance for each component: a scalar stands for all of them, and a vector has one for each.
     fn compliances_of(
         &mut self,
         compliance: &NamedExpression,

@@ -214,8 +214,9 @@ pub trait Dynamics<S: Scalar = f64> {
         None
     }
 
-    /// Returns the smallest sine of the angle between the gradient of a constraint and the span of the gradients of others; 0 in a
-    /// singular configuration. By default `None`: it is not known, or there are no constraints.
+    /// Returns the smallest sine of the angle between the gradient of a constraint and the span of the gradients of others: 0 in
+    /// a singular configuration. Methods that [pass](crate::Taylor::pass_singular_configurations) such configurations find
+    /// them by it. By default `None`: there are no constraints, or nothing is known of them.
     fn constraint_sine(&self, t: S, x: &Self::State) -> Option<S> {
         let _ = (t, x);
         None

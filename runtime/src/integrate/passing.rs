@@ -43,6 +43,12 @@ pub(crate) struct Clearance {
 }
 
 impl Clearance {
+    /// The least, which any step exceeds.
+    pub(crate) const NONE: Self = Self {
+        smallest: -1.0,
+        largest: 0.0,
+    };
+
     /// Before any stage, and where there are no constraints.
     pub(crate) const UNLIMITED: Self = Self {
         smallest: 1.0,

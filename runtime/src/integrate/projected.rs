@@ -91,6 +91,20 @@ pub(crate) fn corrected<S: Scalar, X: VectorSpace<S>>(
     (state.plus(correction.clone()), correction)
 }
 
+/// Returns the reduced state at which the derivative of a polynomial is compared with the equations of motion: on the manifold
+/// if a projection onto it is given, since near a singular configuration of constraints accelerations change fast beside it.
+#[inline]
+pub(crate) fn reduced_on_manifold<S: Scalar, D: Dynamics<S> + ?Sized>(
+    dynamics: &D,
+    state: &Compensated<D::State>,
+    projection: Option<&Projection<S, D::State>>,
+) -> D::State {
+    match projection {
+        None => state.reduced(dynamics),
+        Some(projection) => corrected(state, projection).0.reduced(dynamics),
+    }
+}
+
 impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
     /// Returns the largest component of the correction over its allowed error; at most the limit where rounding explains
     /// more. Components without an allowed error do not count.
@@ -128,6 +142,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
         error
     }
 
+    /// [`check`](Self::check), with the error that is found first.
     fn distance(
         &self,
         (projection, end): (&Projection<S, D::State>, &D::State),

@@ -4,18 +4,17 @@
 //! & Wanner, *Solving Ordinary Differential Equations I*, 2nd edition (1993), II.1. The adaptive method of order 8 is
 //! [`Dop853`](crate::Dop853).
 
-use super::checkpoint::Resume;
-use super::compensated::{Clock, Compensated};
+mod stepper;
+
+pub use stepper::{RungeKuttaMemory, RungeKuttaStepper};
+
+use super::compensated::Clock;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::integrator::Integrator;
 use super::passing::{self, Clearance};
-use super::projected::{Projected, check_start, corrected};
-use super::stepper::{Advance, Statistics, Stepper};
-use super::stepper::{checked_derivative, checked_state, remaining};
-use crate::limits::projection::FIXED_STEP_START;
-use crate::limits::{FIXED_STEP_SINGULARITY_TOLERANCE, fixed_steps};
-use crate::linalg::{ErrorTolerance, VectorSpace};
+use crate::limits::FIXED_STEP_SINGULARITY_TOLERANCE;
+use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
 /// The Butcher tableau of an explicit Runge–Kutta method.
@@ -207,8 +206,7 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
         x: &D::State,
         (h, remaining): (f64, f64),
     ) -> (f64, D::State) {
-        let mut best: Option<(f64, D::State, Clearance)> = None;
-        for h in passing::lengths(h, remaining) {
+        let attempt = |h: f64| {
             let derivatives = self.stages(dynamics, clock, x, h);
             let rows = self.tableau.nodes.iter().zip(self.tableau.matrix);
             let end = (&1.0, &self.tableau.weights[..]);
@@ -217,18 +215,19 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
                 let at = stage_state(x, h, row, &derivatives);
                 clearance.with(dynamics, clock.after(node * h), &at)
             });
-            let is_larger = |(.., other): &(_, _, Clearance)| clearance.is_larger_than(*other);
-            if best.as_ref().is_none_or(is_larger) {
-                best = Some((h, self.sum(&derivatives, h), clearance));
-            }
-            if clearance.is_sufficient() {
+            (h, self.sum(&derivatives, h), clearance)
+        };
+        let mut best = attempt(h);
+        for h in passing::lengths(h, remaining).skip(1) {
+            if best.2.is_sufficient() {
                 break;
             }
+            let next = attempt(h);
+            if next.2.is_larger_than(best.2) {
+                best = next;
+            }
         }
-        match best {
-            Some((h, increment, _)) => (h, increment),
-            None => (h, self.increment(dynamics, clock, x, h)),
-        }
+        (best.0, best.1)
     }
 }
 
@@ -239,210 +238,10 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Integrator<S, D>
 
     fn start(&self, dynamics: &D, t: f64, x: D::State) -> Result<Self::Stepper, IntegrationError> {
         self.check()?;
-        checked_derivative(dynamics, t, &x)?;
-        check_start(dynamics, t, &x, &error_of_size(FIXED_STEP_START))?;
-        let clock = Clock::new(t);
-        let state = Compensated::new(x);
-        Ok(RungeKuttaStepper {
-            method: *self,
-            clock,
-            previous: (clock, state.clone()),
-            state,
-            statistics: Statistics {
-                evaluations: 1,
-                ..Statistics::default()
-            },
-        })
+        RungeKuttaStepper::new(*self, dynamics, t, x)
     }
 
     fn singularity_tolerance(&self) -> f64 {
         FIXED_STEP_SINGULARITY_TOLERANCE
-    }
-}
-
-/// The stepper of a [`RungeKutta`] method.
-///
-/// Time and state are compensated sums, so that their rounding errors do not grow over a long integration.
-#[derive(Clone, Debug)]
-pub struct RungeKuttaStepper<X, const STAGES: usize> {
-    method: RungeKutta<STAGES>,
-    clock: Clock,
-    state: Compensated<X>,
-    /// The time and the state at the beginning of the last step.
-    previous: (Clock, Compensated<X>),
-    statistics: Statistics,
-}
-
-/// The stored part of a [`RungeKuttaStepper`]: everything except its method.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct RungeKuttaMemory<X> {
-    clock: Clock,
-    state: Compensated<X>,
-    previous: (Clock, Compensated<X>),
-    statistics: Statistics,
-}
-
-impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Resume<S, D> for RungeKutta<STAGES> {
-    type Memory = RungeKuttaMemory<D::State>;
-
-    fn memory(stepper: &Self::Stepper) -> Self::Memory {
-        let stepper = stepper.clone();
-        RungeKuttaMemory {
-            clock: stepper.clock,
-            state: stepper.state,
-            previous: stepper.previous,
-            statistics: stepper.statistics,
-        }
-    }
-
-    fn recall(&self, _: &D, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError> {
-        self.check()?;
-        Ok(RungeKuttaStepper {
-            method: *self,
-            clock: memory.clock,
-            state: memory.state,
-            previous: memory.previous,
-            statistics: memory.statistics,
-        })
-    }
-}
-
-impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
-    fn count_step(&mut self) {
-        self.statistics.steps += 1;
-        self.count_evaluations();
-    }
-
-    fn count_evaluations(&mut self) {
-        self.statistics.evaluations += STAGES as u64;
-    }
-}
-
-/// Returns the tolerance that allows this part of the size of each component, and the same number if the component is
-/// zero.
-fn error_of_size<S: Scalar>(part: f64) -> ErrorTolerance<S> {
-    ErrorTolerance {
-        relative: part,
-        absolute: part,
-        rate: S::one(),
-    }
-}
-
-impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
-    /// Returns the end of a step, projected onto the manifold of the dynamics if they have one.
-    #[inline]
-    fn projected<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
-        &mut self,
-        dynamics: &D,
-        time: f64,
-        state: Compensated<X>,
-    ) -> Result<Compensated<X>, IntegrationError>
-    where
-        X: VectorSpace<S>,
-    {
-        let t = S::from_f64(time);
-        let Some(projection) = dynamics.project(t, state.value()) else {
-            return Ok(state);
-        };
-        let step = Projected {
-            dynamics,
-            t,
-            before: self.state.value(),
-            length: S::from_f64((time - self.clock.time()).abs()),
-            lane: None,
-        };
-        let (end, correction) = corrected(&state, &projection);
-        let size = dynamics.allowed_error(state.value(), &error_of_size(1.0));
-        let found = (&projection, end.value());
-        let distance = step.check(found, &correction, &size, false)?;
-        self.statistics.projection = self.statistics.projection.max(distance);
-        Ok(end)
-    }
-}
-
-impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
-    for RungeKuttaStepper<X, STAGES>
-{
-    const DENSE_OUTPUT: bool = false;
-
-    fn time(&self) -> f64 {
-        self.clock.time()
-    }
-
-    fn state(&self) -> &X {
-        self.state.value()
-    }
-
-    fn previous_time(&self) -> f64 {
-        self.previous.0.time()
-    }
-
-    fn statistics(&self) -> Statistics {
-        self.statistics
-    }
-}
-
-impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STAGES: usize>
-    Advance<S, D> for RungeKuttaStepper<X, STAGES>
-{
-    fn step(&mut self, dynamics: &D, target: f64) -> Result<(), IntegrationError> {
-        let Some(remaining) = remaining(&self.clock, target)? else {
-            return Ok(());
-        };
-        // A quotient that is an integer up to rounding must not add a step. It is rounded up by `floor`, which programs
-        // contain in any case.
-        let quotient = remaining.abs() / self.method.step * (1.0 - fixed_steps::ROUNDING);
-        let steps = (-libm::floor(-quotient)).max(1.0);
-        let h = remaining / steps;
-        if steps > 1.0 && h.abs() <= f64::EPSILON * self.clock.time().abs() {
-            return Err(IntegrationError::StepTooSmall {
-                time: self.clock.time(),
-                step: h.abs(),
-                component: None,
-                relative_only: false,
-            });
-        }
-        let x = self.state.reduced(dynamics);
-        let (h, increment) = if self.method.passes_singularities {
-            (self.method).passing(dynamics, &self.clock, &x, (h, remaining))
-        } else {
-            (h, self.method.increment(dynamics, &self.clock, &x, h))
-        };
-        let mut clock = self.clock;
-        if h.abs() < remaining.abs() {
-            clock.advance(h);
-        } else {
-            clock = Clock::new(target);
-        }
-        let state = self.state.plus(increment);
-        checked_state(dynamics, clock.time(), state.value())?;
-        let state = self.projected(dynamics, clock.time(), state)?;
-        let previous = core::mem::replace(&mut self.state, state);
-        self.previous = (self.clock, previous);
-        self.clock = clock;
-        self.count_step();
-        Ok(())
-    }
-
-    /// Takes a step of the method from the previous time to `t`; this is as accurate as the step itself.
-    fn interpolate(&mut self, dynamics: &D, t: f64) -> X {
-        let (clock, previous) = &self.previous;
-        let h = clock.until(t);
-        let from = previous.reduced(dynamics);
-        let increment = self.method.increment(dynamics, clock, &from, h);
-        let mut x = previous.value().clone();
-        x.add_scaled(S::one(), &increment);
-        self.count_evaluations();
-        x
-    }
-
-    fn restart(&mut self, _: &D) {}
-
-    fn restart_at(&mut self, dynamics: &D, t: f64, x: X) -> Result<(), IntegrationError> {
-        let statistics = self.statistics;
-        *self = self.method.start(dynamics, t, x)?;
-        self.statistics = self.statistics.plus(statistics);
-        Ok(())
     }
 }

@@ -75,8 +75,8 @@ pub trait Constraints<const N: usize, const C: usize, S: Scalar = f64>: Quantiti
         held: &[bool; N],
     ) -> SVector<S, N>;
 
-    /// The compliances cᵢ of the constraints, 1 by default. Where constraints depend on each other, λ is not unique: of all λ
-    /// with the same generalized forces Gᵀ λ it is the one for which Σ cᵢ λᵢ² is least.
+    /// The compliances cᵢ of the constraints, deformations per unit of λ; 1 by default. Where constraints depend on each other,
+    /// λ is not unique: of all λ with equal generalized forces Gᵀ λ the one is returned for which Σ cᵢ λᵢ² is least.
     fn compliances(&self, prepared: &Self::Prepared) -> SVector<S, C> {
         let _ = prepared;
         SVector::from_element(S::one())

@@ -92,13 +92,13 @@ impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
         }
     }
 
-    /// The indices of coordinates whose changes determine those of the others, as
+    /// The indices of coordinates that determine all others near this state, as
     /// [`Assembly::hold`](crate::assembly::Assembly::hold) takes them.
     pub fn independent_coordinates(&self) -> impl Iterator<Item = usize> + Clone + use<N, C> {
         indices(self.dependent_coordinates, false)
     }
 
-    /// The indices of the coordinates whose velocities determine those of the others, as
+    /// The indices of the coordinates whose velocities determine all other velocities, as
     /// [`Assembly::hold_velocities`](crate::assembly::Assembly::hold_velocities) takes them. They are among the
     /// independent coordinates.
     pub fn independent_velocities(&self) -> impl Iterator<Item = usize> + Clone + use<N, C> {

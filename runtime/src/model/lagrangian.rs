@@ -113,8 +113,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         model.accelerations(state, &self.inputs(), &model.prepare())
     }
 
-    /// Inverse dynamics: the generalized forces M q̈ − f that must be added to those of the declaration, at the inputs, for these
-    /// accelerations. Where the inputs are 0 and no other forces act, they are those of the actuators.
+    /// Inverse dynamics: the generalized forces M q̈ − f that must be added to the declared ones, at the inputs, for these
+    /// accelerations. Where the inputs are 0 and no other forces act, they are the forces of the actuators.
     #[inline]
     fn inverse_dynamics(
         &self,
@@ -126,8 +126,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     }
 
     /// The multipliers λ in d/dt (∂L/∂q̇) − ∂L/∂q = Q + Gᵀ λ, for each component of the
-    /// [constraints](crate::quantities::Constraints), if the declaration has some. Those of constraints that depend on each
-    /// other are not unique, and the least in the sense of the [compliances](crate::quantities::Constraints::compliances).
+    /// [constraints](crate::quantities::Constraints), if the declaration has some. Where constraints depend on each other, λ
+    /// is not unique, and the [compliances](crate::quantities::Constraints::compliances) choose one.
     #[inline]
     fn multipliers<const C: usize>(&self, state: &State<S, N>) -> SVector<S, C>
     where
@@ -166,8 +166,8 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         (positions, model.constraint_velocities(state, &prepared))
     }
 
-    /// The [degrees of freedom](DegreesOfFreedom) at a state, and coordinates that are independent there; on several lanes,
-    /// those of the first.
+    /// The [degrees of freedom](DegreesOfFreedom) at a state, and coordinates that are independent there; of several lanes,
+    /// the first counts.
     fn degrees_of_freedom<const C: usize>(&self, state: &State<S, N>) -> DegreesOfFreedom<N, C>
     where
         Self::Model: Constraints<N, C, S>,

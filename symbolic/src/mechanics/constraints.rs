@@ -38,7 +38,7 @@ pub struct ConstraintEquations {
     pub rates: Vec<Expression>,
     /// The constraints, as they are counted in the model, that are declared as nonholonomic and can be integrated, together with
     /// the holonomic ones: they restrict the coordinates, and not the velocities alone. Where the coefficients of one are
-    /// constant, behind it stands the function of coordinates and time whose rate it is.
+    /// constant, the second entry is the function of coordinates and time whose rate the constraint is.
     pub integrable: Vec<(usize, Option<Expression>)>,
 }
 

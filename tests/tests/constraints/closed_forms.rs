@@ -10,6 +10,8 @@ mod spatial_slider_crank;
 mod turntable;
 mod unit_quaternion;
 
+pub(crate) use rolling_disc::RollingDisc;
+
 use lagrangian::prelude::*;
 use lagrangian::quantities::{Constraints, MotionSeries};
 use lagrangian_tests::{Figures, relative_error};

@@ -7,6 +7,8 @@ use lagrangian::quantities::Constraints;
 use lagrangian::rigid_body::InertiaTensor;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
+use crate::mechanisms::{Disc, FourBar, Platform};
+
 /// The door of a wagon hangs on three hinges: one holds a point, another its place in the plane, and the third one direction of
 /// it.
 #[allow(clippy::struct_field_names)] // Its body has its name.
@@ -31,62 +33,6 @@ struct Door {
     hinges: [Vector3<f64>; 3],
 }
 
-/// A disc that rolls on a plane, with the height of its centre as a coordinate.
-#[derive(Clone, Lagrangian)]
-#[lagrangian(
-    coordinates(c: Vector3, phi, theta, psi),
-    define(
-        r = rotation_zxz(phi, theta, psi),
-        arm = radius * [-sin(phi) * cos(theta), cos(phi) * cos(theta), sin(theta)],
-        contact = dot(c) - angular_velocity_inertial(r).cross(arm),
-    ),
-    body(disc = (r, c)),
-    constraint(ground = c.z - arm.z),
-    nonholonomic(rolling = contact.rows(0, 2)),
-)]
-struct Disc {
-    disc: SymmetricBody,
-    radius: f64,
-}
-
-/// A platform on three parallel bars, and a parallelogram of which one has only two.
-#[derive(Clone, Lagrangian)]
-#[lagrangian(
-    coordinates(x, y, phi),
-    define(arm = [b * cos(phi), b * sin(phi)]),
-    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)) + 0.5 * inertia * dot(phi).powi(2),
-    constraint(
-        left = ([x, y] - arm - [-b, 0.0]).norm_squared() - l.powi(2),
-        middle = [x, y].norm_squared() - l.powi(2),
-        right = ([x, y] + arm - [b, 0.0]).norm_squared() - l.powi(2),
-    ),
-)]
-struct Platform {
-    m: f64,
-    inertia: f64,
-    b: f64,
-    l: f64,
-}
-
-/// A four-bar linkage by the angles of its bars.
-#[derive(Clone, Lagrangian)]
-#[lagrangian(
-    coordinates(crank, coupler, rocker),
-    define(
-        joint = [a * cos(crank) + b * cos(coupler), a * sin(crank) + b * sin(coupler)],
-        end = [d + c * cos(rocker), c * sin(rocker)],
-    ),
-    kinetic = 0.5 * inertia * (dot(crank).powi(2) + dot(coupler).powi(2) + dot(rocker).powi(2)),
-    constraint(closure = joint - end),
-)]
-struct FourBar {
-    a: f64,
-    b: f64,
-    c: f64,
-    d: f64,
-    inertia: f64,
-}
-
 /// A wheel that rolls on a line.
 #[allow(deprecated)] // It is declared by its velocities, though it is holonomic.
 #[derive(Clone, Lagrangian)]
@@ -102,13 +48,6 @@ struct Wheel {
     r: f64,
 }
 
-const PLATFORM: Platform = Platform {
-    m: 3.0,
-    inertia: 0.7,
-    b: 0.5,
-    l: 1.25,
-};
-
 fn door() -> Door {
     let inertia = Matrix3::from_diagonal(&Vector3::new(0.5, 0.6, 0.7));
     let inertia = InertiaTensor::from_matrix(&inertia).expect("an inertia tensor");
@@ -119,11 +58,6 @@ fn door() -> Door {
         door,
         hinges,
     }
-}
-
-fn disc() -> Disc {
-    let disc = SymmetricBody::new(1.0, 0.0, 0.25, 0.5).expect("a body");
-    Disc { disc, radius: 1.0 }
 }
 
 /// The rows of G at q, from the residuals of unit velocities.
@@ -202,16 +136,24 @@ fn a_door_on_three_hinges_turns() {
 #[test]
 fn a_platform_on_three_bars_has_one_freedom() {
     let angle = 0.8_f64;
-    let q = [PLATFORM.l * angle.sin(), -PLATFORM.l * angle.cos(), 0.0];
-    let freedom = check(&PLATFORM, q);
+    let q = [
+        Platform::PARALLEL.l * angle.sin(),
+        -Platform::PARALLEL.l * angle.cos(),
+        0.0,
+    ];
+    let freedom = check(&Platform::PARALLEL, q);
     assert_eq!((freedom.coordinates, freedom.velocities), (1, 1));
     // Bars nearer to the vertical leave the other coordinate free.
     assert_eq!(
         names(Platform::COORDINATES, freedom.independent_coordinates()),
         ["y"]
     );
-    let q = [PLATFORM.l * 0.5, -PLATFORM.l * 0.75_f64.sqrt(), 0.0];
-    let freedom = check(&PLATFORM, q);
+    let q = [
+        Platform::PARALLEL.l * 0.5,
+        -Platform::PARALLEL.l * 0.75_f64.sqrt(),
+        0.0,
+    ];
+    let freedom = check(&Platform::PARALLEL, q);
     assert_eq!(
         names(Platform::COORDINATES, freedom.independent_coordinates()),
         ["x"]
@@ -220,9 +162,12 @@ fn a_platform_on_three_bars_has_one_freedom() {
 
 #[test]
 fn a_disc_has_five_configurations_and_three_velocities() {
-    let disc = disc();
+    let (disc, _) = Disc::numbered(0);
     let angle = 1.0_f64;
-    let freedom = check(&disc, [0.1, 0.2, angle.sin(), 0.4, angle, 0.7]);
+    let freedom = check(
+        &disc,
+        [0.1, 0.2, disc.radius * angle.sin(), 0.4, angle, 0.7],
+    );
     assert_eq!((freedom.coordinates, freedom.velocities), (5, 3));
     assert_eq!(freedom.redundant_constraints().count(), 0);
     assert_eq!(<Disc as Constraints<6, 3>>::MIN_DEGREES_OF_FREEDOM, 3);
@@ -239,7 +184,7 @@ fn a_parallelogram_gains_a_freedom_where_its_bars_are_in_line() {
         b: 2.0,
         c: 1.0,
         d: 2.0,
-        inertia: 0.1,
+        m: 0.1,
     };
     assert_eq!(check(&parallelogram, [0.7, 0.0, 0.7]).velocities, 1);
     let freedom = check(&parallelogram, [0.0; 3]);
@@ -255,7 +200,7 @@ fn independent_coordinates_do_not_depend_on_units() {
             b: 2.5 * length,
             c: 2.0 * length,
             d: 3.0 * length,
-            inertia: 0.1 * time,
+            m: 0.1 * time,
         };
         let guess = State::new(0.0, [0.9, 0.2, 1.5], [0.0; 3]);
         let state = linkage.assemble(guess).solve().expect("it closes").state;
@@ -272,7 +217,7 @@ fn independent_coordinates_can_be_held() {
         b: 2.5,
         c: 2.0,
         d: 3.0,
-        inertia: 0.1,
+        m: 0.1,
     };
     let guess = State::new(0.0, [0.9, 0.2, 1.5], [0.0; 3]);
     let state = linkage.assemble(guess).solve().expect("it closes").state;

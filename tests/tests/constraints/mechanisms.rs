@@ -267,6 +267,12 @@ impl Hoop {
         middle_bar = 0.5 * ([x, y].norm_squared() - l.powi(2)),
         right_bar = 0.5 * ((right - [b + shift, 0.0]).norm_squared() - n.powi(2)),
     ),
+    compliance(
+        left_bar = 1.0 / stiffness[0],
+        middle_bar = 1.0 / stiffness[1],
+        right_bar = 1.0 / stiffness[2],
+    ),
+    output(left_load = reaction(left_bar)),
     event(
         side = x,
         level = y + 0.8 * l,
@@ -282,9 +288,22 @@ pub(crate) struct Platform {
     /// By how much the anchor of the right bar is moved, and the length of this bar.
     pub(crate) shift: f64,
     pub(crate) n: f64,
+    /// The stiffnesses by which parallel bars share a load.
+    pub(crate) stiffness: [f64; 3],
 }
 
 impl Platform {
+    /// On parallel bars.
+    pub(crate) const PARALLEL: Self = Self {
+        m: 3.0,
+        g: 9.81,
+        b: 0.5,
+        l: 1.25,
+        shift: 0.0,
+        n: 1.25,
+        stiffness: [1.0; 3],
+    };
+
     /// The first three events as functions of the state.
     pub(crate) fn functions(&self) -> impl Fn(&State<f64, 3>) -> [f64; 3] + Copy + use<> {
         let l = self.l;
@@ -309,6 +328,7 @@ impl Platform {
             } else {
                 l
             },
+            stiffness: [1.0; 3],
         };
         let speed = if is_held { 0.0 } else { number(index + 5) };
         (

@@ -4,40 +4,7 @@ use lagrangian::Lanes;
 use lagrangian::prelude::*;
 use nalgebra::{SMatrix, SVector};
 
-use crate::mechanisms;
-
-/// A platform that hangs on three parallel bars of equal length: its angle stays 0, though three bars hold three coordinates.
-#[derive(Clone, Lagrangian)]
-#[lagrangian(
-    coordinates(x, y, phi),
-    define(
-        arm = [b * cos(phi), b * sin(phi)],
-        left = [x, y] - arm,
-        right = [x, y] + arm,
-    ),
-    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)) + 0.5 * inertia * dot(phi).powi(2),
-    potential = m * g * y,
-    constraint(
-        left_bar = (left - [-b, 0.0]).norm_squared() - l.powi(2),
-        middle_bar = [x, y].norm_squared() - l.powi(2),
-        right_bar = (right - [b, 0.0]).norm_squared() - l.powi(2),
-    ),
-    compliance(
-        left_bar = 1.0 / stiffness[0],
-        middle_bar = 1.0 / stiffness[1],
-        right_bar = 1.0 / stiffness[2],
-    ),
-    output(left_load = reaction(left_bar)),
-    taylor,
-)]
-struct Platform {
-    m: f64,
-    inertia: f64,
-    b: f64,
-    l: f64,
-    g: f64,
-    stiffness: [f64; 3],
-}
+use crate::mechanisms::Platform;
 
 /// The pendulum as which the platform moves.
 #[derive(Clone, Lagrangian)]
@@ -53,18 +20,9 @@ struct Pendulum {
     g: f64,
 }
 
-const PLATFORM: Platform = Platform {
-    m: 3.0,
-    inertia: 0.7,
-    b: 0.5,
-    l: 1.25,
-    g: 9.81,
-    stiffness: [1.0; 3],
-};
-
 fn start() -> State<f64, 3> {
     let (theta, rate) = (0.8_f64, 1.1);
-    let l = PLATFORM.l;
+    let l = Platform::PARALLEL.l;
     let (sin, cos) = theta.sin_cos();
     State::new(
         0.0,
@@ -74,7 +32,7 @@ fn start() -> State<f64, 3> {
 }
 
 fn expected(t: f64) -> [f64; 2] {
-    let Platform { m, l, g, .. } = PLATFORM;
+    let Platform { m, l, g, .. } = Platform::PARALLEL;
     let pendulum = Pendulum { m, l, g };
     let start = State::new(0.0, [0.8], [1.1]);
     let end = Problem::new(&pendulum, start).solve(t, Taylor::new().relative_tolerance(1e-15));
@@ -86,10 +44,10 @@ fn expected(t: f64) -> [f64; 2] {
 fn a_platform_on_three_parallel_bars_moves_as_a_pendulum() -> Result<(), IntegrationError> {
     let start = start();
     let expected = expected(10.0);
-    let taylor =
-        Problem::new(&PLATFORM, start).solve(10.0, Taylor::new().relative_tolerance(1e-13))?;
-    let dop853 =
-        Problem::new(&PLATFORM, start).solve(10.0, Dop853::new().relative_tolerance(1e-12))?;
+    let taylor = Problem::new(&Platform::PARALLEL, start)
+        .solve(10.0, Taylor::new().relative_tolerance(1e-13))?;
+    let dop853 = Problem::new(&Platform::PARALLEL, start)
+        .solve(10.0, Dop853::new().relative_tolerance(1e-12))?;
     for end in [taylor.last, dop853.last] {
         println!("{end:?} {expected:?}");
         assert!((end.q[0] - expected[0]).abs() < 1e-9);
@@ -118,7 +76,7 @@ fn bars_share_a_load_as_stiff_springs_do() {
     for stiffness in [[1.0; 3], [5.0, 1.0, 2.0], [1e6, 2e3, 1e6]] {
         let platform = Platform {
             stiffness,
-            ..PLATFORM
+            ..Platform::PARALLEL
         };
         let expected = loads_of_springs(&platform, &state);
         let found = platform.multipliers(&state);
@@ -132,16 +90,19 @@ fn bars_share_a_load_as_stiff_springs_do() {
         // Neither the accelerations nor the sum of the loads know of it.
         assert_eq!(
             platform.accelerations(&state),
-            PLATFORM.accelerations(&state)
+            Platform::PARALLEL.accelerations(&state)
         );
-        assert!((found.sum() - PLATFORM.multipliers(&state).sum()).abs() < 1e-13 * expected.amax());
+        assert!(
+            (found.sum() - Platform::PARALLEL.multipliers(&state).sum()).abs()
+                < 1e-13 * expected.amax()
+        );
     }
     // Equal bars carry equal loads, and of two outer bars without stiffness the middle one carries all.
-    let [left, middle, right] = PLATFORM.multipliers(&state).into();
+    let [left, middle, right] = Platform::PARALLEL.multipliers(&state).into();
     assert!((left / middle - 1.0).abs() < 1e-14 && (right / middle - 1.0).abs() < 1e-14);
     let soft = Platform {
         stiffness: [1e-9, 1.0, 1e-9],
-        ..PLATFORM
+        ..Platform::PARALLEL
     };
     let [left, middle, _] = soft.multipliers(&state).into();
     assert!((left / middle).abs() < 1e-8);
@@ -151,7 +112,7 @@ fn bars_share_a_load_as_stiff_springs_do() {
 fn compliances_are_the_same_in_lanes_and_along_a_motion() -> Result<(), IntegrationError> {
     let platform = Platform {
         stiffness: [5.0, 1.0, 2.0],
-        ..PLATFORM
+        ..Platform::PARALLEL
     };
     let state = start();
     let lanes = State::new(
@@ -166,7 +127,7 @@ fn compliances_are_the_same_in_lanes_and_along_a_motion() -> Result<(), Integrat
     }
     // The motion is that of equal bars.
     let end = Problem::new(&platform, state).solve(2.0, Taylor::new())?;
-    let equal = Problem::new(&PLATFORM, state).solve(2.0, Taylor::new())?;
+    let equal = Problem::new(&Platform::PARALLEL, state).solve(2.0, Taylor::new())?;
     assert!((end.q - equal.q).amax() < 1e-13 && (end.v - equal.v).amax() < 1e-12);
     Ok(())
 }
@@ -176,7 +137,7 @@ fn compliances_are_positive() {
     for (stiffness, compliance) in [(-2.0, -0.5), (f64::INFINITY, 0.0), (0.0, f64::INFINITY)] {
         let platform = Platform {
             stiffness: [1.0, 1.0, stiffness],
-            ..PLATFORM
+            ..Platform::PARALLEL
         };
         let error = Problem::new(&platform, start()).solve(1.0, Dop853::new());
         let error = error.expect_err("the compliance is refused");
@@ -195,7 +156,7 @@ fn compliances_are_positive() {
 #[test]
 fn what_a_redundant_constraint_keeps_at_zero_does_not_shorten_steps() {
     for index in [0, 1, 3, 4] {
-        let (platform, start) = mechanisms::Platform::numbered(index);
+        let (platform, start) = Platform::numbered(index);
         for tolerance in [1e-6, 1e-10, 1e-14] {
             let problem = Problem::new(&platform, start);
             let motion = problem.solve(2.0, Taylor::new().relative_tolerance(tolerance));
@@ -208,7 +169,7 @@ fn what_a_redundant_constraint_keeps_at_zero_does_not_shorten_steps() {
 /// Three bars that are not parallel hold it, whatever its weight.
 #[test]
 fn a_structure_that_is_held_stays_at_rest() -> Result<(), IntegrationError> {
-    let (platform, start) = mechanisms::Platform::numbered(2);
+    let (platform, start) = Platform::numbered(2);
     let end = Problem::new(&platform, start).solve(10.0, Taylor::new())?;
     assert!((end.q - start.q).amax() < 1e-15 && end.v.amax() < 1e-15);
     let method = || Dop853::new().absolute_tolerance(1e-12);

@@ -9,7 +9,7 @@ use lagrangian_tests::{
 };
 use nalgebra::SVector;
 
-use models::{Atwood, Bricard, Disc, Pendulum, Sleigh, Squeezer};
+use models::{Atwood, Bricard, Pendulum, Sleigh, Squeezer, disc};
 
 /// Relative to the greatest entry of a vector along the motion.
 const TOLERANCE: f64 = 1e-9;
@@ -78,7 +78,7 @@ fn cartesian_pendulum() {
 #[test]
 fn rolling_disc() {
     check("rolling_disc", |motion, figures| {
-        compare(motion, &Disc::of(motion), figures);
+        compare(motion, &disc(motion), figures);
     });
 }
 

@@ -20,26 +20,26 @@ impl<X> Dop853Stepper<X> {
         dynamics: &D,
         h: f64,
         control: &StepControl,
-    ) -> (f64, Compensated<X>, Attempt)
+    ) -> (f64, Compensated<X>, Attempt, Clearance)
     where
         X: VectorSpace<S>,
     {
-        let mut best: Option<(f64, Clearance)> = None;
-        for h in shorter_lengths(h) {
-            if best.is_some() && self.limited(h.abs()) > h.abs() {
-                break;
-            }
+        let mut best = (h, Clearance::NONE);
+        let least = self.limited(0.0);
+        let others = shorter_lengths(h).skip(1);
+        let others = others.take_while(|h| h.abs() >= least);
+        for h in core::iter::once(h).chain(others) {
             let (state, attempt, clearance) = self.attempt_with_clearance(dynamics, h, control);
             if clearance.is_sufficient() {
-                return (h, state, attempt);
+                return (h, state, attempt, clearance);
             }
-            if best.is_none_or(|(_, other)| clearance.is_larger_than(other)) {
-                best = Some((h, clearance));
+            if clearance.is_larger_than(best.1) {
+                best = (h, clearance);
             }
         }
-        let h = best.map_or(h, |(h, _)| h);
-        let (state, attempt, _) = self.attempt_with_clearance(dynamics, h, control);
-        (h, state, attempt)
+        let h = best.0;
+        let (state, attempt, clearance) = self.attempt_with_clearance(dynamics, h, control);
+        (h, state, attempt, clearance)
     }
 
     /// Attempts a step `h`. Close to a singular configuration its error, which is rounding then, may be larger than the tolerance.
@@ -63,8 +63,7 @@ impl<X> Dop853Stepper<X> {
     }
 
     /// Returns how far the attempted step `h` keeps from singular configurations.
-    #[cold]
-    pub(super) fn clearance<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
+    fn clearance<S: Scalar, D: Dynamics<S, State = X> + ?Sized>(
         &self,
         dynamics: &D,
         h: f64,

@@ -10,8 +10,9 @@ use crate::integrate::compensated::{Clock, Compensated};
 use crate::integrate::dense_output::DenseOutput;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
+use crate::integrate::passing::Clearance;
 use crate::integrate::projected::{Projected, check_start, corrected};
-use crate::integrate::runge_kutta::combination;
+use crate::integrate::runge_kutta::stage_state;
 use crate::integrate::stepper::{
     Advance, Statistics, Stepper, checked_derivative, checked_state, derivative_apart, remaining,
 };
@@ -236,17 +237,17 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
             } else {
                 proposed.copysign(remaining)
             };
-            let (h, state, attempt) = if self.method.passes_singularities {
+            let (h, state, attempt, clearance) = if self.method.passes_singularities {
                 self.attempt_passing(dynamics, h, &control)
             } else {
                 let (state, attempt) = self.attempt(dynamics, h, control.time_scale(h));
-                (h, state, attempt)
+                (h, state, attempt, Clearance::UNLIMITED)
             };
             let stalls = control.stalls(h, remaining);
             if !stalls && control.accepts(&attempt, h.abs()) {
                 let landing = (h.abs() >= remaining.abs()).then_some(target);
-                let time_scale = control.time_scale(h);
-                let state = self.projected(dynamics, state, (h, landing), time_scale)?;
+                let limits = (control.time_scale(h), !clearance.is_small());
+                let state = self.projected(dynamics, state, (h, landing), limits)?;
                 self.accept(dynamics, state, h, landing);
                 self.control = Some(control);
                 return Ok(());
@@ -333,9 +334,7 @@ impl<X> Dop853Stepper<X> {
         if last.dense.is_none() {
             let from = last.x.reduced(dynamics);
             for i in STAGES + 1..ALL_STAGES {
-                let mut at = from.clone();
-                let slope = combination(MATRIX[i], &self.stages, &from.zeroed());
-                at.add_scaled(S::from_f64(last.h), &slope);
+                let at = stage_state(&from, last.h, MATRIX[i], &self.stages);
                 let t = S::from_f64(last.clock.after(NODES[i] * last.h));
                 self.stages[i] = derivative_apart(dynamics, t, &at);
                 self.statistics.evaluations += 1;
@@ -354,7 +353,7 @@ impl<X> Dop853Stepper<X> {
         dynamics: &D,
         state: Compensated<X>,
         (h, landing): (f64, Option<f64>),
-        time_scale: f64,
+        (time_scale, is_limited): (f64, bool),
     ) -> Result<Compensated<X>, IntegrationError>
     where
         X: VectorSpace<S>,
@@ -378,8 +377,6 @@ impl<X> Dop853Stepper<X> {
         let [before, after] = [before, end.value()].map(|x| dynamics.allowed_error(x, &tolerance));
         let allowed = before.zip_map(&after, Scalar::max);
         let found = (&projection, end.value());
-        let is_limited =
-            !(self.method.passes_singularities && self.clearance(dynamics, h).is_small());
         let distance = step.check(found, &correction, &allowed, is_limited)?;
         self.statistics.projection = self.statistics.projection.max(distance);
         Ok(end)

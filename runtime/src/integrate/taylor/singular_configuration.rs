@@ -9,13 +9,13 @@
 use super::coefficients::number;
 use super::step_size::power;
 use crate::integrate::binary_logarithm::{exp2, log2};
+use crate::limits::passing::SMALL_SINE;
 use crate::limits::taylor::SHORTENING;
 use crate::limits::taylor::passing::{
     BEHIND, BRACKET, FARTHER, INTERVALS, MAX_GROWTH, MIN_PART, REFINEMENTS, SHORT, SINGULAR_SINE,
-    SMALL_SINE,
 };
 
-/// A singular configuration at a distance in time from the beginning of a step.
+/// The nearest singular configuration ahead, at a distance in time from the beginning of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SingularConfiguration {
     /// Infinite where there is none within reach of the step.
@@ -27,15 +27,15 @@ pub(super) struct SingularConfiguration {
 }
 
 impl SingularConfiguration {
-    /// There is none.
+    /// No singular configuration.
     pub(super) const NONE: Self = Self {
         distance: f64::INFINITY,
         sine: 1.0,
         min_part: 1.0,
     };
 
-    /// Returns the part of the distance that a step has at least whose length is limited by rounding errors: at this tolerance
-    /// (over the machine epsilon) the last term of a polynomial of this order.
+    /// Returns the least length, as a part of the distance, of a step that rounding errors of the last coefficient limit: the
+    /// step of a polynomial of this order to this tolerance, in machine epsilons.
     pub(super) fn min_part(tolerance: f64, order: usize) -> f64 {
         exp2(log2(tolerance / MAX_GROWTH) / number(order)).min(MIN_PART)
     }
@@ -76,11 +76,12 @@ impl SingularConfiguration {
         self.sine > SMALL_SINE
     }
 
-    /// Finds the singular configuration within reach of a step, in each lane.
+    /// Finds the singular configuration within reach of a step, in each lane: up to the length of the step divided by
+    /// `min_part`.
     ///
-    /// `sines` returns the sine at these times after the beginning, along the polynomials of the steps. Its square is smooth;
-    /// the smallest of its minima is found by parabolic interpolation (R. P. Brent, *Algorithms for Minimization without Derivatives* (1973),
-    /// 5.2).
+    /// `sines` returns the sines at times after the beginning, along the polynomials of the steps. The square of a sine is
+    /// smooth, and the smallest of its minima is found by parabolic interpolation (R. P. Brent, *Algorithms for Minimization
+    /// without Derivatives* (1973), 5.2).
     pub(super) fn find<const L: usize>(
         (steps, min_part): (&[f64; L], f64),
         mut sines: impl FnMut(&[f64; L]) -> [f64; L],

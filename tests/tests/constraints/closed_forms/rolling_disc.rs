@@ -24,10 +24,10 @@ use super::{TOLERANCE, compare};
     nonholonomic(rolling = contact.rows(0, 2)),
     output(friction = reaction(rolling)),
 )]
-struct RollingDisc {
-    disc: SymmetricBody,
-    radius: f64,
-    g: f64,
+pub(crate) struct RollingDisc {
+    pub(crate) disc: SymmetricBody,
+    pub(crate) radius: f64,
+    pub(crate) g: f64,
 }
 
 impl RollingDisc {

@@ -5,6 +5,8 @@ use lagrangian::rigid_body::InertiaTensor;
 use lagrangian_tests::Motion;
 use nalgebra::{Matrix3, Vector3};
 
+use crate::closed_forms::RollingDisc;
+
 /// Andrews' squeezing mechanism: seven bodies in a plane that close three loops.
 #[derive(Clone, Lagrangian)]
 #[lagrangian(
@@ -141,28 +143,6 @@ pub(super) struct Pendulum {
     pub(super) g: f64,
 }
 
-/// A disc that rolls on a plane, in z-x-z angles, with the height of its centre eliminated.
-#[derive(Clone, Lagrangian)]
-#[lagrangian(
-    taylor,
-    coordinates(c: Vector2, phi, theta, psi),
-    define(
-        r = rotation_zxz(phi, theta, psi),
-        // From the point of contact to the centre.
-        up = radius * [-sin(phi) * cos(theta), cos(phi) * cos(theta), sin(theta)],
-        center = [c.x, c.y, up.z],
-        contact = dot(center) - angular_velocity_inertial(r).cross(up),
-    ),
-    body(wheel = (r, center)),
-    gravity = [0.0, 0.0, -g],
-    nonholonomic(rolling = contact.rows(0, 2)),
-)]
-pub(super) struct Disc {
-    pub(super) wheel: SymmetricBody,
-    pub(super) radius: f64,
-    pub(super) g: f64,
-}
-
 impl Squeezer {
     pub(super) fn of(motion: &Motion) -> Self {
         let [m1, m2, m3, m4, m5, m6, m7] =
@@ -231,14 +211,9 @@ impl Pendulum {
     }
 }
 
-impl Disc {
-    pub(super) fn of(motion: &Motion) -> Self {
-        let [m, radius, i1, i3, g] = motion.parameters(["m", "r", "i1", "i3", "g"]);
-        let wheel = SymmetricBody::new(m, 0.0, i1, i3);
-        Self {
-            wheel: wheel.unwrap(),
-            radius,
-            g,
-        }
-    }
+/// The rolling disc.
+pub(super) fn disc(motion: &Motion) -> RollingDisc {
+    let [m, radius, i1, i3, g] = motion.parameters(["m", "r", "i1", "i3", "g"]);
+    let disc = SymmetricBody::new(m, 0.0, i1, i3).unwrap();
+    RollingDisc { disc, radius, g }
 }

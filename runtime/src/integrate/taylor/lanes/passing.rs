@@ -2,7 +2,7 @@
 
 use super::{TaylorLanes, lanes};
 use crate::integrate::compensated::Compensated;
-use crate::integrate::projected::corrected;
+use crate::integrate::projected::reduced_on_manifold;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::singular_configuration::SingularConfiguration;
 use crate::limits::taylor::passing::SINGULAR_SINE;
@@ -35,7 +35,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 
     /// Returns the reduced states at which the derivatives of the polynomials are compared with the equations, on the manifold
-    /// of the dynamics if singular configurations are passed, near which accelerations change fast beside it.
+    /// of the dynamics if singular configurations are passed.
     pub(super) fn on_manifold<D>(&self, dynamics: &D, t: Lanes<L>, state: &Compensated<X>) -> X
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
@@ -45,10 +45,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         } else {
             None
         };
-        match projection {
-            None => state.reduced(dynamics),
-            Some(projection) => corrected(state, &projection).0.reduced(dynamics),
-        }
+        reduced_on_manifold(dynamics, state, projection.as_ref())
     }
 
     /// Removes the lanes that pass a singular configuration and are so near to it that accelerations are not known to the

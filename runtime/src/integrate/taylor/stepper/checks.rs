@@ -2,10 +2,8 @@
 //! equations.
 
 use super::TaylorStepper;
-use crate::integrate::compensated::Compensated;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::projected::corrected;
-use crate::integrate::projection::Projection;
+use crate::integrate::projected::reduced_on_manifold;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::{BranchCrossings, Crossing, SearchedStep};
 use crate::integrate::taylor::coefficients::number;
@@ -27,19 +25,6 @@ pub(super) enum Verdict {
     Converges(f64),
     /// The polynomial differs from the motion after a sign change of a switching function.
     Crosses(Crossing),
-}
-
-/// Returns the reduced state at which the derivative of a polynomial is compared with the equations. It is projected, since
-/// near a singular configuration of constraints accelerations change fast beside the manifold.
-fn on_manifold<S: Scalar, D: Series<S> + ?Sized>(
-    dynamics: &D,
-    state: &Compensated<D::State>,
-    projection: Option<&Projection<S, D::State>>,
-) -> D::State {
-    match projection {
-        None => state.reduced(dynamics),
-        Some(projection) => corrected(state, projection).0.reduced(dynamics),
-    }
 }
 
 impl<X, const HALF: usize> TaylorStepper<X, HALF> {
@@ -83,7 +68,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let projection = dynamics.project(t, state.value());
         let point = Point {
             t,
-            state: on_manifold(dynamics, &state, projection.as_ref()),
+            state: reduced_on_manifold(dynamics, &state, projection.as_ref()),
             slope,
         };
         self.polynomials[next].time = end;
@@ -214,10 +199,14 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let t = polynomial.time + (end - polynomial.time) * part;
         let (state, slope) = polynomial.state_and_derivative(polynomial.argument(t));
         let t = S::from_f64(t);
-        let projection = dynamics.project(t, state.value());
+        let projection = if self.method.passes_singularities {
+            dynamics.project(t, state.value())
+        } else {
+            None
+        };
         let point = Point {
             t,
-            state: on_manifold(dynamics, &state, projection.as_ref()),
+            state: reduced_on_manifold(dynamics, &state, projection.as_ref()),
             slope,
         };
         self.statistics.evaluations += 1;
