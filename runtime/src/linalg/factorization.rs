@@ -169,41 +169,46 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
     #[must_use]
     pub fn solve<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
         match &self.kind {
-            Kind::Ldlt => self.solve_ldlt(right),
+            Kind::Ldlt => self.solve_ldlt(right, 0),
             Kind::PivotedLu { interchanges, ldlt } => {
                 self.solve_pivoted(right, interchanges, *ldlt)
             }
         }
     }
 
+    /// Returns the solutions by L D Lᵀ, for right-hand sides that are zero in the first `zeros` rows.
     #[inline]
-    fn solve_ldlt<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
+    pub(super) fn solve_ldlt<const K: usize>(
+        &self,
+        right: &SMatrix<S, N, K>,
+        zeros: usize,
+    ) -> SMatrix<S, N, K> {
         let mut x = *right;
         let mut column = 0;
         while column + RIGHT_HAND_SIDES_AT_ONCE <= K {
-            self.solve_columns::<K, RIGHT_HAND_SIDES_AT_ONCE>(&mut x, column);
+            self.solve_columns::<K, RIGHT_HAND_SIDES_AT_ONCE>(&mut x, (column, zeros));
             column += RIGHT_HAND_SIDES_AT_ONCE;
         }
         while column < K {
-            self.solve_columns::<K, 1>(&mut x, column);
+            self.solve_columns::<K, 1>(&mut x, (column, zeros));
             column += 1;
         }
         x
     }
 
-    /// Solves for `W` columns at once, starting at column `first`.
+    /// Solves for `W` columns at once, starting at column `first`, which are zero in the first `zeros` rows.
     #[inline]
     fn solve_columns<const K: usize, const W: usize>(
         &self,
         x: &mut SMatrix<S, N, K>,
-        first: usize,
+        (first, zeros): (usize, usize),
     ) {
         let l = &self.factors;
         let mut rows: [[S; W]; N] =
             core::array::from_fn(|i| core::array::from_fn(|lane| x[(i, first + lane)]));
-        for i in 0..N {
+        for i in zeros..N {
             let mut row = rows[i];
-            for k in 0..i {
+            for k in zeros..i {
                 subtract(&mut row, l[(i, k)], rows[k]);
             }
             rows[i] = row;
@@ -232,7 +237,7 @@ impl<S: Scalar, const N: usize> Factorization<S, N> {
         if ldlt.largest() <= 0.0 {
             return pivoted;
         }
-        self.solve_ldlt(right).select(pivoted, ldlt)
+        self.solve_ldlt(right, 0).select(pivoted, ldlt)
     }
 }
 

@@ -9,6 +9,10 @@
 //! is stable (R. J. Vanderbei, *Symmetric quasidefinite matrices*, SIAM J. Optim. **5** (1995) 100–113; P. E. Gill, M. A.
 //! Saunders & J. R. Shinnerl, SIAM J. Matrix Anal. Appl. **17** (1996) 35–46). Elsewhere it is factored with pivoting,
 //! without the constraints that depend on others.
+//!
+//! L D Lᵀ eliminates accelerations first, whatever the inertias: the acceleration of a light body that transmits the reaction of
+//! a heavy one would be what is left of forces that cancel. One step of iterative refinement by the residuals of the
+//! constraints, G x + γ, restores its digits (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition (2002), chapter 12).
 
 use nalgebra::{SMatrix, SVector};
 
@@ -22,6 +26,8 @@ use crate::scalar::Scalar;
 #[derive(Clone, Copy, Debug)]
 pub struct SaddlePoint<S: Scalar, const N: usize, const C: usize, const K: usize> {
     factors: Factorization<S, K>,
+    /// −G.
+    constraints: SMatrix<S, C, N>,
     /// What is known of the rows of G in the lanes in which the matrix is factored with pivoting.
     rows: Option<IndependentRows<S, C>>,
     /// The mask of the lanes in which it is not.
@@ -35,14 +41,16 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
     #[must_use]
     pub fn new(lower: SMatrix<S, K, K>, rank: S) -> Self {
         let (factors, ldlt) = Factorization::ldlt(&lower, N, MIN_STABLE_PIVOT);
+        let constraints = SMatrix::from_fn(|i, j| lower[(N + i, j)]);
         if ldlt.smallest() > 0.0 {
             Self {
                 factors,
+                constraints,
                 rows: None,
                 ldlt,
             }
         } else {
-            Self::with_pivoting(&lower, rank, (&factors, ldlt))
+            Self::with_pivoting(&lower, rank, (&factors, ldlt), constraints)
         }
     }
 
@@ -78,10 +86,10 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
         lower: &SMatrix<S, K, K>,
         rank: S,
         (factors, ldlt): (&Factorization<S, K>, S),
+        constraints: SMatrix<S, C, N>,
     ) -> Self {
         let mass = SVector::from_fn(|i, _| lower[(i, i)]);
-        let jacobian = SMatrix::from_fn(|i, j| -lower[(N + i, j)]);
-        let rows = IndependentRows::of::<N>(&jacobian, &mass, rank);
+        let rows = IndependentRows::of::<N>(&-constraints, &mass, rank);
         let mut independent = *lower;
         for j in 0..C {
             let dependent = rows.dependent[j];
@@ -92,6 +100,7 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
         }
         Self {
             factors: factors.with_pivoting(&independent, ldlt),
+            constraints,
             rows: Some(rows),
             ldlt,
         }
@@ -103,9 +112,27 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
     #[must_use]
     pub fn solve<const P: usize>(&self, right: &SMatrix<S, K, P>) -> SMatrix<S, K, P> {
         match &self.rows {
-            None => self.factors.solve(right),
+            None => self.solve_ldlt(right),
             Some(rows) => self.solve_with_pivoting(right, rows),
         }
+    }
+
+    /// Returns the solutions by L D Lᵀ, refined.
+    #[inline]
+    fn solve_ldlt<const P: usize>(&self, right: &SMatrix<S, K, P>) -> SMatrix<S, K, P> {
+        let mut solution = self.factors.solve_ldlt(right, 0);
+        let mut residuals = SMatrix::<S, K, P>::zeros();
+        for column in 0..P {
+            for j in 0..C {
+                let mut residual = right[(N + j, column)];
+                for i in 0..N {
+                    residual -= self.constraints[(j, i)] * solution[(i, column)];
+                }
+                residuals[(N + j, column)] = residual;
+            }
+        }
+        solution += self.factors.solve_ldlt(&residuals, N);
+        solution
     }
 
     #[cold]
@@ -134,7 +161,7 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
         if self.ldlt.largest() <= 0.0 {
             return solution;
         }
-        self.factors.solve(right).select(solution, self.ldlt)
+        self.solve_ldlt(right).select(solution, self.ldlt)
     }
 
     /// Returns measures of the conditioning for each coordinate, and for each constraint the sine of the angle between its

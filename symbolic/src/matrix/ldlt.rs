@@ -9,7 +9,7 @@
 
 use crate::limits::{MAX_TRANSPARENT_ELIMINATION, MIN_ELIMINATED_GRADIENT, MIN_SADDLE_POINT_PIVOT};
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
-use crate::{Binary, Expression, Graph, Node, Rational};
+use crate::{Expression, Graph, Node, Rational};
 
 /// A symbolically factored symmetric matrix.
 #[derive(Clone, Debug)]
@@ -19,6 +19,8 @@ pub struct Ldlt {
     pub pivots: Vec<Expression>,
     /// What else has to be positive for a stable solution, of a saddle point problem.
     pub(crate) conditions: Vec<Expression>,
+    /// The rows of constraints in the matrix of a saddle point problem, −G.
+    constraints: Vec<Vec<Expression>>,
     /// The rows in the order of elimination, and the entries of each in the same order.
     rows: Vec<PivotRow<usize>>,
 }
@@ -59,6 +61,7 @@ impl Ldlt {
         Some(Self {
             pivots,
             conditions: Vec::new(),
+            constraints: Vec::new(),
             rows,
         })
     }
@@ -68,8 +71,8 @@ impl Ldlt {
     ///
     /// - A pivot is no small remainder of what it is subtracted from.
     /// - The pivot p of a constraint that is eliminated before a coordinate k, to which e couples it, leaves k with e²/p more:
-    ///   this is no large multiple of what is left of Mₖₖ, unless e is no large multiple of the other components of the gradient, of
-    ///   which p is made. The latter depends on units, as all pivoting does; it matters where k is light or without mass.
+    ///   this is no large multiple of what is left of Mₖₖ. Where k is without mass, e is no large multiple of the other components
+    ///   of the gradient, of which p is made; that depends on units, as all pivoting does.
     pub(crate) fn with_negative_pivots(
         mut self,
         graph: &mut Graph,
@@ -82,6 +85,8 @@ impl Ldlt {
         for pivot in &mut self.pivots[coordinates..] {
             *pivot = graph.negate(*pivot);
         }
+        let constraints = mass[coordinates..].iter();
+        self.constraints = constraints.map(|row| row[..coordinates].to_vec()).collect();
         let mut conditions = Vec::new();
         for (position, row) in self.rows.iter().enumerate() {
             let pivot = self.pivots[row.unknown];
@@ -101,15 +106,13 @@ impl Ldlt {
                     continue;
                 }
                 let square = graph.multiply(*entry, *entry);
-                let by_gradient = exceeds(graph, squares, square, MIN_ELIMINATED_GRADIENT);
                 let [reduction, _] = self.reductions(graph, *k, position, coordinates);
                 let inertia = graph.subtract(mass[*k][*k], reduction);
                 conditions.push(if graph.vanishes(&[inertia]) {
-                    by_gradient
+                    exceeds(graph, squares, square, MIN_ELIMINATED_GRADIENT)
                 } else {
                     let product = graph.multiply(pivot, inertia);
-                    let by_inertia = exceeds(graph, product, square, MIN_SADDLE_POINT_PIVOT);
-                    graph.binary(Binary::Max, by_gradient, by_inertia)
+                    exceeds(graph, product, square, MIN_SADDLE_POINT_PIVOT)
                 });
             }
         }
@@ -161,8 +164,34 @@ impl Ldlt {
         })
     }
 
-    /// x in M x = `right`.
+    /// x in M x = `right`; of a saddle point problem, with one step of iterative refinement by the residuals of the constraints
+    /// −G q̈ = γ (Higham, Accuracy and Stability of Numerical Algorithms, 2nd edition 2002, chapter 12). Without it, the acceleration of a
+    /// light body that transmits the reaction of a heavy one would be what is left of forces that cancel.
     pub fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
+        let solution = self.eliminate(graph, right);
+        if self.constraints.is_empty() {
+            return solution;
+        }
+        let coordinates = right.len() - self.constraints.len();
+        let mut residuals = vec![graph.zero(); coordinates];
+        for (row, rate) in self.constraints.iter().zip(&right[coordinates..]) {
+            let mut terms = vec![(*rate, Rational::ONE)];
+            for (entry, x) in row.iter().zip(&solution) {
+                let rounded = graph.opaque(*x);
+                terms.push((graph.multiply(*entry, rounded), Rational::MINUS_ONE));
+            }
+            let residual = graph.sum(terms);
+            residuals.push(graph.opaque(residual));
+        }
+        let corrections = self.eliminate(graph, &residuals);
+        let pairs = solution.into_iter().zip(corrections);
+        pairs
+            .map(|(x, correction)| graph.add(x, correction))
+            .collect()
+    }
+
+    /// x in M x = `right`, by the factors alone.
+    fn eliminate(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
         let rewrite = rewriting(self.rows.len());
         let mut right = right.iter().copied().enumerate().collect();
         for row in &self.rows {

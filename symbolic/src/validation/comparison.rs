@@ -41,6 +41,16 @@ impl Comparisons {
         }
     }
 
+    /// Solutions of a system of equations that should be equal: their errors are in proportion to the greatest of them.
+    pub(crate) fn solutions(&mut self, method: Method, found: &[f64], expected: &[f64]) {
+        let greatest = expected.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        for (found, expected) in found.iter().zip(expected) {
+            if expected.is_finite() {
+                self.push(method, found - expected, found.abs() + greatest);
+            }
+        }
+    }
+
     /// Values that should be equal to sums, where these exist.
     pub(crate) fn balances(&mut self, method: Method, found: &[f64], expected: &[SumWithSize]) {
         for (found, expected) in found.iter().zip(expected) {

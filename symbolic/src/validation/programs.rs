@@ -275,6 +275,17 @@ impl Tapes {
         tape.evaluate(&symbol, perturbation)
     }
 
+    /// Whether the accelerations of a constrained model are solved for with pivoting at a point, by code that is not validated.
+    pub(crate) fn uses_pivoting(&self, point: RealPoint) -> bool {
+        let Some(pivots) = self.pivots.filter(|_| self.constraints.is_some()) else {
+            return false;
+        };
+        let value = |symbol: Symbol| point.value(symbol);
+        let outputs = self.prepared(&self.accelerations, value, Perturbation(None));
+        let mut pivots = outputs[..pivots].iter();
+        pivots.any(|pivot| pivot.is_nan() || *pivot <= 0.0)
+    }
+
     /// The accelerations at a point, if they exist.
     pub(crate) fn accelerations(
         &self,

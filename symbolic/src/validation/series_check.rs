@@ -78,7 +78,11 @@ impl SeriesCheck {
         };
         let mut comparisons = Comparisons::default();
         for (found, expected) in found.iter().zip(&motion) {
-            comparisons.values(Method::Accelerations, found, expected);
+            if self.is_numerical {
+                comparisons.solutions(Method::Accelerations, found, expected);
+            } else {
+                comparisons.values(Method::Accelerations, found, expected);
+            }
         }
         comparisons.forgive_overflow(largest);
         Some(comparisons.0)

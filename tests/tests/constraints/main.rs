@@ -4,6 +4,7 @@ mod closed_forms;
 mod consistency;
 mod freedom;
 mod junctions;
+mod light_bodies;
 mod mechanisms;
 mod pendulum;
 mod reactions;
