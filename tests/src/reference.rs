@@ -59,6 +59,12 @@ pub fn snakeboard() -> Value {
     document("snakeboard.json")
 }
 
+/// The motion of a flyball governor.
+#[must_use]
+pub fn governor() -> Value {
+    document("governor.json")
+}
+
 fn document(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("data")

@@ -1,5 +1,6 @@
 //! Constrained mechanisms, against solutions that are known functions or quadratures, and against their equations in other forms.
 
+mod governor;
 mod hoop;
 mod one_freedom;
 mod rolling_disc;
