@@ -12,7 +12,7 @@ use quote::quote;
 use crate::expand::expand;
 use crate::tests::arms::arm;
 
-const MODELS: [&str; 11] = [
+const MODELS: [&str; 12] = [
     "symmetric_top",
     "general_top",
     "body",
@@ -24,6 +24,7 @@ const MODELS: [&str; 11] = [
     "chain",
     "rods",
     "lattice",
+    "skater",
 ];
 
 /// The value of a constant of the model, which is the first one.

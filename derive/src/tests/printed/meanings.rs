@@ -50,8 +50,11 @@ pub(super) fn surroundings(subject: &Subject, state: &State) -> Reading<Surround
     let parameters = parameters.map(|(name, x)| (name, Jet::constant(*x), true));
     let inputs = names.inputs.iter().zip(&state.inputs);
     let inputs = inputs.map(|(name, x)| (name, Jet([*x, f64::NAN, f64::NAN]), false));
+    let multipliers = names.multipliers.iter().zip(&state.multipliers);
+    let multipliers = multipliers.map(|(name, x)| (name, Jet([*x, f64::NAN, f64::NAN]), false));
+    let all = coordinates.chain(parameters).chain(inputs);
     let mut whole: BTreeMap<String, Parts> = BTreeMap::new();
-    for (name, value, is_parameter) in coordinates.chain(parameters).chain(inputs) {
+    for (name, value, is_parameter) in all.chain(multipliers) {
         let written = spelled.written(name, is_parameter);
         if surroundings.names.contains_key(&written) {
             return Err(format!("{written} has two meanings"));

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::formula::Formula;
 use super::jet::Jet;
 use super::lines::{Equation, Line, Notation};
-use super::meanings::{linear_solution, surroundings};
+use super::meanings::surroundings;
 use super::recursion::Recursion;
 use super::subject::{State, Subject, Values};
 use super::surroundings::Surroundings;
@@ -21,16 +21,18 @@ pub(super) enum Part {
     Energy,
     Lagrange,
     Recursion,
+    Constraints,
     Solved,
 }
 
 /// The headings.
-const HEADINGS: [(&str, Part); 7] = [
+const HEADINGS: [(&str, Part); 8] = [
     ("Events, where a function vanishes:", Part::Events),
     ("Momenta ", Part::Momenta),
     ("Energy function ", Part::Energy),
     ("Lagrange's equations ", Part::Lagrange),
     ("Recursion of Newton and Euler ", Part::Recursion),
+    ("Constraints:", Part::Constraints),
     ("Boltzmann", Part::Solved),
     ("Sol", Part::Solved),
 ];
@@ -51,6 +53,7 @@ pub(super) struct Reader<'a> {
     /// How many of Lagrange's equations were read.
     pub(super) read: usize,
     pub(super) momenta: usize,
+    pub(super) constraints: usize,
     pub(super) recursion: Recursion,
     /// The letters of T, V, L, h, p and q on this page.
     pub(super) letters: BTreeMap<&'static str, String>,
@@ -64,18 +67,19 @@ pub(super) fn close(x: f64, y: f64) -> bool {
 }
 
 impl<'a> Reader<'a> {
-    /// None where M is singular.
+    /// None where the equations are singular.
     pub(super) fn new(
         subject: &'a Subject,
         notation: Notation,
         state: &State,
     ) -> Reading<Option<Self>> {
         let values = subject.values(state);
-        let Some(accelerations) = linear_solution(&values.mass, &values.forcing) else {
+        let Some((accelerations, multipliers)) = values.solution() else {
             return Ok(None);
         };
         let moving = State {
             accelerations,
+            multipliers,
             ..state.clone()
         };
         Ok(Some(Self {
@@ -87,6 +91,7 @@ impl<'a> Reader<'a> {
             part: Part::Beginning,
             read: 0,
             momenta: 0,
+            constraints: 0,
             recursion: Recursion::default(),
             found: Vec::new(),
             letters: LETTERS.map(|letter| (letter, letter.to_owned())).into(),
@@ -146,6 +151,10 @@ impl<'a> Reader<'a> {
             }
             Part::Lagrange if self.read != n => {
                 Err(format!("{} of {n} equations are spoken of", self.read))
+            }
+            Part::Constraints if self.constraints != self.values.constraints.len() => {
+                let (read, all) = (self.constraints, self.values.constraints.len());
+                Err(format!("{read} of {all} constraints are spoken of"))
             }
             Part::Recursion => {
                 let expected = &self.values.inverse_dynamics;
@@ -235,6 +244,7 @@ impl<'a> Reader<'a> {
         }
         match self.part {
             Part::Lagrange => self.equation_of_motion(left, right),
+            Part::Constraints => self.constraint(left, right),
             Part::Solved => {
                 let sides = [left, right].map(|side| self.moving.value(side)?.scalar());
                 let [left, right] = sides;
@@ -343,6 +353,18 @@ impl<'a> Reader<'a> {
                 left - right
             )),
         }
+    }
+
+    /// The next constraint, in order.
+    fn constraint(&mut self, left: &Formula, right: &Formula) -> Reading<Vec<f64>> {
+        let sides = [left, right].map(|side| self.free.value(side)?.scalar());
+        let [left, right] = sides;
+        let (left, right) = (left?.value(), right?.value());
+        let expected = self.values.constraints.get(self.constraints);
+        self.constraints += 1;
+        let expected = expected.ok_or("there are not so many constraints")?;
+        same(left - right, *expected)?;
+        Ok(vec![left, right])
     }
 
     fn rate_of_energy(&mut self, right: &Formula) -> Reading<()> {

@@ -6,6 +6,7 @@ use lagrangian_symbolic::{
 use proc_macro2::TokenStream;
 use syn::DeriveInput;
 
+use super::meanings::linear_solution;
 use super::notation::Spelled;
 use super::random::Random;
 use crate::check::{check, check_whole};
@@ -36,6 +37,8 @@ pub(super) struct State {
     pub(super) accelerations: Vec<f64>,
     pub(super) parameters: Vec<f64>,
     pub(super) inputs: Vec<f64>,
+    /// The multipliers of constraints.
+    pub(super) multipliers: Vec<f64>,
 }
 
 /// What the equations are worth at a state.
@@ -45,13 +48,72 @@ pub(super) struct Values {
     pub(super) momenta: Vec<f64>,
     pub(super) mass: Vec<f64>,
     pub(super) forcing: Vec<f64>,
+    /// With the reactions of constraints.
     pub(super) forces: Vec<f64>,
-    /// M q̈ − f.
+    /// M q̈ − f − Gᵀ λ.
     pub(super) inverse_dynamics: Vec<f64>,
     /// T and V, or L.
     pub(super) energies: Vec<f64>,
     pub(super) events: Vec<f64>,
     pub(super) definitions: Vec<f64>,
+    /// g of the holonomic constraints, and w of the others.
+    pub(super) constraints: Vec<f64>,
+    /// w of all constraints.
+    constraint_velocities: Vec<f64>,
+    /// G, row by row.
+    jacobian: Vec<f64>,
+    /// γ in G q̈ + γ = 0.
+    rates: Vec<f64>,
+}
+
+impl Values {
+    /// G x.
+    fn along_gradients(&self, x: &[f64]) -> Vec<f64> {
+        let rows = self.jacobian.chunks(x.len().max(1));
+        rows.map(|row| row.iter().zip(x).map(|(g, x)| g * x).sum())
+            .collect()
+    }
+
+    /// The reactions Gᵀ λ.
+    fn reactions(&self, multipliers: &[f64], coordinates: usize) -> Vec<f64> {
+        let mut reactions = vec![0.0; coordinates];
+        for (row, multiplier) in self.jacobian.chunks(coordinates.max(1)).zip(multipliers) {
+            for (reaction, slope) in reactions.iter_mut().zip(row) {
+                *reaction += slope * multiplier;
+            }
+        }
+        reactions
+    }
+
+    /// The accelerations and the multipliers of a motion; none where the equations are singular.
+    pub(super) fn solution(&self) -> Option<(Vec<f64>, Vec<f64>)> {
+        let (n, c) = (self.forcing.len(), self.rates.len());
+        let entry = |i: usize, j: usize| match (i < n, j < n) {
+            (true, true) => self.mass[i * n + j],
+            (true, false) => -self.jacobian[(j - n) * n + i],
+            (false, true) => -self.jacobian[(i - n) * n + j],
+            (false, false) => 0.0,
+        };
+        let matrix: Vec<f64> = (0..n + c)
+            .flat_map(|i| (0..n + c).map(move |j| entry(i, j)))
+            .collect();
+        let right = [&*self.forcing, &self.rates].concat();
+        let mut accelerations = linear_solution(&matrix, &right)?;
+        let multipliers = accelerations.split_off(n);
+        Some((accelerations, multipliers))
+    }
+
+    /// The velocities nearest to these that the constraints allow, at which energies and momenta are constant; none where
+    /// gradients depend on each other.
+    fn allowed(&self, velocities: &[f64]) -> Option<Vec<f64>> {
+        let n = velocities.len();
+        let gradients: Vec<&[f64]> = self.jacobian.chunks(n.max(1)).collect();
+        let products = gradients.iter().flat_map(|row| self.along_gradients(row));
+        let products: Vec<f64> = products.collect();
+        let parts = linear_solution(&products, &self.constraint_velocities)?;
+        let changes = self.reactions(&parts, n);
+        Some(velocities.iter().zip(changes).map(|(v, x)| v - x).collect())
+    }
 }
 
 impl Subject {
@@ -77,10 +139,6 @@ impl Subject {
         let Ok(equations) = Equations::derive(&mut model) else {
             return Vec::new();
         };
-        // The reader of pages does not know multipliers.
-        if !equations.constraints.is_empty() {
-            return Vec::new();
-        }
         // Of those that expansions refuse.
         let mut functions = model.graph.functions();
         if functions.any(|function| model.graph.undeclared(function).is_some()) {
@@ -156,7 +214,7 @@ impl Subject {
         let mut groups = found.into_iter();
         let mut next = || groups.next().unwrap_or_default();
         let scalars = next();
-        Values {
+        let mut values = Values {
             energy: scalars[0],
             energies: scalars[1..=self.energies].to_vec(),
             momenta: next(),
@@ -166,7 +224,17 @@ impl Subject {
             inverse_dynamics: next(),
             events: next(),
             definitions: next(),
+            constraints: next(),
+            constraint_velocities: next(),
+            jacobian: next(),
+            rates: next(),
+        };
+        let reactions = values.reactions(&state.multipliers, self.coordinates);
+        for (i, reaction) in reactions.into_iter().enumerate() {
+            values.forces[i] += reaction;
+            values.inverse_dynamics[i] -= reaction;
         }
+        values
     }
 
     /// A state at which everything has a value, with accelerations at random.
@@ -180,14 +248,19 @@ impl Subject {
                     .collect()
             };
             let n = self.coordinates;
-            let state = State {
+            let mut state = State {
                 time: numbers(1, 0.7)[0],
                 positions: numbers(n, if attempt % 2 == 0 { 0.4 } else { 0.8 }),
                 velocities: numbers(n, 0.2),
                 accelerations: numbers(n, 0.1),
                 parameters: numbers(names.parameters.len(), 0.9),
                 inputs: numbers(names.inputs.len(), 0.3),
+                multipliers: numbers(names.multipliers.len(), 0.2),
             };
+            let Some(allowed) = self.values(&state).allowed(&state.velocities) else {
+                continue;
+            };
+            state.velocities = allowed;
             let values = self.values(&state);
             let all = [
                 &values.momenta,
@@ -195,6 +268,7 @@ impl Subject {
                 &values.energies,
                 &values.events,
                 &values.definitions,
+                &values.constraints,
             ];
             let mut all = all.into_iter().flatten();
             if values.energy.is_finite() && all.all(|x| x.is_finite() && x.abs() < 1e4) {
@@ -216,6 +290,11 @@ fn program(
     let scalars = [&[equations.energy], energies].concat();
     let [events, definitions] = [&declared.events, &declared.definitions]
         .map(|named| named.iter().map(|(_, x)| *x).collect::<Vec<_>>());
+    let constraints = &equations.constraints;
+    let holonomic = constraints.positions.len();
+    let printed = constraints.positions.iter();
+    let printed = printed.chain(constraints.velocities.iter().skip(holonomic));
+    let printed: Vec<_> = printed.copied().collect();
     Program::schedule(
         graph,
         &[
@@ -227,6 +306,10 @@ fn program(
             &equations.inverse_dynamics,
             &events,
             &definitions,
+            &printed,
+            &constraints.velocities,
+            &constraints.jacobian.concat(),
+            &constraints.rates,
         ],
     )
 }
@@ -237,7 +320,10 @@ impl State {
             Symbol::Time => self.time,
             Symbol::Coordinate(i) => self.positions[i as usize],
             Symbol::Velocity(i) => self.velocities[i as usize],
-            Symbol::Acceleration(i) => self.accelerations[i as usize],
+            Symbol::Acceleration(i) => {
+                let both = self.accelerations.iter().chain(&self.multipliers);
+                both.copied().nth(i as usize).unwrap_or(f64::NAN)
+            }
             Symbol::Parameter(i) => self.parameters[i as usize],
             Symbol::Input(i) => self.inputs[i as usize],
             _ => f64::NAN,

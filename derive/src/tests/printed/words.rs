@@ -71,6 +71,7 @@ impl Reader<'_> {
         match self.part {
             Part::Momenta => self.momenta += count,
             Part::Lagrange => self.read += count,
+            Part::Constraints => self.constraints += count,
             _ => {}
         }
         Ok(())
