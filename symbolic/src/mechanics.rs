@@ -3,6 +3,7 @@
 pub(crate) mod model;
 pub(crate) mod defects;
 pub(crate) mod constraints;
+pub(crate) mod dependence;
 pub(crate) mod saddle_point;
 pub(crate) mod lagrange;
 pub(crate) mod coordinate_properties;

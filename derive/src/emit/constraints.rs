@@ -62,11 +62,17 @@ impl Emitter<'_> {
     fn constants_of_constraints(&self) -> TokenStream {
         let constraints = &self.lowered.constraints;
         let (count, holonomic) = (constraints.len(), constraints.holonomic());
-        let kinds = (0..count).map(|i| self.equations.constraints.restricts_coordinates(i));
+        let equations = &self.equations.constraints;
+        let kinds = (0..count).map(|i| equations.restricts_coordinates(i));
+        let freedom = (!equations.surplus.is_empty()).then(|| {
+            let least = self.coordinates() + equations.surplus.len() - count;
+            quote!(const MIN_DEGREES_OF_FREEDOM: usize = #least;)
+        });
         quote! {
             const CONSTRAINTS: [&'static str; #count] = Self::CONSTRAINTS;
             const HOLONOMIC: usize = #holonomic;
             const INTEGRABLE: [bool; #count] = [#(#kinds),*];
+            #freedom
         }
     }
 
@@ -108,12 +114,17 @@ impl Emitter<'_> {
             };
             format!("- `{label}` is {kind}.\n")
         });
-        let (n, c) = (self.coordinates(), self.constraint_count());
+        let (n, surplus) = (self.coordinates(), self.equations.constraints.surplus.len());
+        let independent = self.constraint_count() - surplus;
+        let surplus = match surplus {
+            0 => String::new(),
+            _ => format!(", on which {surplus} more depend"),
+        };
         format!(
-            "\n# Constraints\n\n{}\nThere are at least {} degrees of freedom, {n} coordinates less {c} constraints. Where constraints depend \
-             on others, there are more, and λ is not unique.\n",
+            "\n# Constraints\n\n{}\nThere are at least {} degrees of freedom, {n} coordinates less {independent} constraints{surplus}. Where \
+             constraints depend on others, there are more, and λ is not unique.\n",
             kinds.collect::<String>(),
-            n.saturating_sub(c),
+            n - independent,
         )
     }
 

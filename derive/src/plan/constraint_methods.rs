@@ -9,6 +9,7 @@ use super::outputs::MethodOutputs;
 pub(crate) struct ConstraintMethods {
     /// How many of them are holonomic.
     holonomic: usize,
+    are_independent: bool,
     /// g of the holonomic constraints, which are the first ones, and 0 for the others.
     pub(crate) positions: Method,
     /// w = G q̇ + a.
@@ -38,6 +39,7 @@ impl ConstraintMethods {
         let vector = |values: &[_]| Method::single(model, values, MethodOutputs::Vector);
         Some(Self {
             holonomic: equations.positions.len(),
+            are_independent: equations.surplus.is_empty(),
             positions: vector(&positions),
             velocities: vector(&equations.velocities),
             jacobian: Method::single(model, &columns, MethodOutputs::ConstraintJacobian),
@@ -50,6 +52,7 @@ impl ConstraintMethods {
     pub(super) fn programs(&self) -> ConstraintPrograms<'_> {
         ConstraintPrograms {
             holonomic: self.holonomic,
+            are_independent: self.are_independent,
             positions: &self.positions.program,
             velocities: &self.velocities.program,
             jacobian: &self.jacobian.program,

@@ -20,6 +20,10 @@ pub(crate) fn max_residual<S: crate::Scalar>() -> f64 {
     libm::sqrt(S::machine_epsilon())
 }
 
+/// The residual that rounding may leave in a constraint, in machine epsilons of the largest terms of all constraints. By judgement:
+/// a few for each rotation in a chain.
+pub(crate) const ROUNDED_EPSILONS: f64 = 64.0;
+
 /// The largest move of the end of a step by a projection, in allowed errors. By judgement: an estimate of the error
 /// may be too small by some factor.
 pub(crate) const MAX_CORRECTION: f64 = 10.0;

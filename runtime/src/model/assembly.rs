@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::assembly_error::{AssemblyError, OpenConstraints};
 use super::constraints::Constraints;
 use super::phase::Phase;
-use super::saddle_point::row_size;
+use super::saddle_point::{rounding_errors, row_size, sizes_in_metric};
 use super::state::State;
 use crate::limits::assembly::{
     LEAST_DAMPING, MAX_ITERATIONS, SUFFICIENT_DECREASE, VELOCITY_SWEEPS, max_residual,
@@ -112,7 +112,7 @@ where
             state.v += step;
         }
         let velocities = self.model.constraint_velocities(&state, &prepared);
-        let open = self.open(&state, &prepared, &velocities, &state.v);
+        let open = self.open(&state, &prepared, &velocities, Level::Velocities);
         open.map_or(Ok(()), |open| Err(AssemblyError::Velocities(open)))?;
         let mut moved = state.x;
         moved.add_scaled(-S::one(), &self.guess.x);
@@ -139,7 +139,7 @@ where
             }
         }
         let residuals = self.model.constraint_positions(state, prepared);
-        let open = self.open(state, prepared, &residuals, &state.q);
+        let open = self.open(state, prepared, &residuals, Level::Positions);
         open.map_or(Ok(()), |open| Err(AssemblyError::Positions(open)))
     }
 
@@ -182,22 +182,34 @@ where
         state: &State<S, N>,
         prepared: &M::Prepared,
         residuals: &SVector<S, C>,
-        of: &SVector<S, N>,
+        level: Level,
     ) -> Option<OpenConstraints> {
         let jacobian = self.model.constraint_jacobian(state, prepared);
+        let sizes = sizes_in_metric(self.model, state, prepared, &state.x);
+        let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
+        let (of, rounding) = match level {
+            Level::Positions => (&state.q, of_positions),
+            Level::Velocities => (&state.v, of_velocities),
+        };
         let mut open =
             OpenConstraints::new(<M as crate::quantities::Quantities<N, S>>::CONSTRAINTS);
         for j in 0..C {
             let size = row_size(&jacobian, j, of);
             let residual = residuals[j].abs().largest();
-            if residual.is_nan()
-                || residual > max_residual::<S>() * size.largest().max(max_residual::<S>())
-            {
+            let allowed = max_residual::<S>() * size.largest().max(max_residual::<S>());
+            if residual.is_nan() || residual > allowed.max(rounding.largest()) {
                 open.add(j, residual);
             }
         }
         (!open.is_empty()).then_some(open)
     }
+}
+
+/// What constraints are relations of.
+#[derive(Clone, Copy)]
+enum Level {
+    Positions,
+    Velocities,
 }
 
 fn zero<S: Scalar, const N: usize>() -> SVector<S, N> {

@@ -34,8 +34,8 @@ pub trait Constraints<const N: usize, const C: usize, S: Scalar = f64>: Quantiti
     /// al., *Exterior Differential Systems* (1991), II.1). The latter is holonomic in disguise.
     const INTEGRABLE: [bool; C];
 
-    /// A lower bound of the degrees of freedom: the number of coordinates less the number of constraints, which are independent
-    /// at almost all coordinates. [`Lagrangian::degrees_of_freedom`](crate::Lagrangian::degrees_of_freedom) counts them at a
+    /// A lower bound of the degrees of freedom: the number of coordinates less the number of constraints that are independent at
+    /// almost all coordinates. [`Lagrangian::degrees_of_freedom`](crate::Lagrangian::degrees_of_freedom) counts them at a
     /// state.
     const MIN_DEGREES_OF_FREEDOM: usize = N.saturating_sub(C);
 

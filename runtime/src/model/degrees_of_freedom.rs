@@ -16,7 +16,7 @@ use crate::scalar::Scalar;
 /// motion. The dependent coordinates are chosen by pivoting, so that their columns of G M^(−1/2), with the diagonal of M, are
 /// well-conditioned: units of coordinates and the scaling of constraints do not matter.
 ///
-/// N − C is a [lower bound](crate::quantities::Constraints::MIN_DEGREES_OF_FREEDOM) everywhere. At a singular configuration
+/// There is a [lower bound](crate::quantities::Constraints::MIN_DEGREES_OF_FREEDOM) everywhere. At a singular configuration
 /// fewer constraints are independent than nearby, so that the numbers are larger there.
 ///
 /// ```

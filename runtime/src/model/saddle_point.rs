@@ -8,7 +8,7 @@ use super::quantities::Quantities;
 use super::state::State;
 use crate::integrate::Projection;
 use crate::limits::projection::{
-    NEARBY, POSITION_SWEEPS, TO_NEARBY, VELOCITY_SWEEPS, max_residual,
+    NEARBY, POSITION_SWEEPS, ROUNDED_EPSILONS, TO_NEARBY, VELOCITY_SWEEPS, max_residual,
 };
 pub use crate::linalg::SaddlePoint;
 use crate::linalg::lane_select::{from_index, is_zero, one_if_zero, square_root};
@@ -168,6 +168,43 @@ pub(super) fn row_size<S: Scalar, const N: usize, const C: usize>(
     })
 }
 
+/// Returns the residual that rounding may leave in any constraint, at coordinates or velocities of these sizes.
+///
+/// The terms of one constraint in the coordinates may vanish where terms without them cancel. If it depends on others, which
+/// determine the coordinates, it keeps the rounding errors of these terms.
+fn rounding_error<S: Scalar, const N: usize, const C: usize>(
+    jacobian: &SMatrix<S, C, N>,
+    sizes: &SVector<S, N>,
+) -> S {
+    let largest = (0..C).fold(S::zero(), |largest, j| {
+        largest.max(row_size(jacobian, j, sizes))
+    });
+    largest * S::from_f64(ROUNDED_EPSILONS * S::machine_epsilon())
+}
+
+/// Returns the residuals that rounding may leave in any constraint of coordinates, and in any of velocities.
+pub(super) fn rounding_errors<M, S, const N: usize, const C: usize>(
+    jacobian: &SMatrix<S, C, N>,
+    sizes: &Phase<S, N>,
+) -> [S; 2]
+where
+    M: Constraints<N, C, S> + ?Sized,
+    S: Scalar,
+{
+    let positions = SVector::from_fn(|i, _| {
+        // The functions of an angle are of order 1 whatever it is.
+        if M::ANGLES[i] {
+            sizes.q[i].max(S::one())
+        } else {
+            sizes.q[i]
+        }
+    });
+    [
+        rounding_error(jacobian, &positions),
+        rounding_error(jacobian, &sizes.v),
+    ]
+}
+
 /// Returns the constraint with the largest residual relative to its terms, or the first whose residual is NaN, and the residual.
 pub fn violated_constraint<M, S, const N: usize, const C: usize>(
     model: &M,
@@ -179,19 +216,33 @@ where
     S: Scalar,
 {
     let jacobian = model.constraint_jacobian(state, prepared);
+    let sizes = sizes_in_metric(model, state, prepared, &state.x);
+    let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
     let residuals = [
-        (model.constraint_positions(state, prepared), state.q),
-        (model.constraint_velocities(state, prepared), state.v),
+        (
+            model.constraint_positions(state, prepared),
+            state.q,
+            of_positions,
+        ),
+        (
+            model.constraint_velocities(state, prepared),
+            state.v,
+            of_velocities,
+        ),
     ];
     let mut most: Option<(usize, S, f64)> = None;
-    for (residuals, of) in residuals {
+    for (residuals, of, rounding) in residuals {
         for j in 0..C {
             let size = row_size(&jacobian, j, &of);
             let ratio = (residuals[j].abs() / one_if_zero(size)).largest();
             if ratio.is_nan() {
                 return Some((j, residuals[j]));
             }
-            if ratio > max_residual::<S>() && most.is_none_or(|(.., other)| ratio > other) {
+            let exceeds = (residuals[j].abs() - rounding).largest() > 0.0;
+            if exceeds
+                && ratio > max_residual::<S>()
+                && most.is_none_or(|(.., other)| ratio > other)
+            {
                 most = Some((j, residuals[j], ratio));
             }
         }
@@ -295,7 +346,7 @@ pub fn sizes_in_metric<M, S, const N: usize>(
     sizes: &Phase<S, N>,
 ) -> Phase<S, N>
 where
-    M: Quantities<N, S>,
+    M: Quantities<N, S> + ?Sized,
     S: Scalar,
 {
     phase_in_metric(&model.mass_matrix(state, prepared), sizes)
@@ -337,12 +388,15 @@ where
     let sizes = phase_in_metric(&mass, &projected.x);
     let mut projection = Projection::new(projected.x).with_sizes(sizes);
     let tolerance = S::from_f64(max_residual::<S>());
+    let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
     for j in 0..C {
         let position_size = before[j].abs() + row_size(&jacobian, j, &projected.q);
         let velocity_size = before_velocities[j].abs() + row_size(&jacobian, j, &projected.v);
+        let positions_allowed = (position_size * tolerance).max(of_positions);
+        let velocities_allowed = (velocity_size * tolerance).max(of_velocities);
         projection = projection
-            .checked(j, positions[j], position_size * tolerance)
-            .checked(j, velocities[j], velocity_size * tolerance);
+            .checked(j, positions[j], positions_allowed)
+            .checked(j, velocities[j], velocities_allowed);
     }
     projection
 }

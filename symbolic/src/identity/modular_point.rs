@@ -15,7 +15,7 @@ use crate::limits::MODULAR_ATTEMPTS;
 use crate::{Binary, Expression, ExternalFunction, Node, Rational, Symbol, Unary};
 
 /// A random point at which expressions are evaluated.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ModularPoint {
     /// The seed of all values.
     pub seed: u64,
@@ -24,6 +24,8 @@ pub struct ModularPoint {
     /// Which of several motions this is: of points that share a seed, those of different motions differ in all symbols
     /// other than parameters.
     motion: u64,
+    /// Whether they differ in the parameters, too.
+    moves_parameters: bool,
     /// Whether addition theorems hold, and not only relations between functions of equal arguments.
     addition_theorems: bool,
     /// Whether functions with several branches are uninterpreted.
@@ -38,6 +40,7 @@ impl ModularPoint {
             seed,
             moved: None,
             motion: 0,
+            moves_parameters: false,
             addition_theorems: true,
             uninterpreted: false,
         }
@@ -60,6 +63,14 @@ impl ModularPoint {
     /// The same values of the parameters in another motion.
     pub(crate) const fn in_motion(self, motion: u64) -> Self {
         Self { motion, ..self }
+    }
+
+    /// The same point, whose motions differ in the parameters, too.
+    pub(crate) const fn moving_parameters(self) -> Self {
+        Self {
+            moves_parameters: true,
+            ..self
+        }
     }
 
     /// The same point without addition theorems: functions of different arguments are unrelated.
@@ -183,7 +194,9 @@ impl ModularPoint {
         let value = self.draw(16 + kind + 8 * moved, index.into());
         let is_parameter = matches!(symbol, Symbol::Parameter(_) | Symbol::Invariant(_));
         match self.motion {
-            motion @ 1.. if !is_parameter => residue::mix(value, motion) % self.p(),
+            motion @ 1.. if self.moves_parameters || !is_parameter => {
+                residue::mix(value, motion) % self.p()
+            }
             _ => value % self.p(),
         }
     }

@@ -12,6 +12,7 @@ use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
 use crate::identity::row_echelon::RowEchelon;
+use crate::mechanics::dependence::Rows;
 use crate::{Expression, Graph, Model, Rational, Symbol};
 
 /// A relation that holds in every motion: an expression that is zero.
@@ -40,6 +41,10 @@ pub struct ConstraintEquations {
     /// the holonomic ones: they restrict the coordinates, and not the velocities alone. Where the coefficients of one are
     /// constant, the second entry is the function of coordinates and time whose rate the constraint is.
     pub integrable: Vec<(usize, Option<Expression>)>,
+    /// Constraints, as they are ordered here, whose gradients depend on those before at almost all configurations, with
+    /// coefficients that change with the configuration, as of a door on three hinges. Which constraints are redundant is known at
+    /// a configuration that they allow.
+    pub surplus: Vec<usize>,
 }
 
 /// Why a model has no equations for its constraints. Constraints are counted as they are declared.
@@ -59,7 +64,7 @@ pub enum ConstraintDefect {
         holds: bool,
     },
     /// A constraint restricts only velocities that earlier constraints restrict already, for all values of coordinates, time
-    /// and parameters.
+    /// and parameters, and is not [surplus](ConstraintEquations::surplus).
     Dependent {
         /// The constraint.
         constraint: usize,
@@ -120,8 +125,9 @@ impl ConstraintEquations {
             positions,
             velocities,
             integrable: Vec::new(),
+            surplus: Vec::new(),
         };
-        equations.check(model)?;
+        equations.surplus = equations.check(model)?;
         equations.integrable = equations.find_integrable(model);
         Ok(equations)
     }
@@ -202,9 +208,9 @@ impl ConstraintEquations {
         }
     }
 
-    fn check(&self, model: &Model) -> Result<(), ConstraintDefect> {
+    /// Finds the surplus constraints.
+    fn check(&self, model: &Model) -> Result<Vec<usize>, ConstraintDefect> {
         let graph = &model.graph;
-        let entries = self.jacobian.concat();
         for (row, declared) in self.jacobian.iter().zip(&self.declared) {
             if (0..model.coordinates).any(|i| graph.depends_on(row, Symbol::Velocity(i))) {
                 return Err(ConstraintDefect::Nonlinear(*declared));
@@ -217,71 +223,91 @@ impl ConstraintEquations {
                 });
             }
         }
-        if self.are_independent(graph, &entries) {
-            return Ok(());
+        let rows = Rows::new(graph, &self.jacobian);
+        let mut surplus = Vec::new();
+        if rows.are_independent() {
+            return Ok(surplus);
         }
-        let test = IdentityTest::of(graph, &entries);
         for row in 1..self.len() {
             let before: Vec<_> = (0..row).collect();
-            if !self.depends(graph, test, row, &before, None) {
+            if !rows.depends(row, &before) {
                 continue;
             }
-            // Each that can be left out is not among those from which it follows.
-            let mut others = before;
-            for left_out in (0..row).rev() {
-                let fewer: Vec<_> = others.iter().copied().filter(|i| *i != left_out).collect();
-                if self.depends(graph, test, row, &fewer, None) {
-                    others = fewer;
-                }
-            }
-            let whole = [entries.as_slice(), &self.velocities].concat();
-            let of_velocities = IdentityTest::of(graph, &whole);
-            let is_known = self.depends(graph, of_velocities, row, &others, Some(&self.velocities));
+            let Some(others) = self.origin(graph, &rows, row) else {
+                surplus.push(row);
+                continue;
+            };
             return Err(ConstraintDefect::Dependent {
                 constraint: self.declared[row],
                 others: others.iter().map(|i| self.declared[*i]).collect(),
-                contradicts: !is_known,
+                contradicts: !self
+                    .rows_with(graph, &self.velocities)
+                    .depends(row, &others),
             });
         }
-        Ok(())
+        Ok(surplus)
     }
 
-    /// Whether the rows of G are independent at some random point, and so at almost all.
-    fn are_independent(&self, graph: &Graph, entries: &[Expression]) -> bool {
-        let width = self.jacobian.first().map_or(1, Vec::len).max(1);
-        ModularPoint::attempts().any(|point| {
-            let Some(values) = point.evaluate(graph, entries) else {
-                return false;
-            };
-            let mut echelon = RowEchelon::new(point.p());
-            values.chunks(width).all(|row| echelon.add(row.to_vec()))
-        })
+    /// The constraints from which a dependent one follows, or which it contradicts; none where it is surplus.
+    ///
+    /// Constraints of velocities alone hold at all configurations. Otherwise the coefficients are those of a relation between the
+    /// constraints, unless this holds for some parameters only, or there is one other, and both are functions of one another.
+    fn origin(&self, graph: &Graph, rows: &Rows<'_>, row: usize) -> Option<Vec<usize>> {
+        let before: Vec<_> = (0..row).collect();
+        let nonholonomic: Vec<_> = (self.positions.len()..row).collect();
+        let depends = |others: &[usize]| rows.depends(row, others);
+        let depends_constantly = |others: &[usize]| rows.depends_constantly(row, others);
+        if depends(&nonholonomic) {
+            return Some(Rows::fewest(&nonholonomic, depends));
+        }
+        if depends_constantly(&before) {
+            let others = Rows::fewest(&before, depends_constantly);
+            let is_certain =
+                rows.depends_by_numbers(row, &others) || !self.is_open(graph, row, &others);
+            return is_certain.then_some(others);
+        }
+        let others = Rows::fewest(&before, depends);
+        // Of one coordinate, either gradient may vanish where both constraints hold.
+        let is_function = others.len() == 1 && !rows.span_one_space(&others);
+        is_function.then_some(others)
     }
 
-    /// Whether a row of G depends on others for all values of the symbols, as far as random points tell; with a column of further
-    /// values, the row with its value.
-    fn depends(
-        &self,
-        graph: &Graph,
-        test: IdentityTest,
-        row: usize,
-        others: &[usize],
-        column: Option<&[Expression]>,
-    ) -> bool {
-        let rows = others.iter().chain([&row]).map(|i| {
-            let further = column.map(|column| column[*i]);
-            let entries = self.jacobian[*i].iter().copied();
-            entries.chain(further).collect::<Vec<_>>()
-        });
-        let rows: Vec<_> = rows.collect();
-        let width = rows.first().map_or(0, Vec::len).max(1);
-        test.holds(|point: ModularPoint| {
-            let values = point.evaluate(graph, &rows.concat())?;
-            let mut echelon = RowEchelon::new(point.p());
-            let independent = values.chunks(width).map(|row| echelon.add(row.to_vec()));
-            // The last one is the row itself.
-            Some(!independent.last().unwrap_or(true))
-        })
+    /// Whether a holonomic constraint of which the gradient is a combination of others, with coefficients that contain only
+    /// parameters, differs from this combination by a function of parameters, which vanishes for some of them.
+    fn is_open(&self, graph: &Graph, row: usize, others: &[usize]) -> bool {
+        let holonomic = self.positions.len();
+        row < holonomic
+            && self
+                .rows_with(graph, &self.velocities)
+                .depends_constantly(row, others)
+            && !self
+                .rows_with(graph, &self.positions)
+                .depends_constantly(row, others)
+    }
+
+    /// The first rows of G, each with a further value.
+    fn rows_with<'a>(&self, graph: &'a Graph, values: &[Expression]) -> Rows<'a> {
+        let rows = self.jacobian.iter().zip(values);
+        let rows = rows.map(|(row, value)| [row, &[*value][..]].concat());
+        Rows::new(graph, &rows.collect::<Vec<_>>())
+    }
+
+    /// The equations without the surplus constraints.
+    pub(crate) fn without_surplus(&self) -> Self {
+        let kept: Vec<_> = (0..self.len())
+            .filter(|row| !self.surplus.contains(row))
+            .collect();
+        let expressions =
+            |all: &[Expression]| kept.iter().filter_map(|i| all.get(*i).copied()).collect();
+        Self {
+            declared: kept.iter().map(|i| self.declared[*i]).collect(),
+            positions: expressions(&self.positions),
+            velocities: expressions(&self.velocities),
+            jacobian: kept.iter().map(|i| self.jacobian[*i].clone()).collect(),
+            rates: expressions(&self.rates),
+            integrable: self.integrable.clone(),
+            surplus: Vec::new(),
+        }
     }
 }
 

@@ -51,7 +51,8 @@ impl Equations {
         let momenta = graph.jacobian(&[lagrangian], &velocities).concat();
         let mass = mass_matrix(graph, &momenta, &velocities);
         let constraints = ConstraintEquations::derive(model).map_err(Defect::Constraint)?;
-        let matrix = constraints.matrix(&mut model.graph, &mass);
+        let regular = constraints.without_surplus();
+        let matrix = regular.matrix(&mut model.graph, &mass);
         check_momenta(model, &momenta, &matrix)?;
         let generalized_forces = model.generalized_forces();
         let forcing = model.forcing(lagrangian, &momenta, &generalized_forces);

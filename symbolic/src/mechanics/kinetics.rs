@@ -96,8 +96,9 @@ impl Kinetics {
         let links = link_equations(model, equations);
         let energies = EnergyFunctions::cheapest(model, equations, links.as_ref());
         let graph = &mut model.graph;
-        let has_ldlt = passes.has(Pass::Ldlt);
         let constraints = &equations.constraints;
+        // With surplus constraints the matrix is singular, and which are left out is decided at each configuration.
+        let has_ldlt = passes.has(Pass::Ldlt) && constraints.surplus.is_empty();
         let ldlt = |graph: &mut Graph, system: &LinearSystem| {
             let system = system.clone().with_constraints(graph, constraints);
             ldlt_solver(graph, &system, model.coordinates as usize)

@@ -122,6 +122,9 @@ pub struct SensitivityProgram<'a> {
 pub struct ConstraintPrograms<'a> {
     /// How many of them are holonomic.
     pub holonomic: usize,
+    /// Whether the gradients are independent at almost all states; otherwise only states that fulfil the constraints have
+    /// accelerations.
+    pub are_independent: bool,
     /// g of the holonomic constraints, which are the first ones, and 0 for the others.
     pub positions: &'a Program,
     /// w = G q̇ + a.
@@ -171,6 +174,7 @@ pub struct Programs<'a> {
 /// The programs of the constraints as tapes.
 pub(crate) struct ConstraintTapes {
     pub(crate) holonomic: usize,
+    pub(crate) are_independent: bool,
     pub(crate) positions: Tape,
     pub(crate) velocities: Tape,
     pub(crate) jacobian: Tape,
@@ -245,6 +249,7 @@ impl Tapes {
             linearization: linearization.map(|(programs, outputs)| (programs.map(tape), outputs)),
             constraints: programs.constraints.map(|programs| ConstraintTapes {
                 holonomic: programs.holonomic,
+                are_independent: programs.are_independent,
                 positions: tape(programs.positions),
                 velocities: tape(programs.velocities),
                 jacobian: tape(programs.jacobian),
@@ -293,17 +298,32 @@ impl Tapes {
         coordinates: usize,
         perturbation: Perturbation,
     ) -> Option<Vec<f64>> {
+        if let Some((matrix, forcing)) = self.system(point, coordinates, perturbation) {
+            let constraints = self.constraints.as_ref();
+            let are_independent = constraints.is_none_or(|tapes| tapes.are_independent);
+            let solution = are_independent.then(|| matrix.solve(&forcing)).flatten();
+            return solution.filter(|accelerations| accelerations.iter().all(|x| x.is_finite()));
+        }
         let value = |symbol: Symbol| point.value(symbol);
         let mut outputs = self.prepared(&self.accelerations, value, perturbation);
-        let accelerations = if let Some(pivots) = self.pivots {
-            outputs.split_off(pivots)
-        } else {
-            let (lower, forcing) = outputs.split_at(outputs.len() - coordinates);
-            SquareMatrix::symmetric(lower, coordinates).solve(forcing)?
-        };
-        accelerations
-            .iter()
-            .all(|x| x.is_finite())
-            .then_some(accelerations)
+        let accelerations = outputs.split_off(self.pivots?);
+        let mut all = accelerations.iter();
+        all.all(|x| x.is_finite()).then_some(accelerations)
+    }
+
+    /// The matrix and the right-hand side at a point, where the accelerations are solved for numerically.
+    pub(crate) fn system(
+        &self,
+        point: RealPoint,
+        coordinates: usize,
+        perturbation: Perturbation,
+    ) -> Option<(SquareMatrix, Vec<f64>)> {
+        if self.pivots.is_some() {
+            return None;
+        }
+        let value = |symbol: Symbol| point.value(symbol);
+        let mut lower = self.prepared(&self.accelerations, value, perturbation);
+        let forcing = lower.split_off(lower.len() - coordinates);
+        Some((SquareMatrix::symmetric(&lower, coordinates), forcing))
     }
 }

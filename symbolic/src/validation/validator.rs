@@ -182,6 +182,12 @@ impl Validator {
                 (point, perturbation),
                 &mut comparisons,
             );
+        } else if tapes
+            .constraints
+            .as_ref()
+            .is_some_and(|x| !x.are_independent)
+        {
+            reference.compare_system(tapes, &mass, &mut comparisons);
         } else if !uses_pivoting {
             // Where M is singular there are none.
             let right: Vec<f64> = expected.iter().map(|force| force.total).collect();
@@ -354,6 +360,34 @@ impl Reference<'_> {
         );
     }
 
+    /// The matrix and the right-hand side of a system that has no solution, as the residuals at any accelerations.
+    fn compare_system(&self, tapes: &Tapes, mass: &SquareMatrix, comparisons: &mut Comparisons) {
+        let count = self.accelerations.len();
+        let Some((matrix, forcing)) = tapes.system(self.point, count, self.perturbation) else {
+            return comparisons.undefined(Method::Accelerations);
+        };
+        let products = matrix.times(self.accelerations);
+        let residuals = products.iter().zip(&forcing);
+        let residuals: Vec<_> = residuals
+            .map(|(product, force)| product.total - force)
+            .collect();
+        comparisons.balances(Method::Accelerations, &residuals, &self.values.residuals);
+        self.compare_input_jacobian(tapes, mass, comparisons);
+    }
+
+    /// The derivatives of the accelerations and of the multipliers by the inputs.
+    fn compare_input_jacobian(
+        &self,
+        tapes: &Tapes,
+        mass: &SquareMatrix,
+        comparisons: &mut Comparisons,
+    ) {
+        if let Some((tape, pivots)) = &tapes.input_jacobian {
+            let balances = self.input_balances(&self.at(tape), *pivots, mass);
+            comparisons.vanishing(Method::Linearization, &balances.unwrap_or_default());
+        }
+    }
+
     /// The accelerations and their derivatives. What should vanish is M q̈ − f, where dp/dt is one number: its terms are
     /// those of the product.
     fn compare_accelerations(
@@ -374,10 +408,7 @@ impl Reference<'_> {
         });
         let residuals: Vec<_> = residuals.collect();
         comparisons.vanishing(Method::Accelerations, &residuals);
-        if let Some((tape, pivots)) = &tapes.input_jacobian {
-            let balances = self.input_balances(&self.at(tape), *pivots, mass);
-            comparisons.vanishing(Method::Linearization, &balances.unwrap_or_default());
-        }
+        self.compare_input_jacobian(tapes, mass, comparisons);
         let Some(([state, inputs], outputs)) = &tapes.linearization else {
             return;
         };

@@ -149,6 +149,88 @@ fn a_relation_that_follows_from_others_names_them() {
     ConstraintEquations::derive(&mut bars.clone()).unwrap();
 }
 
+fn surplus(coordinates: u32, constraints: impl FnOnce(&Draft) -> Vec<Constraint>) -> Vec<usize> {
+    let mut model = model(coordinates, constraints);
+    ConstraintEquations::derive(&mut model).unwrap().surplus
+}
+
+#[test]
+fn what_geometry_relates_is_no_defect() {
+    // A point on a circle is held, and so is a further one: cos q − p₀ and sin q − p₁, and the same with other parameters.
+    let point = |d: &Draft, angle: Quantity<'_>, k: u32| {
+        vec![
+            holonomic(angle.cos() - d.p(k)),
+            holonomic(angle.sin() - d.p(k + 1)),
+        ]
+    };
+    assert_eq!(surplus(1, |d| point(d, d.q(0), 0)), [1]);
+    assert_eq!(surplus(2, |d| point(d, d.q(0) + d.q(1), 0)), [1]);
+    // Three functions of x and y.
+    let products = |d: &Draft| {
+        let [x, y, ..] = d.qs::<3>();
+        vec![holonomic(x), holonomic(y), holonomic(x * y - d.p(0))]
+    };
+    assert_eq!(surplus(3, products), [2]);
+    // Three points x + a cos q of a body with parameters a: each is a combination of two of them.
+    let points = |d: &Draft, places: [u32; 3]| {
+        let [x, angle] = d.qs();
+        let pairs = (0..3).zip(places);
+        let points = pairs.map(|(k, place)| x + d.p(k) * angle.cos() - d.p(place));
+        points.map(holonomic).collect::<Vec<_>>()
+    };
+    assert_eq!(surplus(2, |d| points(d, [3, 4, 5])), [2]);
+}
+
+#[test]
+fn what_parameters_do_not_change_is_a_defect() {
+    let dependent = |others: &[usize], contradicts| ConstraintDefect::Dependent {
+        constraint: others.len(),
+        others: others.to_vec(),
+        contradicts,
+    };
+    // Three points on a line, of a body and in space.
+    let on_a_line = |d: &Draft, motion: Quantity<'_>| {
+        let [x, angle] = d.qs();
+        let points = (0..3).map(|k| x + d.p(k) * angle.cos() - d.p(k));
+        let mut points: Vec<_> = points.collect();
+        points[2] = points[2] + motion;
+        points.into_iter().map(holonomic).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        defect(2, |d| on_a_line(d, d.zero())),
+        dependent(&[0, 1], false)
+    );
+    assert_eq!(
+        defect(2, |d| on_a_line(d, d.time())),
+        dependent(&[0, 1], true)
+    );
+    // A distance and its square.
+    let rod = |d: &Draft| {
+        let square = d.q(0).squared() + d.q(1).squared();
+        vec![
+            holonomic(square.sqrt() - d.p(0)),
+            holonomic(square - d.p(1)),
+        ]
+    };
+    assert_eq!(defect(2, rod), dependent(&[0], false));
+    // A number of which no parameter is a function.
+    let apart = |d: &Draft| {
+        let [x, y] = d.qs();
+        vec![holonomic(x - y), holonomic(x + x - y - y - d.p(0))]
+    };
+    assert_eq!(defect(2, apart), dependent(&[0], false));
+    // Relations of velocities alone, at whatever configuration.
+    let velocities = |d: &Draft| {
+        let ([v, w], [x, y]) = (d.vs(), d.qs());
+        vec![
+            nonholonomic(v + x * w),
+            nonholonomic(w * y + v),
+            nonholonomic(v * x.sin() - w),
+        ]
+    };
+    assert_eq!(defect(2, velocities), dependent(&[0, 1], false));
+}
+
 #[test]
 fn relations_of_velocities_that_can_be_integrated_are_known() {
     // A disc that rolls on a straight line; x, φ.

@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod consistency;
+mod door;
 mod freedom;
 mod junctions;
 mod light_bodies;

@@ -5,7 +5,7 @@ use lagrangian::Lagrangian;
     coordinates(x, y),
     kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
     potential = m * g * y,
-    constraint(origin = [x, y], angle = x * y - l),
+    constraint(rod = (x.powi(2) + y.powi(2)).sqrt() - l, square = x.powi(2) + y.powi(2) - l.powi(2)),
 )]
 struct Model {
     m: f64,
