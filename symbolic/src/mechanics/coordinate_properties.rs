@@ -25,6 +25,17 @@ pub struct CoordinateProperties {
     pub singularities: Vec<Vec<u32>>,
 }
 
+impl CoordinateProperties {
+    /// Whether an ignorable coordinate is written in expressions, though their values do not depend on it.
+    pub(crate) fn has_ignorable(&self, graph: &Graph, expressions: &[Expression]) -> bool {
+        let is_ignorable = |symbol| match symbol {
+            Symbol::Coordinate(i) => self.ignorable[i as usize],
+            _ => false,
+        };
+        graph.contains(expressions, is_ignorable)
+    }
+}
+
 /// Analyzes what the equations are made of, L and forces and constraints, and M or the matrix of the saddle point problem.
 pub(crate) fn analyze(
     model: &Model,

@@ -78,7 +78,12 @@ impl Equations {
             momenta,
             mass,
             mut forcing,
-        } = terms.cheapest(model, lagrangian, &generalized_forces);
+        } = terms.cheapest(
+            model,
+            lagrangian,
+            &generalized_forces,
+            &coordinate_properties,
+        );
         for force in &mut forcing {
             *force = model.graph.over_common_denominators(*force);
         }

@@ -3,9 +3,11 @@
 //! Squares of velocities contain terms that cancel in their sum: the angle φ of a position on a sphere, where
 //! sin²φ + cos²φ remains in M, and both halves of ω · Iω where two inertias are equal. Momenta and forcing derived
 //! from the squares keep these terms. Those derived from ½ q̇ᵀ M q̇, each entry of M in its cheapest form, are free
-//! of them, and taken where they cost less. For many coordinates the expanded M swells, and is not tried.
+//! of them, and taken where they cost less. For many coordinates the expanded M swells, and is tried only if an ignorable
+//! coordinate is written, which cancels: the angle of a wheel that spins fast would shorten the steps of a Taylor series.
 
 use crate::limits::MAX_EXPANDED_COORDINATES;
+use crate::mechanics::coordinate_properties::CoordinateProperties;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
 /// The quantities derived from a Lagrangian function: M, f, and the momenta.
@@ -26,15 +28,19 @@ impl LagrangeTerms {
         model: &mut Model,
         lagrangian: Expression,
         generalized_forces: &[Expression],
+        properties: &CoordinateProperties,
     ) -> Self {
+        let are_many = model.coordinates > MAX_EXPANDED_COORDINATES;
+        if are_many && !properties.has_ignorable(&model.graph, &self.expressions()) {
+            return self;
+        }
         match self.expanded(model, lagrangian, generalized_forces) {
             Some(other) if other.cost(&model.graph) < self.cost(&model.graph) => other,
             _ => self,
         }
     }
 
-    /// The same, derived from the expanded L; none for many coordinates, or for an L that is not
-    /// quadratic in the velocities.
+    /// The same, derived from the expanded L; none for an L that is not quadratic in the velocities.
     fn expanded(
         &self,
         model: &mut Model,
@@ -42,10 +48,7 @@ impl LagrangeTerms {
         generalized_forces: &[Expression],
     ) -> Option<Self> {
         let graph = &mut model.graph;
-        if model.coordinates > MAX_EXPANDED_COORDINATES
-            || !graph.passes.has(Pass::Expansion)
-            || !is_quadratic(graph, lagrangian)
-        {
+        if !graph.passes.has(Pass::Expansion) || !is_quadratic(graph, lagrangian) {
             return None;
         }
         let mut mass = self.mass.clone();
@@ -65,8 +68,11 @@ impl LagrangeTerms {
     }
 
     fn cost(&self, graph: &Graph) -> usize {
-        let parts = [&*self.momenta, &self.mass.concat(), &self.forcing];
-        graph.cost(&parts.concat())
+        graph.cost(&self.expressions())
+    }
+
+    fn expressions(&self) -> Vec<Expression> {
+        [&*self.momenta, &self.mass.concat(), &self.forcing].concat()
     }
 }
 
@@ -123,6 +129,7 @@ pub(crate) fn linear_part(
 mod tests {
     use super::*;
     use crate::Equations;
+    use crate::testing::systems::{euler_rates, kinetic};
     use crate::testing::{Draft, Quantity};
 
     /// ½ (d/dt (sin θ cos φ))² + ½ (d/dt (sin θ sin φ))² + ½ (d/dt cos θ)² + ½ φ̇² with (φ, θ, x).
@@ -166,6 +173,32 @@ mod tests {
         let draft = Draft::of(model.graph, 1);
         let (v, c) = (draft.v(0), draft.p(0));
         assert_eq!(equations.momenta, [v + c * v.signum()]);
+    }
+
+    /// ½ (A (ω₁² + ω₂²) + C ω₃²) of a symmetric body in Euler's angles, and bodies on lines, of which the last is on a spring
+    /// to the angle ψ if that is not to be ignorable.
+    fn spinning_body(is_free: bool) -> (Model, Equations) {
+        let draft = Draft::new(6);
+        let rotation = kinetic(&draft, &euler_rates(&draft), &[0, 0, 1]);
+        let others = (3..6).map(|i| draft.v(i).squared() / 2);
+        let spring = if is_free {
+            draft.zero()
+        } else {
+            (draft.q(2) - draft.q(5)).squared() / 2
+        };
+        let mut model = draft.natural(rotation + draft.sum(others), spring);
+        let equations = Equations::derive(&mut model).unwrap();
+        (model, equations)
+    }
+
+    #[test]
+    fn an_ignorable_angle_is_gone_among_many_coordinates() {
+        for is_free in [true, false] {
+            let (model, equations) = spinning_body(is_free);
+            let is_psi = |symbol| symbol == Symbol::Coordinate(2);
+            assert_eq!(model.graph.contains(&equations.momenta, is_psi), !is_free);
+            assert!(model.graph.contains(&[equations.lagrangian], is_psi));
+        }
     }
 
     #[test]

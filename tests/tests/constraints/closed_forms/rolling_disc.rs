@@ -193,10 +193,13 @@ fn ten_turns_by_dormand_and_prince() {
 }
 
 #[test]
-fn ten_turns_by_taylor_in_short_steps() {
+fn ten_turns_by_taylor() {
     let (disc, circle) = experiment();
     let end = circle.end(10.0);
     let problem = Problem::new(&disc, circle.start(&disc)).save(Every(end / 100.0));
-    let motion = problem.solve(end, Taylor::new().max_step(0.2));
-    circle.compare(&disc, motion.expect("a motion").samples());
+    let motion = problem.solve(end, Taylor::new()).expect("a motion");
+    circle.compare(&disc, motion.samples());
+    // With the sine of the spin in the equations, which turns ten times as fast as the disc precesses, they are three times as many.
+    let steps = motion.statistics.steps;
+    assert!(steps < 100, "{steps} steps");
 }
