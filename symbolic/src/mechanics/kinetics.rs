@@ -15,6 +15,7 @@ use crate::mechanics::constraints::ConstraintEquations;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::energy_functions::EnergyFunctions;
 use crate::mechanics::linear_system::LinearSystem;
+use crate::mechanics::mechanism::Mechanism;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::boltzmann_hamel::BoltzmannHamel;
@@ -354,7 +355,12 @@ fn link_equations(model: &mut Model, equations: &Equations) -> Option<LinkEquati
     if !model.graph.passes.has(Pass::ArticulatedBodies) {
         return None;
     }
-    let links = LinkEquations::new(model, &equations.generalized_forces)?;
+    let mut mechanism = Mechanism::read(model)?;
+    let properties = &equations.coordinate_properties;
+    if properties.has_ignorable(&model.graph, &equations.inverse_dynamics) {
+        mechanism = mechanism.with_spins(&model.graph);
+    }
+    let links = LinkEquations::of_mechanism(model, mechanism, &equations.generalized_forces);
     let graph = &mut model.graph;
     let found = links.inverse_dynamics(graph);
     let pairs = found.iter().zip(&equations.inverse_dynamics);

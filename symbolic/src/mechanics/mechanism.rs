@@ -74,4 +74,20 @@ impl Mechanism {
         }
         self
     }
+
+    /// The same mechanism, in which the axes of wheels do not turn with them: of links without others behind them that
+    /// are symmetric about the axes about which they turn. No angle of a wheel is then left in the equations.
+    pub(crate) fn with_spins(mut self, graph: &Graph) -> Self {
+        for i in 0..self.links.len() {
+            let mut others = self.links.iter();
+            let link = &self.links[i];
+            if let Turn::Elementary(rotation) = link.turn
+                && others.all(|other| other.parent != Some(i))
+                && link.inertia.is_symmetric_about(graph, rotation.axis)
+            {
+                self.links[i].turn = Turn::Spin(rotation);
+            }
+        }
+        self
+    }
 }

@@ -1,5 +1,6 @@
 //! What a link carries: mass, first moment and second moments about its origin.
 
+use crate::matrix::axis::Axis;
 use crate::mechanics::mechanism::{Vector, kept};
 use crate::{Expression, Graph, Rational};
 
@@ -102,6 +103,15 @@ impl Inertia {
         let second = self.second.iter().flatten();
         let mut all = self.first.iter().chain(second).chain([&self.mass]);
         all.all(|x| graph.is_zero(*x))
+    }
+
+    /// Whether this is the same after any turn about an axis.
+    pub(crate) fn is_symmetric_about(&self, graph: &Graph, axis: Axis) -> bool {
+        let [k, a, b] = axis.cycle();
+        let across = [self.first[a], self.first[b]];
+        let products = [(a, b), (a, k), (b, k)].map(|(i, j)| self.second[i][j]);
+        let mut vanishing = across.iter().chain(&products);
+        self.second[a][a] == self.second[b][b] && vanishing.all(|x| graph.is_zero(*x))
     }
 
     /// Takes out what lies on an axis: the mass, the first moment and the second moment along it.

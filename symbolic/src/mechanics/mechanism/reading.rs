@@ -84,7 +84,7 @@ impl Mechanism {
             link.place.iter_mut().for_each(&mut visit);
             match &mut link.turn {
                 Turn::Identity => {}
-                Turn::Elementary(rotation) => visit(&mut rotation.angle),
+                Turn::Elementary(rotation) | Turn::Spin(rotation) => visit(&mut rotation.angle),
                 Turn::General(elements) => elements.iter_mut().for_each(&mut visit),
             }
             let inertia = &mut link.inertia;

@@ -11,6 +11,9 @@ pub(crate) enum Turn {
     Identity,
     /// About a coordinate axis.
     Elementary(ElementaryRotation),
+    /// About an axis of symmetry of all that turns: the axes stay with the link before, along which the link has the same
+    /// moments whatever the angle.
+    Spin(ElementaryRotation),
     /// Any other, by its elements, column by column.
     General([Expression; 9]),
 }
@@ -28,7 +31,7 @@ impl Turn {
     /// From the axes of the link before to those of the link.
     pub(crate) fn inverse(&self) -> Self {
         let factor = match *self {
-            Self::Identity => return Self::Identity,
+            Self::Identity | Self::Spin(_) => return Self::Identity,
             Self::Elementary(rotation) => MatrixFactor::Elementary(rotation),
             Self::General(elements) => MatrixFactor::Rotation(elements),
         };
@@ -39,7 +42,9 @@ impl Turn {
     pub(crate) fn is_constant(&self, graph: &Graph) -> bool {
         match self {
             Self::Identity => true,
-            Self::Elementary(rotation) => !graph.contents(rotation.angle).varies(),
+            Self::Elementary(rotation) | Self::Spin(rotation) => {
+                !graph.contents(rotation.angle).varies()
+            }
             Self::General(elements) => elements.iter().all(|x| !graph.contents(*x).varies()),
         }
     }
@@ -47,7 +52,7 @@ impl Turn {
     /// The coordinate axis about which it turns.
     pub(crate) const fn axis(&self) -> Option<usize> {
         match self {
-            Self::Elementary(rotation) => Some(rotation.axis.cycle()[0]),
+            Self::Elementary(rotation) | Self::Spin(rotation) => Some(rotation.axis.cycle()[0]),
             _ => None,
         }
     }
@@ -74,7 +79,7 @@ impl Turn {
 
     fn apply(&self, graph: &mut Graph, vector: Vector, is_inward: bool) -> Vector {
         let turned = match *self {
-            Self::Identity => return vector,
+            Self::Identity | Self::Spin(_) => return vector,
             Self::Elementary(rotation) => {
                 let [cosine, mut sine] = Self::cosine_and_sine(graph, rotation);
                 if is_inward {
@@ -105,7 +110,7 @@ impl Turn {
     pub(crate) fn rate(&self, graph: &mut Graph, coordinates: u32) -> Vector {
         let factor = match *self {
             Self::Identity => return [graph.zero(); 3],
-            Self::Elementary(rotation) => MatrixFactor::Elementary(rotation),
+            Self::Elementary(rotation) | Self::Spin(rotation) => MatrixFactor::Elementary(rotation),
             Self::General(elements) => MatrixFactor::Rotation(elements),
         };
         let velocity = graph.angular_velocity_of_product(&[factor], coordinates);

@@ -13,7 +13,7 @@ impl Turn {
         is_symmetric: bool,
     ) -> [Vector; 3] {
         match self {
-            Self::Identity => block,
+            Self::Identity | Self::Spin(_) => block,
             Self::Elementary(rotation) => {
                 let [cosine, sine] = Self::cosine_and_sine(graph, *rotation);
                 let [k, a, b] = rotation.axis.cycle();

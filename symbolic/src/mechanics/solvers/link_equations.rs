@@ -22,13 +22,7 @@ pub(crate) struct LinkEquations {
 }
 
 impl LinkEquations {
-    /// The equations of a model that is a mechanism, under the generalized forces Q.
-    pub(crate) fn new(model: &mut Model, forces: &[Expression]) -> Option<Self> {
-        let mechanism = Mechanism::read(model)?;
-        Some(Self::of_mechanism(model, mechanism, forces))
-    }
-
-    /// The equations of a mechanism in the graph of a model.
+    /// The equations of a mechanism in the graph of a model, under the generalized forces Q.
     pub(crate) fn of_mechanism(
         model: &mut Model,
         mechanism: Mechanism,

@@ -229,7 +229,7 @@ impl Recursion<'_> {
     fn turn(&mut self, turn: &Turn) -> [String; 2] {
         match *turn {
             Turn::Identity => ["1", "1"].map(String::from),
-            Turn::Elementary(rotation) => {
+            Turn::Elementary(rotation) | Turn::Spin(rotation) => {
                 let angle = self.graph.scale(rotation.angle, &rotation.sign());
                 let [unicode, latex] = self.text(angle);
                 let axis = ["x", "y", "z"][rotation.axis.cycle()[0]];
