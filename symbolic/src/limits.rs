@@ -134,8 +134,8 @@ pub(crate) const MAX_MOTION_FUNCTIONS: usize = 600;
 /// At each, an incomplete rank stays by an accident of a probability of the degree of the columns over 2·10¹⁵.
 pub(crate) const MOTIONS_WITHOUT_GAIN: usize = 2;
 
-/// A mass matrix of more rows is not expanded: it swells. Made by the general top, expanded; measured: with 2 it
-/// costs 149 instead of 69, with 8 only five different links change, from 293 to 290.
+/// A mass matrix of more rows is not expanded, unless an ignorable coordinate is written in it: it swells. Made by the general
+/// top, expanded; measured: with 2 it costs 149 instead of 69, with 8 only five different links change, from 293 to 290.
 pub(crate) const MAX_EXPANDED_COORDINATES: u32 = 4;
 
 /// The Boltzmann–Hamel equations are not tried for more quasi-velocities: the structure constants are a cube.
