@@ -77,6 +77,10 @@ pub(crate) struct Arguments {
     #[arg(long, group = "task")]
     pub(crate) cartesian_pendulum: bool,
 
+    /// One, two and forty four-bar linkages in a row through their singular configurations.
+    #[arg(long, group = "task")]
+    pub(crate) linkages: bool,
+
     /// An arm in space of so many links: accelerations and inverse dynamics beside algorithms written by hand in C.
     #[arg(long, group = "task")]
     pub(crate) spatial: bool,

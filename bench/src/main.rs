@@ -54,6 +54,7 @@ mod long_models;
 mod compile_costs;
 mod reduced;
 mod light_cart_pole;
+mod linkages;
 mod constraints;
 mod cartesian_pendulum;
 
@@ -103,6 +104,9 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if arguments.cartesian_pendulum {
         return cartesian_pendulum::run();
+    }
+    if arguments.linkages {
+        return linkages::run(arguments);
     }
     if arguments.spatial {
         return spatial::run(arguments);

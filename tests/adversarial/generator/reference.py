@@ -200,8 +200,10 @@ def allow_for_condition(e, scales, condition, tolerances):
     """q̈ and λ may be off by 10⁻¹⁵ times the number n of unknowns and the condition number of D A D, relative to the greatest of D⁻¹ x."""
     x, n = [*e.a, *e.multipliers], len(e.a)
     bound = 1e-15 * len(x) * condition * max(float(abs(y)) / d for y, d in zip(x, scales))
-    for name, part in (("qdd", scales[:n]), ("lambda", scales[n:])):
-        tolerances[name] = max(tolerances[name], bound * max(part))
+    for name, part in (("qdd", slice(n)), ("lambda", slice(n, None))):
+        tolerances[name] = max(tolerances[name], bound * max(scales[part]))
+        if not tolerances[name] <= ALLOWANCE * USELESS * max(1.0, *(abs(float(y)) for y in x[part])):
+            raise NoValue("too badly conditioned")
 
 
 def allow_for_solution(model, at, e, values, tolerances, rng):
