@@ -19,8 +19,9 @@ pub struct Ldlt {
     pub pivots: Vec<Expression>,
     /// What else has to be positive for a stable solution, of a saddle point problem.
     pub(crate) conditions: Vec<Expression>,
-    /// The rows of constraints in the matrix of a saddle point problem, −G.
-    constraints: Vec<Vec<Expression>>,
+    /// The rows of a saddle point problem by whose residuals solutions are refined: those of the constraints where coordinates
+    /// are eliminated first, and otherwise all.
+    refined: Vec<(usize, Vec<Expression>)>,
     /// The rows in the order of elimination, and the entries of each in the same order.
     rows: Vec<PivotRow<usize>>,
 }
@@ -61,7 +62,7 @@ impl Ldlt {
         Some(Self {
             pivots,
             conditions: Vec::new(),
-            constraints: Vec::new(),
+            refined: Vec::new(),
             rows,
         })
     }
@@ -85,8 +86,13 @@ impl Ldlt {
         for pivot in &mut self.pivots[coordinates..] {
             *pivot = graph.negate(*pivot);
         }
-        let constraints = mass[coordinates..].iter();
-        self.constraints = constraints.map(|row| row[..coordinates].to_vec()).collect();
+        let are_first = self.rows[..coordinates]
+            .iter()
+            .all(|row| row.unknown < coordinates);
+        let refined = mass.iter().cloned().enumerate();
+        self.refined = refined
+            .skip(if are_first { coordinates } else { 0 })
+            .collect();
         let mut conditions = Vec::new();
         for (position, row) in self.rows.iter().enumerate() {
             let pivot = self.pivots[row.unknown];
@@ -164,24 +170,23 @@ impl Ldlt {
         })
     }
 
-    /// x in M x = `right`; of a saddle point problem, with one step of iterative refinement by the residuals of the constraints
-    /// −G q̈ = γ (Higham, Accuracy and Stability of Numerical Algorithms, 2nd edition 2002, chapter 12). Without it, the acceleration of a
-    /// light body that transmits the reaction of a heavy one would be what is left of forces that cancel.
+    /// x in M x = `right`; of a saddle point problem, with one step of iterative refinement (Higham, Accuracy and Stability of
+    /// Numerical Algorithms, 2nd edition 2002, chapter 12). Without it, the acceleration of a light body that transmits the
+    /// reaction of a heavy one would be what is left of forces that cancel.
     pub fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
         let solution = self.eliminate(graph, right);
-        if self.constraints.is_empty() {
+        if self.refined.is_empty() {
             return solution;
         }
-        let coordinates = right.len() - self.constraints.len();
-        let mut residuals = vec![graph.zero(); coordinates];
-        for (row, rate) in self.constraints.iter().zip(&right[coordinates..]) {
-            let mut terms = vec![(*rate, Rational::ONE)];
-            for (entry, x) in row.iter().zip(&solution) {
-                let rounded = graph.opaque(*x);
-                terms.push((graph.multiply(*entry, rounded), Rational::MINUS_ONE));
+        let rounded: Vec<_> = solution.iter().map(|x| graph.opaque(*x)).collect();
+        let mut residuals = vec![graph.zero(); right.len()];
+        for (i, row) in &self.refined {
+            let mut terms = vec![(right[*i], Rational::ONE)];
+            for (entry, x) in row.iter().zip(&rounded) {
+                terms.push((graph.multiply(*entry, *x), Rational::MINUS_ONE));
             }
             let residual = graph.sum(terms);
-            residuals.push(graph.opaque(residual));
+            residuals[*i] = graph.opaque(residual);
         }
         let corrections = self.eliminate(graph, &residuals);
         let pairs = solution.into_iter().zip(corrections);
