@@ -1,12 +1,14 @@
 //! LU factorization with scaled partial pivoting, for a mass matrix that is not positive definite.
 //!
 //! P M = L U, with separate row interchanges for each SIMD lane, so that the result of a lane does not depend on the
-//! others. Golub & Van Loan, *Matrix Computations*, 4th edition (2013), 3.4. Each row is scaled by its largest original
-//! entry in the comparison, so that the choice of the pivot does not depend on the units of the rows.
+//! others. Golub & Van Loan, *Matrix Computations*, 4th edition (2013), 3.4. In the comparison, rows are scaled as the
+//! symmetric matrix is equilibrated by rows and columns at once (D. Ruiz, *A scaling algorithm to equilibrate both rows and
+//! columns norms in matrices*, RAL-TR-2001-034 (2001)), so that the choice of the pivot does not depend on units.
 
 use nalgebra::{SMatrix, SVector};
 
-use super::lane_select::{from_index, greater, is_zero, one_if_zero, swap_rows};
+use super::lane_select::{from_index, greater, is_zero, one_if_zero, square_root, swap_rows};
+use crate::limits::EQUILIBRATION_SWEEPS;
 use crate::scalar::Scalar;
 
 /// The factorization P M = L U.
@@ -23,10 +25,7 @@ impl<S: Scalar, const N: usize> PivotedLu<S, N> {
     /// Factors `matrix`. Where the pivot column is zero, nothing is eliminated.
     pub(crate) fn new(matrix: SMatrix<S, N, N>) -> Self {
         let mut factors = matrix;
-        let mut scales = SVector::<S, N>::from_fn(|i, _| {
-            let entries = factors.row(i);
-            entries.iter().fold(S::zero(), |most, x| most.max(x.abs()))
-        });
+        let mut scales = equilibration(&matrix);
         let mut reciprocals = SVector::zeros();
         let mut interchanges = SVector::zeros();
         for j in 0..N {
@@ -57,13 +56,29 @@ impl<S: Scalar, const N: usize> PivotedLu<S, N> {
     }
 }
 
+/// Returns the scales dᵢ with which the largest entry of each row of dᵢ Mᵢⱼ dⱼ, for a symmetric M, is about 1; any for a row of zeros.
+fn equilibration<S: Scalar, const N: usize>(matrix: &SMatrix<S, N, N>) -> SVector<S, N> {
+    let mut scales = SVector::<S, N>::from_element(S::one());
+    for _ in 0..EQUILIBRATION_SWEEPS {
+        let largest = SVector::<S, N>::from_fn(|i, _| {
+            let entries = matrix.row(i);
+            let entries = entries.iter().zip(&scales);
+            entries.fold(S::zero(), |most, (x, scale)| most.max((*x * *scale).abs()))
+        });
+        for (scale, largest) in scales.iter_mut().zip(&largest) {
+            *scale /= square_root(one_if_zero(*largest * *scale));
+        }
+    }
+    scales
+}
+
 /// Returns the index of the pivot row: the row from j on with the largest scaled entry in column j.
 fn pivot_row<S: Scalar, const N: usize>(
     factors: &SMatrix<S, N, N>,
     scales: &SVector<S, N>,
     j: usize,
 ) -> S {
-    let weight = |i: usize| factors[(i, j)].abs() / one_if_zero(scales[i]);
+    let weight = |i: usize| factors[(i, j)].abs() * scales[i];
     let (mut row, mut largest) = (from_index::<S>(j), weight(j));
     for i in j + 1..N {
         let weight = weight(i);
