@@ -1,5 +1,7 @@
 //! Four-bar linkages of equal lengths through their singular configurations: the benchmark A02, "N-four-bar", of the `IFToMM` library
 //! of computational benchmark problems. As long as all cranks are parallel, the linkages move as one pendulum.
+//!
+//! The tests declare one and two of them (`tests/tests/constraints/singular.rs`).
 
 use lagrangian::prelude::*;
 

@@ -14,7 +14,7 @@ use crate::verdict::{Verdict, judge};
 /// The lengths of the first step, and those with `--quick`.
 const FIRST_STEPS: [&str; 2] = ["20", "2"];
 
-/// The error of a coordinate in lengths of a crank, in 10⁻⁹, at tolerances from 10⁻¹² on and at smaller ones.
+/// The largest error allowed in a coordinate, in 10⁻⁹ lengths of a crank: at tolerances of 10⁻¹² and above, and below 10⁻¹².
 const LIMITS: [f64; 2] = [1.0, 10.0];
 
 /// Measures, prints, and is an error where a limit is missed.

@@ -25,8 +25,8 @@ pub(crate) const VANISHING_INERTIA: f64 = 1e-6;
 pub(crate) const REFERENCE_OFFSETS: [f64; 3] = [-1.0, 0.5, 1.0];
 
 /// The sweeps in which a matrix is equilibrated before it is factored with pivoting, each of which takes the root of what is left.
-/// By judgement: of units apart by 10⁶ a factor of 2.4 remains.
-pub(crate) const EQUILIBRATION_SWEEPS: usize = 4;
+/// By judgement: of units apart by 10¹² a factor of 1.5 remains.
+pub(crate) const EQUILIBRATION_SWEEPS: usize = 6;
 
 /// The smallest ratio of a pivot of a saddle point problem to its diagonal entry, below which it is factored with pivoting. By
 /// judgement: L D Lᵀ without pivoting loses at most as many digits as this has zeros.

@@ -65,7 +65,7 @@ impl Emitter<'_> {
         let equations = &self.equations.constraints;
         let kinds = (0..count).map(|i| equations.restricts_coordinates(i));
         let freedom = (!equations.surplus.is_empty()).then(|| {
-            let least = self.coordinates() + equations.surplus.len() - count;
+            let least = (self.coordinates() + equations.surplus.len()).saturating_sub(count);
             quote!(const MIN_DEGREES_OF_FREEDOM: usize = #least;)
         });
         quote! {
@@ -124,7 +124,7 @@ impl Emitter<'_> {
             "\n# Constraints\n\n{}\nThere are at least {} degrees of freedom, {n} coordinates less {independent} constraints{surplus}. Where \
              constraints depend on others, there are more, and λ is not unique.\n",
             kinds.collect::<String>(),
-            n - independent,
+            n.saturating_sub(independent),
         )
     }
 

@@ -43,7 +43,7 @@ pub(crate) struct Clearance {
 }
 
 impl Clearance {
-    /// The least, which any step exceeds.
+    /// A clearance below that of any step, with which a search for the largest begins.
     pub(crate) const NONE: Self = Self {
         smallest: -1.0,
         largest: 0.0,

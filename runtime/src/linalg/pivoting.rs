@@ -3,7 +3,7 @@
 //! P M = L U, with separate row interchanges for each SIMD lane, so that the result of a lane does not depend on the
 //! others. Golub & Van Loan, *Matrix Computations*, 4th edition (2013), 3.4. In the comparison, rows are scaled as the
 //! symmetric matrix is equilibrated by rows and columns at once (D. Ruiz, *A scaling algorithm to equilibrate both rows and
-//! columns norms in matrices*, RAL-TR-2001-034 (2001)), so that the choice of the pivot does not depend on units.
+//! columns norms in matrices*, RAL-TR-2001-034 (2001)), so that units matter little for the choice of the pivot.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -5,12 +5,13 @@ use nalgebra::SVector;
 use super::assembly_error::{AssemblyError, OpenConstraints};
 use super::constraints::Constraints;
 use super::phase::Phase;
-use super::saddle_point::{rounding_errors, row_size, sizes_in_metric};
+use super::saddle_point::{rounding_errors_at, row_size};
 use super::state::State;
 use crate::limits::assembly::{
     LEAST_DAMPING, MAX_ITERATIONS, SUFFICIENT_DECREASE, VELOCITY_SWEEPS, max_residual,
 };
 use crate::linalg::VectorSpace as _;
+use crate::linalg::lane_select::greater;
 use crate::scalar::Scalar;
 
 /// The search for a state that meets the constraints of a model, from a guess; made by
@@ -185,8 +186,8 @@ where
         level: Level,
     ) -> Option<OpenConstraints> {
         let jacobian = self.model.constraint_jacobian(state, prepared);
-        let sizes = sizes_in_metric(self.model, state, prepared, &state.x);
-        let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
+        let [of_positions, of_velocities] =
+            rounding_errors_at(self.model, state, prepared, &jacobian);
         let (of, rounding) = match level {
             Level::Positions => (&state.q, of_positions),
             Level::Velocities => (&state.v, of_velocities),
@@ -195,10 +196,12 @@ where
             OpenConstraints::new(<M as crate::quantities::Quantities<N, S>>::CONSTRAINTS);
         for j in 0..C {
             let size = row_size(&jacobian, j, of);
-            let residual = residuals[j].abs().largest();
-            let allowed = max_residual::<S>() * size.largest().max(max_residual::<S>());
-            if residual.is_nan() || residual > allowed.max(rounding.largest()) {
-                open.add(j, residual);
+            let residual = residuals[j].abs();
+            let tolerance = S::from_f64(max_residual::<S>());
+            let allowed = (tolerance * size.max(tolerance)).max(rounding[j]);
+            let is_open = greater(residual, allowed).largest() > 0.0;
+            if is_open || residual.largest().is_nan() {
+                open.add(j, residual.largest());
             }
         }
         (!open.is_empty()).then_some(open)

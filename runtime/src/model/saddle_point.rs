@@ -11,8 +11,8 @@ use crate::limits::projection::{
     NEARBY, POSITION_SWEEPS, ROUNDED_EPSILONS, TO_NEARBY, VELOCITY_SWEEPS, max_residual,
 };
 pub use crate::linalg::SaddlePoint;
-use crate::linalg::lane_select::{from_index, is_zero, one_if_zero, square_root};
-use crate::linalg::smallest_sine;
+use crate::linalg::lane_select::{from_index, greater, is_zero, one_if_zero, square_root};
+use crate::linalg::{RowSpace, smallest_sine};
 use crate::scalar::Scalar;
 
 /// Returns the accelerations and the multipliers.
@@ -168,25 +168,29 @@ pub(super) fn row_size<S: Scalar, const N: usize, const C: usize>(
     })
 }
 
-/// Returns the residual that rounding may leave in any constraint, at coordinates or velocities of these sizes.
+/// Returns the residuals that rounding may leave in dependent constraints, at coordinates or velocities of these sizes.
 ///
 /// The terms of one constraint in the coordinates may vanish where terms without them cancel. If it depends on others, which
 /// determine the coordinates, it keeps the rounding errors of these terms.
 fn rounding_error<S: Scalar, const N: usize, const C: usize>(
     jacobian: &SMatrix<S, C, N>,
     sizes: &SVector<S, N>,
-) -> S {
+    dependent: &SVector<S, C>,
+) -> SVector<S, C> {
     let largest = (0..C).fold(S::zero(), |largest, j| {
         largest.max(row_size(jacobian, j, sizes))
     });
-    largest * S::from_f64(ROUNDED_EPSILONS * S::machine_epsilon())
+    let error = largest * S::from_f64(ROUNDED_EPSILONS * S::machine_epsilon());
+    dependent.map(|is_dependent| error.masked(is_dependent))
 }
 
-/// Returns the residuals that rounding may leave in any constraint of coordinates, and in any of velocities.
+/// Returns the residuals that rounding may leave in constraints of coordinates and of velocities, where `dependent` is 1 for
+/// constraints that depend on others; zeros for the independent ones.
 pub(super) fn rounding_errors<M, S, const N: usize, const C: usize>(
     jacobian: &SMatrix<S, C, N>,
     sizes: &Phase<S, N>,
-) -> [S; 2]
+    dependent: &SVector<S, C>,
+) -> [SVector<S, C>; 2]
 where
     M: Constraints<N, C, S> + ?Sized,
     S: Scalar,
@@ -200,9 +204,25 @@ where
         }
     });
     [
-        rounding_error(jacobian, &positions),
-        rounding_error(jacobian, &sizes.v),
+        rounding_error(jacobian, &positions, dependent),
+        rounding_error(jacobian, &sizes.v, dependent),
     ]
+}
+
+/// Returns the residuals that rounding may leave in constraints of coordinates and of velocities at a state.
+pub(super) fn rounding_errors_at<M, S, const N: usize, const C: usize>(
+    model: &M,
+    state: &State<S, N>,
+    prepared: &M::Prepared,
+    jacobian: &SMatrix<S, C, N>,
+) -> [SVector<S, C>; 2]
+where
+    M: Constraints<N, C, S> + ?Sized,
+    S: Scalar,
+{
+    let mass = model.mass_matrix(state, prepared);
+    let dependent = RowSpace::of(jacobian, &mass.diagonal()).dependent;
+    rounding_errors::<M, S, N, C>(jacobian, &phase_in_metric(&mass, &state.x), &dependent)
 }
 
 /// Returns the constraint with the largest residual relative to its terms, or the first whose residual is NaN, and the residual.
@@ -216,8 +236,7 @@ where
     S: Scalar,
 {
     let jacobian = model.constraint_jacobian(state, prepared);
-    let sizes = sizes_in_metric(model, state, prepared, &state.x);
-    let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
+    let [of_positions, of_velocities] = rounding_errors_at(model, state, prepared, &jacobian);
     let residuals = [
         (
             model.constraint_positions(state, prepared),
@@ -234,15 +253,13 @@ where
     for (residuals, of, rounding) in residuals {
         for j in 0..C {
             let size = row_size(&jacobian, j, &of);
-            let ratio = (residuals[j].abs() / one_if_zero(size)).largest();
-            if ratio.is_nan() {
+            let ratio = residuals[j].abs() / one_if_zero(size);
+            if ratio.largest().is_nan() {
                 return Some((j, residuals[j]));
             }
-            let exceeds = (residuals[j].abs() - rounding).largest() > 0.0;
-            if exceeds
-                && ratio > max_residual::<S>()
-                && most.is_none_or(|(.., other)| ratio > other)
-            {
+            let exceeds = greater(residuals[j].abs(), rounding[j]);
+            let ratio = ratio.masked(exceeds).largest();
+            if ratio > max_residual::<S>() && most.is_none_or(|(.., other)| ratio > other) {
                 most = Some((j, residuals[j], ratio));
             }
         }
@@ -388,12 +405,14 @@ where
     let sizes = phase_in_metric(&mass, &projected.x);
     let mut projection = Projection::new(projected.x).with_sizes(sizes);
     let tolerance = S::from_f64(max_residual::<S>());
-    let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
+    let dependent = factors.dependent();
+    let [of_positions, of_velocities] =
+        rounding_errors::<M, S, N, C>(&jacobian, &sizes, &dependent);
     for j in 0..C {
         let position_size = before[j].abs() + row_size(&jacobian, j, &projected.q);
         let velocity_size = before_velocities[j].abs() + row_size(&jacobian, j, &projected.v);
-        let positions_allowed = (position_size * tolerance).max(of_positions);
-        let velocities_allowed = (velocity_size * tolerance).max(of_velocities);
+        let positions_allowed = (position_size * tolerance).max(of_positions[j]);
+        let velocities_allowed = (velocity_size * tolerance).max(of_velocities[j]);
         projection = projection
             .checked(j, positions[j], positions_allowed)
             .checked(j, velocities[j], velocities_allowed);

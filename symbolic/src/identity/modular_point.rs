@@ -65,7 +65,7 @@ impl ModularPoint {
         Self { motion, ..self }
     }
 
-    /// The same point, whose motions differ in the parameters, too.
+    /// Lets the motions of this point differ in the parameters, too.
     pub(crate) const fn moving_parameters(self) -> Self {
         Self {
             moves_parameters: true,

@@ -17,10 +17,10 @@ pub struct Ldlt {
     /// The pivots, the entries of D, by coordinate. Where all are positive, M is positive definite and
     /// the solution is stable.
     pub pivots: Vec<Expression>,
-    /// What else has to be positive for a stable solution, of a saddle point problem.
+    /// For a saddle point problem: further expressions that are positive where the solution is stable.
     pub(crate) conditions: Vec<Expression>,
-    /// The rows of a saddle point problem by whose residuals solutions are refined: those of the constraints where coordinates
-    /// are eliminated first, and otherwise all.
+    /// For a saddle point problem: the rows whose residuals refine a solution. These are the constraints if all coordinates are
+    /// eliminated first, and otherwise all rows.
     refined: Vec<(usize, Vec<Expression>)>,
     /// The rows in the order of elimination, and the entries of each in the same order.
     rows: Vec<PivotRow<usize>>,
@@ -170,9 +170,8 @@ impl Ldlt {
         })
     }
 
-    /// x in M x = `right`; of a saddle point problem, with one step of iterative refinement (Higham, Accuracy and Stability of
-    /// Numerical Algorithms, 2nd edition 2002, chapter 12). Without it, the acceleration of a light body that transmits the
-    /// reaction of a heavy one would be what is left of forces that cancel.
+    /// x in M x = `right`; of a saddle point problem, refined once (Higham, Accuracy and Stability of Numerical Algorithms, 2nd
+    /// edition 2002, chapter 12), for the reason that the numerical factorization in `runtime/src/linalg/saddle_point.rs` has.
     pub fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
         let solution = self.eliminate(graph, right);
         if self.refined.is_empty() {

@@ -42,8 +42,8 @@ pub struct ConstraintEquations {
     /// constant, the second entry is the function of coordinates and time whose rate the constraint is.
     pub integrable: Vec<(usize, Option<Expression>)>,
     /// Constraints, as they are ordered here, whose gradients depend on those before at almost all configurations, with
-    /// coefficients that change with the configuration, as of a door on three hinges. Which constraints are redundant is known at
-    /// a configuration that they allow.
+    /// coefficients that change with the configuration, as of a door on three hinges. Which constraints are redundant is decided at
+    /// run time, at a configuration that they allow.
     pub surplus: Vec<usize>,
 }
 
@@ -248,10 +248,11 @@ impl ConstraintEquations {
         Ok(surplus)
     }
 
-    /// The constraints from which a dependent one follows, or which it contradicts; none where it is surplus.
+    /// The constraints from which a dependent one follows, or which it contradicts; `None` if it is surplus.
     ///
-    /// Constraints of velocities alone hold at all configurations. Otherwise the coefficients are those of a relation between the
-    /// constraints, unless this holds for some parameters only, or there is one other, and both are functions of one another.
+    /// A dependence is an error in three cases: among nonholonomic constraints alone, which hold at all configurations; with constant
+    /// coefficients, unless the parameters decide whether the constraints agree; and on one other constraint, if the two are
+    /// functions of one another.
     fn origin(&self, graph: &Graph, rows: &Rows<'_>, row: usize) -> Option<Vec<usize>> {
         let before: Vec<_> = (0..row).collect();
         let nonholonomic: Vec<_> = (self.positions.len()..row).collect();
@@ -260,20 +261,21 @@ impl ConstraintEquations {
         if depends(&nonholonomic) {
             return Some(Rows::fewest(&nonholonomic, depends));
         }
+        let by_numbers = |others: &[usize]| rows.depends_by_numbers(row, others);
+        if by_numbers(&before) {
+            return Some(Rows::fewest(&before, by_numbers));
+        }
         if depends_constantly(&before) {
             let others = Rows::fewest(&before, depends_constantly);
-            let is_certain =
-                rows.depends_by_numbers(row, &others) || !self.is_open(graph, row, &others);
-            return is_certain.then_some(others);
+            return (!self.is_open(graph, row, &others)).then_some(others);
         }
-        let others = Rows::fewest(&before, depends);
         // Of one coordinate, either gradient may vanish where both constraints hold.
-        let is_function = others.len() == 1 && !rows.span_one_space(&others);
-        is_function.then_some(others)
+        let other = before.iter().copied().find(|other| depends(&[*other]))?;
+        (!rows.span_one_space(&[other])).then(|| vec![other])
     }
 
-    /// Whether a holonomic constraint of which the gradient is a combination of others, with coefficients that contain only
-    /// parameters, differs from this combination by a function of parameters, which vanishes for some of them.
+    /// Whether parameters decide if a constraint agrees with others: the gradient of the holonomic constraint is a combination of
+    /// their gradients with coefficients that contain only parameters, but the constraint itself is no such combination.
     fn is_open(&self, graph: &Graph, row: usize, others: &[usize]) -> bool {
         let holonomic = self.positions.len();
         row < holonomic

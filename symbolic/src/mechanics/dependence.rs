@@ -99,7 +99,7 @@ impl<'a> Rows<'a> {
         })
     }
 
-    /// The first of some rows that fulfil a condition which all of them together fulfil: what can be left out is left out.
+    /// A minimal subset of rows that fulfils a condition which all of them together fulfil. Earlier rows are preferred.
     pub(super) fn fewest(rows: &[usize], fulfil: impl Fn(&[usize]) -> bool) -> Vec<usize> {
         let mut fewest = rows.to_vec();
         for left_out in rows.iter().rev() {

@@ -22,7 +22,7 @@ pub(crate) struct LagrangeTerms {
 }
 
 impl LagrangeTerms {
-    /// The same, derived from the expanded L where that costs less.
+    /// The cheaper of these terms and the terms of the expanded L.
     pub(crate) fn cheapest(
         self,
         model: &mut Model,
@@ -40,7 +40,7 @@ impl LagrangeTerms {
         }
     }
 
-    /// The same, derived from the expanded L; none for an L that is not quadratic in the velocities.
+    /// These terms, derived from the expanded L; `None` if L is not quadratic in the velocities.
     fn expanded(
         &self,
         model: &mut Model,

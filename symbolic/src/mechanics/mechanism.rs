@@ -75,8 +75,8 @@ impl Mechanism {
         self
     }
 
-    /// The same mechanism, in which the axes of wheels do not turn with them: of links without others behind them that
-    /// are symmetric about the axes about which they turn. No angle of a wheel is then left in the equations.
+    /// Lets wheels keep the axes of the link before them. A wheel is a last link that is symmetric about the axis about which it
+    /// turns; its angle is then in no equation.
     pub(crate) fn with_spins(mut self, graph: &Graph) -> Self {
         for i in 0..self.links.len() {
             let mut others = self.links.iter();

@@ -222,6 +222,33 @@ fn what_parameters_do_not_change_is_a_defect() {
         ]
     };
     assert_eq!(defect(2, rod), dependent(&[0], false));
+    // A square of a function that is itself surplus.
+    let product_and_square = |d: &Draft| {
+        let [x, y] = d.qs();
+        let product = x * y;
+        let rest = [product - d.p(0), product.squared() - d.p(1)];
+        [x, y].into_iter().chain(rest).map(holonomic).collect()
+    };
+    let of_product = ConstraintDefect::Dependent {
+        constraint: 3,
+        others: vec![2],
+        contradicts: false,
+    };
+    assert_eq!(defect(2, product_and_square), of_product);
+    // Twice a constraint that is itself surplus.
+    let twice = |d: &Draft| {
+        let [x, angle] = d.qs();
+        let points = (0..3).map(|k| x + d.p(k) * angle.cos() - d.p(3 + k));
+        let mut points: Vec<_> = points.collect();
+        points.push(points[2] + points[2]);
+        points.into_iter().map(holonomic).collect()
+    };
+    let of_point = ConstraintDefect::Dependent {
+        constraint: 3,
+        others: vec![2],
+        contradicts: false,
+    };
+    assert_eq!(defect(2, twice), of_point);
     // A number of which no parameter is a function.
     let apart = |d: &Draft| {
         let [x, y] = d.qs();
@@ -289,7 +316,7 @@ fn relations_of_velocities_that_can_be_integrated_are_known() {
 }
 
 /// Three constraints of two coordinates with constant gradients, of which the third is the sum of the others, and of two angles without
-/// mass. The third has no pivot before an angle is eliminated; that what is there vanishes is seen by no normal form.
+/// mass. The third has no pivot before an angle is eliminated: the entry vanishes identically, which no normal form shows.
 #[test]
 fn constraints_that_depend_on_each_other_in_some_coordinates_are_solved_for() {
     let mut model = with_masses(2, 4, |d| {

@@ -184,14 +184,18 @@ fn hinges_share_a_load_by_the_pseudo_inverse() {
         let error = (found - expected).amax() / expected.amax();
         println!("{error:.1e} of {:.3e}", expected.norm());
         assert!(error < 1e-12);
-        // In lanes they are the same.
+        // Each lane has the multipliers of its own state.
+        let beside = at([psi + 0.4, 0.3]);
+        let pair = |x: f64, y: f64| Lanes([x, y]);
         let lanes = State::new(
             Lanes::<2>::from_f64(0.0),
-            state.q.map(Lanes::from_f64),
-            state.v.map(Lanes::from_f64),
+            beside.q.zip_map(&state.q, pair),
+            beside.v.zip_map(&state.v, pair),
         );
         let both = door.multipliers(&lanes);
-        assert!((0..15).all(|j| both[j].in_lane(1).to_bits() == found[j].to_bits()));
+        for (lane, alone) in [door.multipliers(&beside), found].iter().enumerate() {
+            assert!((0..15).all(|j| both[j].in_lane(lane).to_bits() == alone[j].to_bits()));
+        }
     }
 }
 

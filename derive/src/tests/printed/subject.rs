@@ -103,8 +103,8 @@ impl Values {
         Some((accelerations, multipliers))
     }
 
-    /// The velocities nearest to these that the constraints allow, at which energies and momenta are constant; none where
-    /// gradients depend on each other.
+    /// The velocities nearest to these that the constraints allow. Printed constants of motion hold only at such velocities. `None`
+    /// if gradients depend on each other.
     fn allowed(&self, velocities: &[f64]) -> Option<Vec<f64>> {
         let n = velocities.len();
         let gradients: Vec<&[f64]> = self.jacobian.chunks(n.max(1)).collect();

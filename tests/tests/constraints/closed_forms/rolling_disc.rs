@@ -199,7 +199,8 @@ fn ten_turns_by_taylor() {
     let problem = Problem::new(&disc, circle.start(&disc)).save(Every(end / 100.0));
     let motion = problem.solve(end, Taylor::new()).expect("a motion");
     circle.compare(&disc, motion.samples());
-    // With the sine of the spin in the equations, which turns ten times as fast as the disc precesses, they are three times as many.
+    // The disc spins ten times as fast as it precesses. If the sine of its spin is left in the equations, there are three times as
+    // many steps.
     let steps = motion.statistics.steps;
     assert!(steps < 100, "{steps} steps");
 }
