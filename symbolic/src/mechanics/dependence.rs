@@ -11,7 +11,56 @@ use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::row_echelon::RowEchelon;
 use crate::limits::MODULAR_ATTEMPTS;
+use crate::mechanics::constraints::ConstraintEquations;
 use crate::{Expression, Graph};
+
+impl ConstraintEquations {
+    /// The constraints from which a dependent one follows, or which it contradicts; `None` if it is surplus.
+    ///
+    /// A dependence is an error in three cases: among nonholonomic constraints alone, which hold at all configurations; with constant
+    /// coefficients, unless the parameters decide whether the constraints agree; and on one other constraint, if the two are
+    /// functions of one another.
+    pub(super) fn origin(&self, graph: &Graph, rows: &Rows<'_>, row: usize) -> Option<Vec<usize>> {
+        let before: Vec<_> = (0..row).collect();
+        let nonholonomic: Vec<_> = (self.positions.len()..row).collect();
+        let depends = |others: &[usize]| rows.depends(row, others);
+        let depends_constantly = |others: &[usize]| rows.depends_constantly(row, others);
+        if depends(&nonholonomic) {
+            return Some(Rows::fewest(&nonholonomic, depends));
+        }
+        let by_numbers = |others: &[usize]| rows.depends_by_numbers(row, others);
+        if by_numbers(&before) {
+            return Some(Rows::fewest(&before, by_numbers));
+        }
+        if depends_constantly(&before) {
+            let others = Rows::fewest(&before, depends_constantly);
+            return (!self.is_open(graph, row, &others)).then_some(others);
+        }
+        // Of one coordinate, either gradient may vanish where both constraints hold.
+        let other = before.iter().copied().find(|other| depends(&[*other]))?;
+        (!rows.span_one_space(&[other])).then(|| vec![other])
+    }
+
+    /// Whether parameters decide if a constraint agrees with others: the gradient of the holonomic constraint is a combination of
+    /// their gradients with coefficients that contain only parameters, but the constraint itself is no such combination.
+    fn is_open(&self, graph: &Graph, row: usize, others: &[usize]) -> bool {
+        let holonomic = self.positions.len();
+        row < holonomic
+            && self
+                .rows_with(graph, &self.velocities)
+                .depends_constantly(row, others)
+            && !self
+                .rows_with(graph, &self.positions)
+                .depends_constantly(row, others)
+    }
+
+    /// The first rows of G, each with a further value.
+    pub(super) fn rows_with<'a>(&self, graph: &'a Graph, values: &[Expression]) -> Rows<'a> {
+        let rows = self.jacobian.iter().zip(values);
+        let rows = rows.map(|(row, value)| [row, &[*value][..]].concat());
+        Rows::new(graph, &rows.collect::<Vec<_>>())
+    }
+}
 
 /// Rows of expressions, and their values at random points.
 pub(super) struct Rows<'a> {

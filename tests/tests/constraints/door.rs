@@ -38,12 +38,12 @@ struct Door {
     taylor,
     coordinates(psi, theta, phi),
     define(turn = rotation_zyx(psi, theta, phi)),
-    body(leaf = (turn, turn * center)),
+    body(body = (turn, turn * center)),
     gravity = [g * sin(lean), 0.0, -g * cos(lean)],
     constraint(point[k] = turn * pins[k] - eyes[k] for k in 0..2),
 )]
 struct Leaf {
-    leaf: RigidBody,
+    body: RigidBody,
     center: Vector3<f64>,
     pins: [Vector3<f64>; 2],
     eyes: [Vector3<f64>; 2],
@@ -233,7 +233,7 @@ fn six_constraints_of_three_angles_leave_one_of_them_free() -> Result<(), Integr
     let Pendulum { g, lean, .. } = PENDULUM;
     let points = [HEIGHTS[0], HEIGHTS[2]].map(|height| Vector3::new(0.0, 0.0, height));
     let leaf = Leaf {
-        leaf: leaf(),
+        body: leaf(),
         center: Vector3::new(WIDTH, 0.0, 0.0),
         pins: points,
         eyes: points,
