@@ -36,7 +36,12 @@ macro_rules! trains {
                 let pull = core::array::from_fn(|i| 3.0e5 + 0.7 * number(i));
                 let (heavy, light, l) = (1.0e6, 1.0e-6, 0.7);
                 let train = Self { heavy, light, pull, l };
-                let q = core::array::from_fn(|i| l * (i % $bodies) as f64 + if i < $bodies { 0.0 } else { l });
+                let mut q = [0.0; N];
+                let mut place = 0.0;
+                for i in 0..$bodies {
+                    (q[i], q[$bodies + i]) = (place, place + l);
+                    place += l;
+                }
                 let start = State::new(0.0, q, [0.3; N]);
                 let bodies = f64::from($bodies);
                 let expected = pull.iter().sum::<f64>() / (bodies * heavy + bodies * light);
@@ -59,11 +64,12 @@ macro_rules! trains {
     };
 }
 
-trains!(One, 1, 0);
+trains!(Two, 2, 1);
 trains!(Six, 6, 5);
 
 /// A slide that is driven along an arm that turns at a given rate, against a strong spring.
 #[derive(Clone, Debug, Lagrangian)]
+#[allow(deprecated, reason = "a drive that is declared by its velocity")]
 #[lagrangian(
     coordinates(phi, r),
     kinetic = 0.5 * m * (dot(r).powi(2) + (r * dot(phi)).powi(2)) + 0.5 * j * dot(phi).powi(2),
@@ -81,13 +87,13 @@ struct Slide {
 }
 
 #[test]
-fn a_light_hook_keeps_its_distance() {
-    One::check::<2, 1>();
+fn two_light_hooks_keep_their_distances() {
+    Two::check::<4, 3>();
 }
 
 /// As many bodies as are solved for numerically.
 #[test]
-fn light_hooks_keep_their_distances() {
+fn six_light_hooks_keep_their_distances() {
     Six::check::<12, 11>();
 }
 
