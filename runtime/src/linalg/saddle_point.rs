@@ -177,14 +177,6 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
         }
     }
 
-    /// Returns 1 for each constraint that depends on others, as far as the factorization with pivoting tells, and 0 for the others.
-    pub(crate) fn dependent(&self) -> SVector<S, C> {
-        match &self.rows {
-            None => SVector::zeros(),
-            Some(rows) => rows.dependent.map(|x| x.masked(S::one() - self.ldlt)),
-        }
-    }
-
     /// Returns the number of independent constraints.
     #[must_use]
     pub fn rank(&self) -> S {

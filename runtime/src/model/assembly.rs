@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::assembly_error::{AssemblyError, OpenConstraints};
 use super::constraints::Constraints;
 use super::phase::Phase;
-use super::saddle_point::{rounding_errors_at, row_size};
+use super::saddle_point::{rounding_errors, row_size, sizes_in_metric};
 use super::state::State;
 use crate::limits::assembly::{
     LEAST_DAMPING, MAX_ITERATIONS, SUFFICIENT_DECREASE, VELOCITY_SWEEPS, max_residual,
@@ -186,8 +186,8 @@ where
         level: Level,
     ) -> Option<OpenConstraints> {
         let jacobian = self.model.constraint_jacobian(state, prepared);
-        let [of_positions, of_velocities] =
-            rounding_errors_at(self.model, state, prepared, &jacobian);
+        let sizes = sizes_in_metric(self.model, state, prepared, &state.x);
+        let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
         let (of, rounding) = match level {
             Level::Positions => (&state.q, of_positions),
             Level::Velocities => (&state.v, of_velocities),
@@ -198,7 +198,7 @@ where
             let size = row_size(&jacobian, j, of);
             let residual = residuals[j].abs();
             let tolerance = S::from_f64(max_residual::<S>());
-            let allowed = (tolerance * size.max(tolerance)).max(rounding[j]);
+            let allowed = (tolerance * size.max(tolerance)).max(rounding);
             let is_open = greater(residual, allowed).largest() > 0.0;
             if is_open || residual.largest().is_nan() {
                 open.add(j, residual.largest());

@@ -12,7 +12,7 @@ use crate::limits::projection::{
 };
 pub use crate::linalg::SaddlePoint;
 use crate::linalg::lane_select::{from_index, greater, is_zero, one_if_zero, square_root};
-use crate::linalg::{RowSpace, smallest_sine};
+use crate::linalg::smallest_sine;
 use crate::scalar::Scalar;
 
 /// Returns the accelerations and the multipliers.
@@ -168,29 +168,25 @@ pub(super) fn row_size<S: Scalar, const N: usize, const C: usize>(
     })
 }
 
-/// Returns the residuals that rounding may leave in dependent constraints, at coordinates or velocities of these sizes.
+/// Returns the residual that rounding may leave in any constraint, at coordinates or velocities of these sizes.
 ///
 /// The terms of one constraint in the coordinates may vanish where terms without them cancel. If it depends on others, which
 /// determine the coordinates, it keeps the rounding errors of these terms.
 fn rounding_error<S: Scalar, const N: usize, const C: usize>(
     jacobian: &SMatrix<S, C, N>,
     sizes: &SVector<S, N>,
-    dependent: &SVector<S, C>,
-) -> SVector<S, C> {
+) -> S {
     let largest = (0..C).fold(S::zero(), |largest, j| {
         largest.max(row_size(jacobian, j, sizes))
     });
-    let error = largest * S::from_f64(ROUNDED_EPSILONS * S::machine_epsilon());
-    dependent.map(|is_dependent| error.masked(is_dependent))
+    largest * S::from_f64(ROUNDED_EPSILONS * S::machine_epsilon())
 }
 
-/// Returns the residuals that rounding may leave in constraints of coordinates and of velocities, where `dependent` is 1 for
-/// constraints that depend on others; zeros for the independent ones.
+/// Returns the residuals that rounding may leave in any constraint of coordinates, and in any of velocities.
 pub(super) fn rounding_errors<M, S, const N: usize, const C: usize>(
     jacobian: &SMatrix<S, C, N>,
     sizes: &Phase<S, N>,
-    dependent: &SVector<S, C>,
-) -> [SVector<S, C>; 2]
+) -> [S; 2]
 where
     M: Constraints<N, C, S> + ?Sized,
     S: Scalar,
@@ -204,25 +200,9 @@ where
         }
     });
     [
-        rounding_error(jacobian, &positions, dependent),
-        rounding_error(jacobian, &sizes.v, dependent),
+        rounding_error(jacobian, &positions),
+        rounding_error(jacobian, &sizes.v),
     ]
-}
-
-/// Returns the residuals that rounding may leave in constraints of coordinates and of velocities at a state.
-pub(super) fn rounding_errors_at<M, S, const N: usize, const C: usize>(
-    model: &M,
-    state: &State<S, N>,
-    prepared: &M::Prepared,
-    jacobian: &SMatrix<S, C, N>,
-) -> [SVector<S, C>; 2]
-where
-    M: Constraints<N, C, S> + ?Sized,
-    S: Scalar,
-{
-    let mass = model.mass_matrix(state, prepared);
-    let dependent = RowSpace::of(jacobian, &mass.diagonal()).dependent;
-    rounding_errors::<M, S, N, C>(jacobian, &phase_in_metric(&mass, &state.x), &dependent)
 }
 
 /// Returns the constraint with the largest residual relative to its terms, or the first whose residual is NaN, and the residual.
@@ -236,7 +216,8 @@ where
     S: Scalar,
 {
     let jacobian = model.constraint_jacobian(state, prepared);
-    let [of_positions, of_velocities] = rounding_errors_at(model, state, prepared, &jacobian);
+    let sizes = sizes_in_metric(model, state, prepared, &state.x);
+    let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
     let residuals = [
         (
             model.constraint_positions(state, prepared),
@@ -257,7 +238,7 @@ where
             if ratio.largest().is_nan() {
                 return Some((j, residuals[j]));
             }
-            let exceeds = greater(residuals[j].abs(), rounding[j]);
+            let exceeds = greater(residuals[j].abs(), rounding);
             let ratio = ratio.masked(exceeds).largest();
             if ratio > max_residual::<S>() && most.is_none_or(|(.., other)| ratio > other) {
                 most = Some((j, residuals[j], ratio));
@@ -405,14 +386,12 @@ where
     let sizes = phase_in_metric(&mass, &projected.x);
     let mut projection = Projection::new(projected.x).with_sizes(sizes);
     let tolerance = S::from_f64(max_residual::<S>());
-    let dependent = factors.dependent();
-    let [of_positions, of_velocities] =
-        rounding_errors::<M, S, N, C>(&jacobian, &sizes, &dependent);
+    let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
     for j in 0..C {
         let position_size = before[j].abs() + row_size(&jacobian, j, &projected.q);
         let velocity_size = before_velocities[j].abs() + row_size(&jacobian, j, &projected.v);
-        let positions_allowed = (position_size * tolerance).max(of_positions[j]);
-        let velocities_allowed = (velocity_size * tolerance).max(of_velocities[j]);
+        let positions_allowed = (position_size * tolerance).max(of_positions);
+        let velocities_allowed = (velocity_size * tolerance).max(of_velocities);
         projection = projection
             .checked(j, positions[j], positions_allowed)
             .checked(j, velocities[j], velocities_allowed);
