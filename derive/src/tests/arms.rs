@@ -22,7 +22,7 @@ use bodies::arm_of_bodies;
 pub(super) use declarations::arm;
 use declarations::parallel_joints;
 use kane::{Arm, Numbers, solve};
-use mechanisms::others;
+use mechanisms::{others, wheels};
 use spellings::spellings;
 
 /// Additions, multiplications and divisions.
@@ -251,6 +251,30 @@ fn mechanisms_of_other_kinds() {
         ("rotors", 498),
         ("many rotors", 2218),
         ("Denavit and Hartenberg", 1447),
+        ("wheels", 805),
     ];
     assert_eq!(found, expected);
+}
+
+#[test]
+fn angles_of_wheels_are_in_no_equation() {
+    let Derived {
+        mut model,
+        equations,
+        ..
+    } = derive(wheels());
+    let kinetics = Kinetics::cheapest(&mut model, &equations);
+    let written = model.graph.symbols(&equations.inverse_dynamics);
+    let solution = kinetics.solution.unwrap();
+    let roots = [
+        kinetics.forcing,
+        kinetics.inverse_dynamics,
+        solution.accelerations,
+    ];
+    let left = model.graph.symbols(&roots.concat());
+    for wheel in [7, 8] {
+        let angle = Symbol::Coordinate(wheel);
+        assert!(equations.coordinate_properties.ignorable[wheel as usize]);
+        assert!(written.contains(&angle) && !left.contains(&angle));
+    }
 }

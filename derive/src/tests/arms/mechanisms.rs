@@ -16,6 +16,7 @@ pub(super) fn others() -> Vec<(&'static str, TokenStream)> {
         ("rotors", rotors(4)),
         ("many rotors", rotors(9)),
         ("Denavit and Hartenberg", table(6)),
+        ("wheels", wheels()),
     ]
 }
 
@@ -317,6 +318,36 @@ fn table(links: usize) -> TokenStream {
             twist: [f64; #links],
             center: [Vector3<f64>; #links],
             inertia: [Matrix3<f64>; #links],
+            g: f64,
+        }
+    }
+}
+
+/// A bicycle in the air: a frame, and a fork that is steered, each with a wheel. The last two angles are those of the wheels.
+pub(super) fn wheels() -> TokenStream {
+    quote! {
+        #[lagrangian(
+            coordinates(x: Vector3, yaw, roll, pitch, steer, rear, front),
+            define(
+                frame = rotation_z(yaw) * rotation_x(roll) * rotation_y(pitch),
+                fork = frame * rotation_y(rake) * rotation_z(steer),
+                hub = x + frame * base,
+            ),
+            body(
+                rider = (frame, x),
+                handlebar = (fork, hub),
+                wheels[0] = (frame * rotation_x(quarter) * rotation_z(rear), x),
+                wheels[1] = (fork * rotation_x(quarter) * rotation_z(front), hub),
+            ),
+            gravity = [0.0, 0.0, -g],
+        )]
+        struct Bicycle {
+            rider: RigidBody,
+            handlebar: RigidBody,
+            wheels: [SymmetricBody; 2],
+            base: Vector3<f64>,
+            rake: f64,
+            quarter: f64,
             g: f64,
         }
     }

@@ -142,6 +142,14 @@ fn container(parts: &Parts) -> Option<Value> {
             }
         }
     }
+    // A symmetric body has I₁ about both axes across.
+    let is_given = |axis: usize| {
+        let mut places = parts.iter();
+        places.any(|(place, _)| matches!(place, Place::Entry(i, j) if (*i, *j) == (axis, axis)))
+    };
+    if is_given(0) && !is_given(1) {
+        rows[1][1] = rows[0][0];
+    }
     match (rows.is_empty(), next.is_empty()) {
         (true, false) => Some(Value::Vector(next)),
         (false, true) => Some(Value::Matrix(rows)),
