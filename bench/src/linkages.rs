@@ -11,6 +11,12 @@ use crate::flags::Flags;
 use crate::folders::Folders;
 use crate::verdict::{Verdict, judge};
 
+/// The program: linkages that the tests declare, and what is measured.
+const SOURCE: [&str; 2] = [
+    "tests/tests/constraints/four_bars.rs",
+    "bench/models/linkages.rs",
+];
+
 /// The lengths of the first step, and those with `--quick`.
 const FIRST_STEPS: [&str; 2] = ["20", "2"];
 
@@ -20,8 +26,11 @@ const LIMITS: [f64; 2] = [1.0, 10.0];
 /// Measures, prints, and is an error where a limit is missed.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let folders = Folders::new()?;
-    let source = folders.workspace.join("bench/models/linkages.rs");
-    let source = fs::read_to_string(source).map_err(|error| error.to_string())?;
+    let mut source = String::new();
+    for part in SOURCE {
+        let path = folders.workspace.join(part);
+        source += &fs::read_to_string(path).map_err(|error| error.to_string())?;
+    }
     let built = build_source(&folders, "linkages", &source, Flags::Native)?;
     let first_steps = FIRST_STEPS[usize::from(arguments.quick)];
     let lines = output(Command::new(built.program()).arg(first_steps))?;

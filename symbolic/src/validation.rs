@@ -21,6 +21,7 @@ mod programs;
 mod requested_check;
 mod recurrence_tape;
 mod reduction_check;
+mod reference;
 mod series_check;
 mod value_series_check;
 mod square_matrix;

@@ -217,17 +217,17 @@ impl<const STAGES: usize> RungeKutta<STAGES> {
             });
             (h, self.sum(&derivatives, h), clearance)
         };
-        let mut best = attempt(h);
+        let (mut length, mut increment, mut clearance) = attempt(h);
         for h in passing::lengths(h, remaining).skip(1) {
-            if best.2.is_sufficient() {
+            if clearance.is_sufficient() {
                 break;
             }
             let next = attempt(h);
-            if next.2.is_larger_than(best.2) {
-                best = next;
+            if next.2.is_larger_than(clearance) {
+                (length, increment, clearance) = next;
             }
         }
-        (best.0, best.1)
+        (length, increment)
     }
 }
 

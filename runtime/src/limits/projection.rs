@@ -20,8 +20,8 @@ pub(crate) fn max_residual<S: crate::Scalar>() -> f64 {
     libm::sqrt(S::machine_epsilon())
 }
 
-/// The residual that rounding may leave in a constraint, in machine epsilons of the largest terms of all constraints. By judgement:
-/// a few for each rotation in a chain.
+/// The residual that rounding may leave in a constraint, in machine epsilons of its terms at some state. By judgement: a few for
+/// each rotation in a chain.
 pub(crate) const ROUNDED_EPSILONS: f64 = 64.0;
 
 /// The largest move of the end of a step by a projection, in allowed errors. By judgement: an estimate of the error

@@ -187,7 +187,7 @@ where
     ) -> Option<OpenConstraints> {
         let jacobian = self.model.constraint_jacobian(state, prepared);
         let sizes = sizes_in_metric(self.model, state, prepared, &state.x);
-        let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
+        let [of_positions, of_velocities] = rounding_errors(self.model, state, prepared, &sizes);
         let (of, rounding) = match level {
             Level::Positions => (&state.q, of_positions),
             Level::Velocities => (&state.v, of_velocities),
@@ -198,7 +198,7 @@ where
             let size = row_size(&jacobian, j, of);
             let residual = residuals[j].abs();
             let tolerance = S::from_f64(max_residual::<S>());
-            let allowed = (tolerance * size.max(tolerance)).max(rounding);
+            let allowed = (tolerance * size.max(tolerance)).max(rounding[j]);
             let is_open = greater(residual, allowed).largest() > 0.0;
             if is_open || residual.largest().is_nan() {
                 open.add(j, residual.largest());

@@ -98,12 +98,8 @@ pub fn fix_rank<M, S, const N: usize, const C: usize, const K: usize>(
     let factors = at_state::<M, S, N, C, K>(model, state, prepared);
     let mut found = factors.rank();
     if found.smallest() < from_index::<S>(C).smallest() {
-        // Parts without symmetry, which the constraints allow at this state.
-        let mut part = 1.0;
-        let free = SVector::<S, N>::from_fn(|i, _| {
-            part = (part + 0.618_033_988_749_894_9) % 1.0;
-            (state.q[i].abs() + S::one()) * S::from_f64(NEARBY * (part - 0.5))
-        });
+        // A change that the constraints allow at this state.
+        let free = without_symmetry(&state.q) * S::from_f64(NEARBY);
         let jacobian = model.constraint_jacobian(state, prepared);
         let residuals = SVector::<S, C>::from_fn(|j, _| {
             (0..N).fold(S::zero(), |sum, i| sum + jacobian[(j, i)] * free[i])
@@ -168,30 +164,31 @@ pub(super) fn row_size<S: Scalar, const N: usize, const C: usize>(
     })
 }
 
-/// Returns the residual that rounding may leave in any constraint, at coordinates or velocities of these sizes.
+/// Returns the residuals that rounding may leave in each constraint of coordinates, and of velocities, which have these sizes.
 ///
-/// The terms of one constraint in the coordinates may vanish where terms without them cancel. If it depends on others, which
-/// determine the coordinates, it keeps the rounding errors of these terms.
-fn rounding_error<S: Scalar, const N: usize, const C: usize>(
-    jacobian: &SMatrix<S, C, N>,
-    sizes: &SVector<S, N>,
-) -> S {
-    let largest = (0..C).fold(S::zero(), |largest, j| {
-        largest.max(row_size(jacobian, j, sizes))
-    });
-    largest * S::from_f64(ROUNDED_EPSILONS * S::machine_epsilon())
-}
-
-/// Returns the residuals that rounding may leave in any constraint of coordinates, and in any of velocities.
+/// The terms of a constraint in the coordinates may vanish at a state where terms without them cancel. Its rounding errors are
+/// in proportion to the terms that it has elsewhere.
+#[cold]
+#[inline(never)]
 pub(super) fn rounding_errors<M, S, const N: usize, const C: usize>(
-    jacobian: &SMatrix<S, C, N>,
+    model: &M,
+    state: &State<S, N>,
+    prepared: &M::Prepared,
     sizes: &Phase<S, N>,
-) -> [S; 2]
+) -> [SVector<S, C>; 2]
 where
     M: Constraints<N, C, S> + ?Sized,
     S: Scalar,
 {
-    let positions = SVector::from_fn(|i, _| {
+    let here = model.constraint_jacobian(state, prepared);
+    let mut elsewhere = *state;
+    elsewhere.q += without_symmetry(&state.q);
+    let there = model.constraint_jacobian(&elsewhere, prepared);
+    let largest = here.zip_map(&there, |here, there| {
+        let (here, there) = (here.abs(), there.abs());
+        here + (there - here).masked(greater(there, here))
+    });
+    let positions = SVector::<S, N>::from_fn(|i, _| {
         // The functions of an angle are of order 1 whatever it is.
         if M::ANGLES[i] {
             sizes.q[i].max(S::one())
@@ -199,10 +196,17 @@ where
             sizes.q[i]
         }
     });
-    [
-        rounding_error(jacobian, &positions),
-        rounding_error(jacobian, &sizes.v),
-    ]
+    let unit = S::from_f64(ROUNDED_EPSILONS * S::machine_epsilon());
+    [positions, sizes.v].map(|sizes| SVector::from_fn(|j, _| row_size(&largest, j, &sizes) * unit))
+}
+
+/// Returns a change of coordinates by parts of their size, or of 1, between −½ and ½ and without symmetry.
+fn without_symmetry<S: Scalar, const N: usize>(q: &SVector<S, N>) -> SVector<S, N> {
+    let mut part = 1.0;
+    q.map(|x| {
+        part = (part + 0.618_033_988_749_894_9) % 1.0;
+        (x.abs() + S::one()) * S::from_f64(part - 0.5)
+    })
 }
 
 /// Returns the constraint with the largest residual relative to its terms, or the first whose residual is NaN, and the residual.
@@ -217,7 +221,7 @@ where
 {
     let jacobian = model.constraint_jacobian(state, prepared);
     let sizes = sizes_in_metric(model, state, prepared, &state.x);
-    let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
+    let [of_positions, of_velocities] = rounding_errors(model, state, prepared, &sizes);
     let residuals = [
         (
             model.constraint_positions(state, prepared),
@@ -238,7 +242,7 @@ where
             if ratio.largest().is_nan() {
                 return Some((j, residuals[j]));
             }
-            let exceeds = greater(residuals[j].abs(), rounding);
+            let exceeds = greater(residuals[j].abs(), rounding[j]);
             let ratio = ratio.masked(exceeds).largest();
             if ratio > max_residual::<S>() && most.is_none_or(|(.., other)| ratio > other) {
                 most = Some((j, residuals[j], ratio));
@@ -386,15 +390,30 @@ where
     let sizes = phase_in_metric(&mass, &projected.x);
     let mut projection = Projection::new(projected.x).with_sizes(sizes);
     let tolerance = S::from_f64(max_residual::<S>());
-    let [of_positions, of_velocities] = rounding_errors::<M, S, N, C>(&jacobian, &sizes);
+    let mut allowed = [
+        SVector::<S, C>::from_fn(|j, _| {
+            (before[j].abs() + row_size(&jacobian, j, &projected.q)) * tolerance
+        }),
+        SVector::<S, C>::from_fn(|j, _| {
+            (before_velocities[j].abs() + row_size(&jacobian, j, &projected.v)) * tolerance
+        }),
+    ];
+    let exceeds = |residuals: &SVector<S, C>, allowed: &SVector<S, C>| {
+        let mut pairs = residuals.iter().zip(allowed);
+        pairs.any(|(residual, allowed)| greater(residual.abs(), *allowed).largest() > 0.0)
+    };
+    if exceeds(&positions, &allowed[0]) || exceeds(&velocities, &allowed[1]) {
+        let rounding = rounding_errors(model, &projected, prepared, &sizes);
+        for (allowed, rounding) in allowed.iter_mut().zip(&rounding) {
+            *allowed = allowed.zip_map(rounding, Scalar::max);
+        }
+    }
     for j in 0..C {
-        let position_size = before[j].abs() + row_size(&jacobian, j, &projected.q);
-        let velocity_size = before_velocities[j].abs() + row_size(&jacobian, j, &projected.v);
-        let positions_allowed = (position_size * tolerance).max(of_positions);
-        let velocities_allowed = (velocity_size * tolerance).max(of_velocities);
-        projection = projection
-            .checked(j, positions[j], positions_allowed)
-            .checked(j, velocities[j], velocities_allowed);
+        projection = projection.checked(j, positions[j], allowed[0][j]).checked(
+            j,
+            velocities[j],
+            allowed[1][j],
+        );
     }
     projection
 }

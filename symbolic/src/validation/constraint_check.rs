@@ -2,7 +2,7 @@
 
 use super::linearization_check::input_balances;
 use super::programs::{ConstraintTapes, Method};
-use super::validator::Reference;
+use super::reference::Reference;
 use crate::Symbol;
 use crate::validation::comparison::Comparisons;
 use crate::validation::square_matrix::SquareMatrix;

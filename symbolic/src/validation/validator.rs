@@ -12,15 +12,14 @@ use crate::limits::{
     VALIDATION_ATTEMPTS,
 };
 use crate::validation::comparison::{Comparison, Comparisons};
-use crate::validation::lagrange::{Lagrange, Values, Variation};
-use crate::validation::linearization_check::LinearizationCheck;
+use crate::validation::lagrange::{Lagrange, Variation};
 use crate::validation::mixed_derivatives::MixedDerivatives;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::{Method, Programs, Tapes};
+use crate::validation::reference::Reference;
 use crate::validation::square_matrix::SquareMatrix;
-use crate::validation::sum_with_size::SumWithSize;
-use crate::validation::tape::{StandIns, Tape};
-use crate::{Energies, Model, Node, Symbol};
+use crate::validation::tape::StandIns;
+use crate::{Energies, Model, Node};
 
 /// Lagrange's equations of a model, the reference of all comparisons.
 pub struct Validator {
@@ -175,26 +174,8 @@ impl Validator {
         reference.compare_inverse_dynamics(tapes, &mass, &expected, &mut comparisons);
         if solved.is_some() {
             reference.compare_accelerations(tapes, &mass, &expected, &mut comparisons);
-            tapes.requested.compare_sensitivities(
-                |tape| reference.at(tape),
-                lagrange,
-                (&mass, accelerations),
-                (point, perturbation),
-                &mut comparisons,
-            );
-        } else if tapes
-            .constraints
-            .as_ref()
-            .is_some_and(|x| !x.are_independent)
-        {
-            reference.compare_system(tapes, &mass, &mut comparisons);
         } else if !uses_pivoting {
-            // Where M is singular there are none.
-            let right: Vec<f64> = expected.iter().map(|force| force.total).collect();
-            let solution = mass.solve(&right);
-            if solution.is_some_and(|x| x.iter().all(|x| x.is_finite())) {
-                comparisons.undefined(Method::Accelerations);
-            }
+            reference.compare_without_solution(tapes, mass, &expected, &mut comparisons);
         }
         comparisons.forgive_overflow(reference.values.largest);
         Some(comparisons.0)
@@ -231,204 +212,4 @@ pub(crate) fn unexplained(
     differences
         .map(|(comparison, _)| comparison.method)
         .collect()
-}
-
-/// Lagrange's equations at one point.
-pub(super) struct Reference<'a> {
-    pub(super) lagrange: &'a Lagrange,
-    pub(super) values: Values,
-    pub(super) variation: &'a Variation,
-    pub(super) accelerations: &'a [f64],
-    pub(super) point: RealPoint,
-    pub(super) perturbation: Perturbation,
-}
-
-impl Reference<'_> {
-    /// The outputs of a tape.
-    pub(super) fn at(&self, tape: &Tape) -> Vec<f64> {
-        self.evaluate(self.accelerations, tape)
-    }
-
-    /// The outputs of a tape at other accelerations.
-    fn evaluate(&self, accelerations: &[f64], tape: &Tape) -> Vec<f64> {
-        tape.evaluate(&self.value(accelerations), self.perturbation)
-    }
-
-    /// The values of symbols at other accelerations.
-    fn value(&self, accelerations: &[f64]) -> impl Fn(Symbol) -> f64 {
-        move |symbol| match symbol {
-            Symbol::Acceleration(i) => accelerations[i as usize],
-            Symbol::Variation(i) => self.variation.state[i as usize],
-            _ => self.point.value(symbol),
-        }
-    }
-
-    /// M, whose columns are what the momenta at unit velocities have more than at rest.
-    fn mass_matrix_of(&self, momenta: &Tape) -> SquareMatrix {
-        let at = |moving: Option<usize>| {
-            let value = |symbol| match symbol {
-                Symbol::Velocity(i) => f64::from(u8::from(moving == Some(i as usize))),
-                _ => self.point.value(symbol),
-            };
-            momenta.evaluate(&value, self.perturbation)
-        };
-        let at_rest = at(None);
-        let n = at_rest.len();
-        let mut elements = vec![0.0; n * n];
-        for j in 0..n {
-            for (i, (momentum, other)) in at(Some(j)).iter().zip(&at_rest).enumerate() {
-                elements[i * n + j] = momentum - other;
-            }
-        }
-        SquareMatrix::new(elements, n)
-    }
-
-    /// The energies, momenta, forces and outputs.
-    fn compare_values(&self, tapes: &Tapes, comparisons: &mut Comparisons) {
-        let values = &self.values;
-        let energy = energy(values, |symbol| self.lagrange.at(self.point, symbol));
-        comparisons.balances(Method::Energy, &self.at(&tapes.energy), &[energy]);
-        let forces = &values.generalized_forces;
-        for (method, tape, expected) in [
-            (
-                Method::Lagrangian,
-                &tapes.lagrangian,
-                &[values.lagrangian][..],
-            ),
-            (Method::Energies, &tapes.energies, &values.energies),
-            (Method::Momenta, &tapes.momenta, &values.momenta),
-            (Method::GeneralizedForces, &tapes.generalized_forces, forces),
-            (Method::Outputs, &tapes.outputs, &values.outputs),
-        ] {
-            comparisons.values(method, &self.at(tape), expected);
-        }
-        let at = |tape: &Tape| self.at(tape);
-        tapes.requested.compare_rates(at, values, comparisons);
-    }
-
-    /// f = M q̈ − (M q̈ − f).
-    fn forcing(&self, mass: &SquareMatrix) -> Vec<SumWithSize> {
-        let mut forcing = mass.times(self.accelerations);
-        for (balance, residual) in forcing.iter_mut().zip(&self.values.residuals) {
-            balance.total -= residual.total;
-            balance.size += residual.size;
-        }
-        forcing
-    }
-
-    /// M and M q̈ − f, at other accelerations.
-    fn compare_inverse_dynamics(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        forcing: &[SumWithSize],
-        comparisons: &mut Comparisons,
-    ) {
-        let velocities = &self.variation.velocities;
-        let mut residuals = mass.times(velocities);
-        comparisons.against(Method::MassMatrix, &residuals, &self.values.mass_products);
-        for (balance, force) in residuals.iter_mut().zip(forcing) {
-            balance.total -= force.total;
-            balance.size += force.size;
-        }
-        let value = self.value(velocities);
-        let found = tapes.prepared(&tapes.inverse_dynamics, value, self.perturbation);
-        comparisons.balances(Method::InverseDynamics, &found, &residuals);
-        let at = |tape: &Tape| self.evaluate(velocities, tape);
-        tapes
-            .requested
-            .compare_regressor(at, &residuals, comparisons);
-    }
-
-    /// The velocities from momenta.
-    fn compare_velocities(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        comparisons: &mut Comparisons,
-    ) {
-        let values = |symbol: fn(u32) -> Symbol| -> Vec<f64> {
-            let symbols = (0..).map(symbol).take(self.accelerations.len());
-            symbols.map(|symbol| self.point.value(symbol)).collect()
-        };
-        tapes.requested.compare_velocities(
-            |tape| self.at(tape),
-            mass,
-            (&values(Symbol::Velocity), &self.values.momenta),
-            &values(Symbol::RightHandSide),
-            comparisons,
-        );
-    }
-
-    /// The matrix and the right-hand side of a system that has no solution, as the residuals at any accelerations.
-    fn compare_system(&self, tapes: &Tapes, mass: &SquareMatrix, comparisons: &mut Comparisons) {
-        let count = self.accelerations.len();
-        let Some((matrix, forcing)) = tapes.system(self.point, count, self.perturbation) else {
-            return comparisons.undefined(Method::Accelerations);
-        };
-        let products = matrix.times(self.accelerations);
-        let residuals = products.iter().zip(&forcing);
-        let residuals: Vec<_> = residuals
-            .map(|(product, force)| product.total - force)
-            .collect();
-        comparisons.balances(Method::Accelerations, &residuals, &self.values.residuals);
-        self.compare_input_jacobian(tapes, mass, comparisons);
-    }
-
-    /// The derivatives of the accelerations and of the multipliers by the inputs.
-    fn compare_input_jacobian(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        comparisons: &mut Comparisons,
-    ) {
-        if let Some((tape, pivots)) = &tapes.input_jacobian {
-            let balances = self.input_balances(&self.at(tape), *pivots, mass);
-            comparisons.vanishing(Method::Linearization, &balances.unwrap_or_default());
-        }
-    }
-
-    /// The accelerations and their derivatives. What should vanish is M q̈ − f, where dp/dt is one number: its terms are
-    /// those of the product.
-    fn compare_accelerations(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        forcing: &[SumWithSize],
-        comparisons: &mut Comparisons,
-    ) {
-        let residuals = self.values.residuals.iter().zip(forcing);
-        let residuals = residuals.map(|(residual, force)| SumWithSize {
-            total: residual.total,
-            size: if force.size.is_finite() {
-                force.size
-            } else {
-                residual.size
-            },
-        });
-        let residuals: Vec<_> = residuals.collect();
-        comparisons.vanishing(Method::Accelerations, &residuals);
-        self.compare_input_jacobian(tapes, mass, comparisons);
-        let Some(([state, inputs], outputs)) = &tapes.linearization else {
-            return;
-        };
-        let changes = LinearizationCheck {
-            state: self.at(state),
-            inputs: self.at(inputs),
-            linearization_outputs: *outputs,
-        };
-        let variations = &self.values.variations;
-        let balances = changes.balances(mass, self.accelerations, variations, self.variation);
-        comparisons.vanishing(Method::Linearization, &balances);
-    }
-}
-
-/// The energy function Σ pᵢ q̇ᵢ − L.
-fn energy(values: &Values, value: impl Fn(Symbol) -> f64) -> SumWithSize {
-    let mut energy = SumWithSize::default();
-    energy.add(-values.lagrangian);
-    for (i, momentum) in (0..).zip(&values.momenta) {
-        energy.add(momentum * value(Symbol::Velocity(i)));
-    }
-    energy
 }

@@ -222,33 +222,6 @@ fn what_parameters_do_not_change_is_a_defect() {
         ]
     };
     assert_eq!(defect(2, rod), dependent(&[0], false));
-    // A square of a function that is itself surplus.
-    let product_and_square = |d: &Draft| {
-        let [x, y] = d.qs();
-        let product = x * y;
-        let rest = [product - d.p(0), product.squared() - d.p(1)];
-        [x, y].into_iter().chain(rest).map(holonomic).collect()
-    };
-    let of_product = ConstraintDefect::Dependent {
-        constraint: 3,
-        others: vec![2],
-        contradicts: false,
-    };
-    assert_eq!(defect(2, product_and_square), of_product);
-    // Twice a constraint that is itself surplus.
-    let twice = |d: &Draft| {
-        let [x, angle] = d.qs();
-        let points = (0..3).map(|k| x + d.p(k) * angle.cos() - d.p(3 + k));
-        let mut points: Vec<_> = points.collect();
-        points.push(points[2] + points[2]);
-        points.into_iter().map(holonomic).collect()
-    };
-    let of_point = ConstraintDefect::Dependent {
-        constraint: 3,
-        others: vec![2],
-        contradicts: false,
-    };
-    assert_eq!(defect(2, twice), of_point);
     // A number of which no parameter is a function.
     let apart = |d: &Draft| {
         let [x, y] = d.qs();
@@ -265,6 +238,32 @@ fn what_parameters_do_not_change_is_a_defect() {
         ]
     };
     assert_eq!(defect(2, velocities), dependent(&[0, 1], false));
+}
+
+#[test]
+fn what_follows_from_a_surplus_constraint_is_a_defect() {
+    let expected = ConstraintDefect::Dependent {
+        constraint: 3,
+        others: vec![2],
+        contradicts: false,
+    };
+    // A square of a function that is itself surplus.
+    let product_and_square = |d: &Draft| {
+        let [x, y] = d.qs();
+        let product = x * y;
+        let rest = [product - d.p(0), product.squared() - d.p(1)];
+        [x, y].into_iter().chain(rest).map(holonomic).collect()
+    };
+    assert_eq!(defect(2, product_and_square), expected);
+    // Twice a constraint that is itself surplus.
+    let twice = |d: &Draft| {
+        let [x, angle] = d.qs();
+        let points = (0..3).map(|k| x + d.p(k) * angle.cos() - d.p(3 + k));
+        let mut points: Vec<_> = points.collect();
+        points.push(points[2] + points[2]);
+        points.into_iter().map(holonomic).collect()
+    };
+    assert_eq!(defect(2, twice), expected);
 }
 
 #[test]

@@ -137,3 +137,32 @@ fn a_residual_without_a_value_is_the_one_that_is_named() {
     assert_eq!(constraint, "growth");
     assert!(residual.is_nan());
 }
+
+/// Two bodies on springs, held by constraints of which one is in large units.
+#[derive(Clone, Lagrangian)]
+#[lagrangian(
+    coordinates(x, y),
+    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
+    potential = 0.5 * m * (x.powi(2) + y.powi(2)),
+    constraint(wall = 1e9 * (y - 1.0), post = x - 2.0),
+)]
+struct Held {
+    m: f64,
+}
+
+#[test]
+fn the_unit_of_one_constraint_leaves_others_as_they_are() {
+    let start = State::new(0.0, [2.0 + 1e-6, 1.0], [0.0; 2]);
+    let failed = Problem::new(&Held { m: 1.0 }, start).solve(1.0, Dop853::new());
+    let error = failed.expect_err("the post is elsewhere").error();
+    let IntegrationError::Inconsistent {
+        constraint,
+        residual,
+        ..
+    } = error
+    else {
+        panic!("{error}");
+    };
+    assert_eq!(constraint, "post");
+    assert!((residual - 1e-6).abs() < 1e-15, "{residual}");
+}

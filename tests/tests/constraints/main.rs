@@ -3,6 +3,7 @@
 mod closed_forms;
 mod consistency;
 mod door;
+mod four_bars;
 mod freedom;
 mod junctions;
 mod light_bodies;

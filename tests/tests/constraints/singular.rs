@@ -1,84 +1,8 @@
 //! Motions through singular configurations: four-bar linkages of equal lengths, which are flat twice in a turn.
-//!
-//! This is the benchmark A02, "N-four-bar", of the `IFToMM` library of computational benchmark problems. As long as all cranks are
-//! parallel, the linkages move as one pendulum.
 
 use lagrangian::prelude::*;
 
-/// Linkages of uniform rods in Cartesian coordinates: cranks about the points (i l, 0), whose ends couplers connect.
-macro_rules! four_bars {
-    ($name:ident, $cranks:literal, $couplers:literal) => {
-        #[derive(Clone, Lagrangian)]
-        #[lagrangian(
-            coordinates(x[$cranks], y[$cranks]),
-            kinetic = (0..$cranks).map(|i| m / 6.0 * (dot(x[i]).powi(2) + dot(y[i]).powi(2))).sum()
-                + (0..$couplers).map(|i| m / 6.0 * (dot(x[i]).powi(2) + dot(y[i]).powi(2)
-                    + dot(x[i + 1]).powi(2) + dot(y[i + 1]).powi(2)
-                    + dot(x[i]) * dot(x[i + 1]) + dot(y[i]) * dot(y[i + 1]))).sum(),
-            potential = m * g * ((0..$cranks).map(|i| y[i] / 2.0).sum()
-                + (0..$couplers).map(|i| (y[i] + y[i + 1]) / 2.0).sum()),
-            constraint(
-                crank[i] = (x[i] - i * l).powi(2) + y[i].powi(2) - l.powi(2) for i in 0..$cranks,
-                coupler[i] = (x[i + 1] - x[i]).powi(2) + (y[i + 1] - y[i]).powi(2) - coupler.powi(2)
-                    for i in 0..$couplers,
-            ),
-            taylor,
-        )]
-        struct $name {
-            m: f64,
-            g: f64,
-            l: f64,
-            coupler: f64,
-        }
-
-        impl $name {
-            const NEW: Self = Self {
-                m: 1.0,
-                g: 9.81,
-                l: 1.0,
-                coupler: 1.0,
-            };
-        }
-    };
-}
-
-four_bars!(OneFourBar, 2, 1);
-four_bars!(TwoFourBars, 3, 2);
-
-/// The linkages as one pendulum, by the angle from the upright.
-#[derive(Clone, Lagrangian)]
-#[lagrangian(
-    coordinates(theta),
-    kinetic = 0.5 * inertia * dot(theta).powi(2),
-    potential = weight * cos(theta),
-    taylor,
-)]
-struct Pendulum {
-    inertia: f64,
-    weight: f64,
-}
-
-/// Returns the end of the first crank of some linkages after a time, which begin upright at this velocity.
-fn expected(linkages: f64, velocity: f64, time: f64) -> f64 {
-    let pendulum = Pendulum {
-        inertia: (linkages + 1.0) / 3.0 + linkages,
-        weight: 9.81 * (1.5 * linkages + 0.5),
-    };
-    let start = State::new(0.0, [0.0], [velocity]);
-    let end = Problem::new(&pendulum, start).solve(time, Taylor::new());
-    end.unwrap().q[0].sin()
-}
-
-/// Returns the upright state of `K` cranks at this velocity.
-fn upright<const K: usize, const N: usize>(velocity: f64) -> State<f64, N> {
-    let mut state = State::new(0.0, [0.0; N], [0.0; N]);
-    for i in 0..K {
-        state.q[i] = f64::from(u32::try_from(i).unwrap());
-        state.q[K + i] = 1.0;
-        state.v[i] = velocity;
-    }
-    state
-}
+use crate::four_bars::{OneFourBar, TwoFourBars, expected, upright};
 
 const END: f64 = 10.0;
 /// Behind two flat configurations.

@@ -246,7 +246,8 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized> Advance<S
             let stalls = control.stalls(h, remaining);
             if !stalls && control.accepts(&attempt, h.abs()) {
                 let landing = (h.abs() >= remaining.abs()).then_some(target);
-                let limits = (control.time_scale(h), !clearance.is_small());
+                let is_limited = !clearance.is_small();
+                let limits = (control.time_scale(h), is_limited);
                 let state = self.projected(dynamics, state, (h, landing), limits)?;
                 self.accept(dynamics, state, h, landing);
                 self.control = Some(control);

@@ -205,7 +205,8 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
         Ok(())
     }
 
-    /// Takes a step of the method from the previous time to `t`; this is as accurate as the step itself.
+    /// Takes a step of the method from the previous time to `t`; this is as accurate as the step itself, unless a stage comes
+    /// close to a singular configuration that the step passed.
     fn interpolate(&mut self, dynamics: &D, t: f64) -> X {
         let (clock, previous) = &self.previous;
         let h = clock.until(t);

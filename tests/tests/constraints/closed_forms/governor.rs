@@ -101,7 +101,8 @@ impl Governor {
     }
 }
 
-/// The length of a link to the sleeve at a height, with its first and second rate, from those of the height and of the ball.
+/// The length of a link between the sleeve and a ball, and its first and second rate; the height of the sleeve and the position of
+/// the ball are given with their rates.
 fn link_to(sleeve: [f64; 3], ball: [Vector3<f64>; 3]) -> [f64; 3] {
     let [d, d1, d2] = [0, 1, 2].map(|order| ball[order] - sleeve[order] * Vector3::z());
     let length = d.norm();
