@@ -284,6 +284,11 @@ impl<S: Scalar, D: Dynamics<S>, K, C, R, O> Problem<S, D, K, C, R, O> {
         &self.dynamics
     }
 
+    /// Returns the initial time and state.
+    pub fn initial_state(&self) -> &At<f64, D::State> {
+        &self.start
+    }
+
     fn watching<C2, R2, O2>(
         self,
         change: impl FnOnce(Watch<C, R, O>) -> Watch<C2, R2, O2>,

@@ -1,0 +1,374 @@
+//! Studies in folders: one file for each chunk, computed by whoever comes first.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::chunks::{Chunks, Queue};
+use crate::column::Column;
+use crate::error::Error;
+use crate::manifest::{Identity, MANIFEST, Manifest};
+use crate::members::{Found, Members};
+use crate::motion::Motion;
+use crate::parquet::{self, Writer};
+use crate::points::Points;
+#[cfg(feature = "mpi")]
+use crate::ranks::{Ranks, Requests};
+use crate::rows::Rows;
+use crate::shard::Shard;
+use crate::study::{Study, Tables};
+use crate::summary::Summary;
+use crate::table::Table;
+use crate::workers::{Entries, Sink};
+
+/// The folder into which a study is written, and which part of the study this process computes.
+///
+/// A path is a folder for the whole study: `study.write("flips", …)`.
+#[derive(Debug)]
+pub struct Folder {
+    path: PathBuf,
+    shard: Option<Shard>,
+    #[cfg(feature = "mpi")]
+    ranks: Option<Ranks>,
+}
+
+impl Folder {
+    /// Creates a folder for the whole study.
+    pub fn new(path: impl Into<PathBuf>) -> Self {
+        Self {
+            path: path.into(),
+            shard: None,
+            #[cfg(feature = "mpi")]
+            ranks: None,
+        }
+    }
+
+    /// Computes only a part of the study in this process. Others compute the others, into the same folder or into one of
+    /// their own.
+    #[must_use]
+    pub fn shard(mut self, shard: Shard) -> Self {
+        self.shard = Some(shard);
+        self
+    }
+
+    /// Computes the study on all ranks of a communicator of MPI, all of which call [`Study::write`](crate::Study::write).
+    /// Rank 0 hands out the chunks on request. Each rank computes on all its threads; only the calling thread uses MPI,
+    /// which is to be initialized with `mpi::initialize` or any support of threads.
+    ///
+    /// If a rank dies, MPI ends all; the study then goes on behind the finished chunks, with any number of ranks.
+    #[cfg(feature = "mpi")]
+    #[must_use]
+    pub fn ranks(mut self, communicator: &impl mpi::traits::Communicator) -> Self {
+        self.ranks = Some(Ranks::new(communicator));
+        self
+    }
+}
+
+impl From<&str> for Folder {
+    fn from(path: &str) -> Self {
+        Self::new(path)
+    }
+}
+
+impl From<&Path> for Folder {
+    fn from(path: &Path) -> Self {
+        Self::new(path)
+    }
+}
+
+impl From<PathBuf> for Folder {
+    fn from(path: PathBuf) -> Self {
+        Self::new(path)
+    }
+}
+
+impl<M: Members> Study<'_, M> {
+    /// Integrates all members, and writes the `rows` of each motion into a folder: one Parquet file for each chunk, and a
+    /// manifest that tells which study it is. `rows` returns `[x, y]` for a single row, or a `Vec` of rows; the
+    /// parameters of the points are the first columns.
+    ///
+    /// A file appears when it is complete. Chunks whose files are there are not computed again: a study that was
+    /// interrupted, even by the end of its process, goes on behind them. The bytes of the files depend on neither
+    /// interruptions nor threads nor shards. If an observer cancels the study, chunks that are not complete are left out.
+    ///
+    /// # Errors
+    ///
+    /// If there are no points or they are meaningless, two columns have one name, the folder contains the results of
+    /// another study, or a file cannot be read or written. What is finished is kept.
+    pub fn write<const N: usize, A: Into<Column>, B: Rows<N>>(
+        &self,
+        folder: impl Into<Folder>,
+        columns: [A; N],
+        rows: impl Fn(&Motion<<M::Points as Points>::Point, M::State, M::Kept>) -> B + Sync,
+    ) -> Result<Results, Error> {
+        let folder = folder.into();
+        let columns = self.columns(columns)?;
+        let manifest = self.manifest(&columns);
+        let path = &folder.path;
+        let claimed = claim(path, &manifest).and_then(|()| Results::find([path]));
+        #[cfg(feature = "mpi")]
+        let claimed = agree(folder.ranks.as_ref(), claimed, path);
+        let before = claimed?;
+        let chunks = self.chunks();
+        let is_ours = |chunk: &usize| folder.shard.is_none_or(|shard| shard.contains(*chunk));
+        let missing = (0..chunks.count()).filter(|chunk| !before.files.contains_key(chunk));
+        let queue = Queue::new(missing.filter(is_ours));
+        let count = queue
+            .chunks()
+            .iter()
+            .map(|chunk| chunks.range(*chunk).len());
+        let count = count.sum();
+        let sink = Files {
+            tables: Tables::<_, N> { columns, rows },
+            path,
+            metadata: manifest.metadata(),
+        };
+        #[cfg(feature = "mpi")]
+        let run = match &folder.ranks {
+            Some(ranks) if ranks.is_first() => {
+                self.run(&queue, count, &sink, |()| (), |_| ranks.hand_out(&queue))
+            }
+            Some(ranks) => {
+                let (source, requests) = Requests::new();
+                self.run(
+                    &source,
+                    count,
+                    &sink,
+                    |()| (),
+                    |workers| ranks.ask(&requests, workers),
+                )
+            }
+            None => self.run(&queue, count, &sink, |()| (), |_| ()),
+        };
+        #[cfg(feature = "mpi")]
+        let run = agree(folder.ranks.as_ref(), run, path);
+        #[cfg(not(feature = "mpi"))]
+        let run = self.run(&queue, count, &sink, |()| (), |_| ());
+        run?;
+        Results::find([path])
+    }
+
+    fn manifest(&self, columns: &[Column]) -> Manifest {
+        let chunks = self.chunks();
+        let members = [0, chunks.members() / 2, chunks.members() - 1];
+        let described = members.map(|member| self.members.describe(member));
+        Manifest::new(Identity {
+            chunks,
+            points: self.members.points().description(),
+            dynamics: described[0].0,
+            numbers: described
+                .into_iter()
+                .flat_map(|(_, numbers)| numbers)
+                .collect(),
+            columns,
+            metadata: &self.metadata,
+        })
+    }
+}
+
+/// Returns an error on all ranks if there is one on any of them.
+#[cfg(feature = "mpi")]
+fn agree<T>(ranks: Option<&Ranks>, result: Result<T, Error>, path: &Path) -> Result<T, Error> {
+    let Some(ranks) = ranks else { return result };
+    if ranks.have_all(result.is_ok()) {
+        return result;
+    }
+    result.and(Err(Error::Folder {
+        path: path.to_path_buf(),
+        text: "another rank could not go on; it says why".to_owned(),
+    }))
+}
+
+/// Creates a folder for a study, or makes sure that it is of this study, and that files can be written.
+fn claim(path: &Path, manifest: &Manifest) -> Result<(), Error> {
+    fs::create_dir_all(path).map_err(Error::file(path, "created"))?;
+    if Manifest::read(path)?.is_none() {
+        let mut files = fs::read_dir(path).map_err(Error::file(path, "read"))?;
+        // Another process may be about to write its manifest.
+        let is_other = |name: &str| name != MANIFEST && !name.starts_with('.');
+        if files.any(|file| file.is_ok_and(|file| file.file_name().to_str().is_none_or(is_other))) {
+            return Err(Error::Folder {
+                path: path.to_path_buf(),
+                text: format!(
+                    "it exists and has no {MANIFEST}: it is not of a study; choose another folder, or an empty one"
+                ),
+            });
+        }
+        manifest.write(path)?;
+    } else {
+        // A folder that is read-only is an error before the first member, not behind it.
+        parquet::temporary(&path.join(MANIFEST))?;
+    }
+    // Of several processes that begin, the last one has written; what they have written is equal.
+    match Manifest::read(path)? {
+        Some(found) => manifest.compare(&found, path),
+        None => Ok(()),
+    }
+}
+
+/// Writes a file for each chunk.
+struct Files<'a, K> {
+    tables: K,
+    path: &'a Path,
+    metadata: Vec<(String, String)>,
+}
+
+impl<M: Members, K: Sink<M, Part = Table>> Sink<M> for Files<'_, K> {
+    type Entry = K::Entry;
+    type Part = ();
+
+    fn entry(&self, members: &M, index: usize, found: Found<M::State, M::Kept>) -> Self::Entry {
+        self.tables.entry(members, index, found)
+    }
+
+    fn part(&self, chunk: usize, entries: Entries<Self::Entry>) -> Result<(), Error> {
+        if !entries.are_complete {
+            return Ok(());
+        }
+        let table = self.tables.part(chunk, entries)?;
+        let path = self.path.join(name(chunk));
+        let mut file = Writer::new(&path, table.columns(), &self.metadata)?;
+        file.add(&table)?;
+        file.finish()
+    }
+}
+
+/// Returns the name of the file of a chunk.
+fn name(chunk: usize) -> String {
+    format!("chunk-{chunk:06}.parquet")
+}
+
+/// The results of a study in one or several folders.
+#[derive(Clone, Debug)]
+pub struct Results {
+    manifest: Manifest,
+    folder: PathBuf,
+    /// The files of the finished chunks.
+    files: BTreeMap<usize, PathBuf>,
+}
+
+impl Results {
+    /// Opens the results of a study: its folder, or those of its shards.
+    ///
+    /// # Errors
+    ///
+    /// If a folder contains no results or those of another study, or a file cannot be read.
+    pub fn open<P: AsRef<Path>>(folders: impl IntoIterator<Item = P>) -> Result<Self, Error> {
+        Self::find(folders)
+    }
+
+    fn find<P: AsRef<Path>>(folders: impl IntoIterator<Item = P>) -> Result<Self, Error> {
+        let mut results: Option<Self> = None;
+        for folder in folders {
+            let folder = folder.as_ref();
+            let manifest = Manifest::read(folder)?.ok_or_else(|| Error::Folder {
+                path: folder.to_path_buf(),
+                text: format!("it has no {MANIFEST}: it does not contain the results of a study"),
+            })?;
+            let results = match &mut results {
+                Some(results) => {
+                    results.manifest.compare(&manifest, folder)?;
+                    results
+                }
+                none => none.insert(Self {
+                    manifest,
+                    folder: folder.to_path_buf(),
+                    files: BTreeMap::new(),
+                }),
+            };
+            for chunk in 0..results.chunks().count() {
+                let path = folder.join(name(chunk));
+                if path.exists() {
+                    parquet::check(&path)?;
+                    results.files.entry(chunk).or_insert(path);
+                }
+            }
+        }
+        results.ok_or_else(|| Error::Folder {
+            path: PathBuf::new(),
+            text: "there is none to open".to_owned(),
+        })
+    }
+
+    fn chunks(&self) -> Chunks {
+        self.manifest.chunks()
+    }
+
+    /// Whether the files of all chunks are there.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.files.len() == self.chunks().count()
+    }
+
+    /// Returns the number of members in the files that are there.
+    #[must_use]
+    pub fn finished(&self) -> usize {
+        let chunks = self.chunks();
+        self.files
+            .keys()
+            .map(|chunk| chunks.range(*chunk).len())
+            .sum()
+    }
+
+    /// Returns the files of the finished chunks, in the order of the members.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        self.files.values().map(PathBuf::as_path)
+    }
+
+    /// Reads the rows of all chunks.
+    ///
+    /// # Errors
+    ///
+    /// If a file cannot be read.
+    pub fn table(&self) -> Result<Table, Error> {
+        let columns = self.manifest.columns();
+        let mut all = Table::new(columns.clone()).with_metadata(self.manifest.metadata());
+        for path in self.files() {
+            all.append(parquet::read(path, &columns)?);
+        }
+        Ok(all)
+    }
+
+    /// Returns the statistics of the columns, chunk by chunk: to the last bit those of
+    /// [`Study::summary`](crate::Study::summary).
+    ///
+    /// # Errors
+    ///
+    /// If a file cannot be read.
+    pub fn summary(&self) -> Result<Summary, Error> {
+        let columns = self.manifest.columns();
+        let mut all = Summary::new(&columns);
+        for path in self.files() {
+            all.merge(parquet::read(path, &columns)?.summary());
+        }
+        Ok(all)
+    }
+
+    /// Merges the files of all chunks into one, chunk by chunk.
+    ///
+    /// # Errors
+    ///
+    /// If chunks are missing, or a file cannot be read or written.
+    pub fn merge_into(&self, path: impl AsRef<Path>) -> Result<(), Error> {
+        let count = self.chunks().count();
+        let missing: Vec<usize> = (0..count)
+            .filter(|chunk| !self.files.contains_key(chunk))
+            .collect();
+        if let Some(first) = missing.first() {
+            return Err(Error::Folder {
+                path: self.folder.clone(),
+                text: format!(
+                    "{} of {count} chunks are missing, the first is {}: run the study again, or name the folders of all shards",
+                    missing.len(),
+                    name(*first)
+                ),
+            });
+        }
+        let columns = self.manifest.columns();
+        let mut whole = Writer::new(path.as_ref(), &columns, &self.manifest.metadata())?;
+        for path in self.files() {
+            whole.add(&parquet::read(path, &columns)?)?;
+        }
+        whole.finish()
+    }
+}

@@ -1,0 +1,20 @@
+//! All limits.
+
+/// The least number of members in a chunk by default: lanes run empty at the end of a chunk when nothing follows.
+pub(crate) const MIN_CHUNK: usize = 64;
+
+/// The greatest number of chunks by default.
+pub(crate) const MAX_CHUNKS: usize = 1024;
+
+/// The greatest dimension of Sobol's sequence: the direction numbers of Joe and Kuo (2008) that are compiled in.
+pub(crate) const MAX_SOBOL_DIMENSION: usize = 1000;
+
+/// The greatest dimension of Halton's sequence: its bases are primes below 256.
+pub(crate) const MAX_HALTON_DIMENSION: usize = 54;
+
+/// The relative error of quantiles.
+pub(crate) const QUANTILE_ERROR: f64 = 1e-3;
+
+/// The number of bins of the sketch of quantiles: at a relative error of 10⁻³ enough for values from 10⁻¹⁵ to 10¹⁵ of
+/// one sign.
+pub(crate) const MAX_QUANTILE_BINS: u32 = 1 << 15;

@@ -1,0 +1,174 @@
+//! The manifest of a folder: which study its chunks are of.
+
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::chunks::Chunks;
+use crate::column::{Bins, Column};
+use crate::error::Error;
+use crate::parquet::{persist, temporary};
+
+/// The name of the file.
+pub(crate) const MANIFEST: &str = "manifest.json";
+
+/// Which study the chunks of a folder are of. A folder is resumed only by a study with an equal manifest.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub(crate) struct Manifest {
+    /// The version of the library.
+    lagrangian: String,
+    members: usize,
+    /// The number of members of a chunk.
+    chunk: usize,
+    /// The description of the points.
+    points: String,
+    /// The type of the differential equations.
+    dynamics: String,
+    /// A hash of initial states, derivatives and ends.
+    fingerprint: String,
+    columns: Vec<ManifestColumn>,
+    metadata: Vec<(String, String)>,
+}
+
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+struct ManifestColumn {
+    name: String,
+    unit: String,
+    histogram: Option<(f64, f64, usize)>,
+}
+
+/// What distinguishes a study from others.
+pub(crate) struct Identity<'a> {
+    pub(crate) chunks: Chunks,
+    pub(crate) points: String,
+    pub(crate) dynamics: &'static str,
+    /// Numbers of some members.
+    pub(crate) numbers: Vec<f64>,
+    pub(crate) columns: &'a [Column],
+    pub(crate) metadata: &'a [(String, String)],
+}
+
+impl Manifest {
+    pub(crate) fn new(identity: Identity<'_>) -> Self {
+        let columns = identity.columns.iter().map(|column| ManifestColumn {
+            name: column.name.clone(),
+            unit: column.unit.clone(),
+            histogram: column.bins.map(|bins| (bins.low, bins.high, bins.count)),
+        });
+        Self {
+            lagrangian: env!("CARGO_PKG_VERSION").to_owned(),
+            members: identity.chunks.members(),
+            chunk: identity.chunks.length(),
+            points: identity.points,
+            dynamics: identity.dynamics.to_owned(),
+            fingerprint: format!("{:016x}", hash(&identity.numbers)),
+            columns: columns.collect(),
+            metadata: identity.metadata.to_vec(),
+        }
+    }
+
+    pub(crate) fn chunks(&self) -> Chunks {
+        Chunks::new(self.members, Some(self.chunk))
+    }
+
+    pub(crate) fn columns(&self) -> Vec<Column> {
+        let columns = self.columns.iter().map(|column| {
+            let bins = column.histogram;
+            Column {
+                name: column.name.clone(),
+                unit: column.unit.clone(),
+                bins: bins.map(|(low, high, count)| Bins { low, high, count }),
+            }
+        });
+        columns.collect()
+    }
+
+    /// Returns the metadata of the files.
+    pub(crate) fn metadata(&self) -> Vec<(String, String)> {
+        let known = [
+            ("lagrangian", self.lagrangian.clone()),
+            ("members", self.members.to_string()),
+            ("points", self.points.clone()),
+        ];
+        let known = known
+            .into_iter()
+            .map(|(key, value)| (key.to_owned(), value));
+        known.chain(self.metadata.iter().cloned()).collect()
+    }
+
+    /// Reads the manifest of a folder; `None` if there is none.
+    pub(crate) fn read(folder: &Path) -> Result<Option<Self>, Error> {
+        let path = folder.join(MANIFEST);
+        let text = match fs::read_to_string(&path) {
+            Ok(text) => text,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+            Err(error) => return Err(Error::file(&path, "read")(error)),
+        };
+        serde_json::from_str(&text)
+            .map(Some)
+            .map_err(Error::file(&path, "read"))
+    }
+
+    /// Writes the manifest of a folder; it appears as a whole.
+    pub(crate) fn write(&self, folder: &Path) -> Result<(), Error> {
+        let path = folder.join(MANIFEST);
+        let mut file = temporary(&path)?;
+        serde_json::to_writer_pretty(&mut file, self).map_err(Error::file(&path, "written"))?;
+        file.flush().map_err(Error::file(&path, "written"))?;
+        persist(file, &path)
+    }
+
+    /// Returns an error that tells in what another manifest in a folder differs.
+    pub(crate) fn compare(&self, other: &Self, folder: &Path) -> Result<(), Error> {
+        let text = |value: &dyn std::fmt::Debug| format!("{value:?}");
+        let parts = [
+            (
+                "version of lagrangian",
+                text(&self.lagrangian),
+                text(&other.lagrangian),
+            ),
+            (
+                "number of members",
+                text(&self.members),
+                text(&other.members),
+            ),
+            (
+                "number of members in a chunk",
+                text(&self.chunk),
+                text(&other.chunk),
+            ),
+            ("points", text(&self.points), text(&other.points)),
+            ("system", text(&self.dynamics), text(&other.dynamics)),
+            ("columns", text(&self.columns), text(&other.columns)),
+            ("metadata", text(&self.metadata), text(&other.metadata)),
+            (
+                "fingerprint of parameters, initial states and ends",
+                text(&self.fingerprint),
+                text(&other.fingerprint),
+            ),
+        ];
+        let Some((part, this, found)) = parts.iter().find(|(_, this, found)| this != found) else {
+            return Ok(());
+        };
+        let text = format!(
+            "it contains the results of another study: the {part} there: {found}, here: {this}; choose another folder, or remove this one to \
+             compute all anew"
+        );
+        Err(Error::Folder {
+            path: folder.to_path_buf(),
+            text,
+        })
+    }
+}
+
+/// Returns a hash of numbers, bit by bit (Fowler, Noll, Vo, FNV-1a with 64 bits).
+fn hash(numbers: &[f64]) -> u64 {
+    let bytes = numbers
+        .iter()
+        .flat_map(|number| number.to_bits().to_le_bytes());
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}

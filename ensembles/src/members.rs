@@ -1,0 +1,101 @@
+//! The members of a study: how each is integrated.
+
+use lagrangian::problem::{Ends, EnsembleIntegrator, Keep, Observer, Reactions, Watched};
+use lagrangian::{At, Dynamics, Partial, Problem, Solution, VectorSpace};
+
+use crate::error::Error;
+use crate::points::Points;
+
+/// The result of a member.
+pub(crate) type Found<X, K> = Result<Solution<f64, X, K>, Partial<Solution<f64, X, K>>>;
+
+/// The members of a study: points, the problem of each, their ends and the method. A bound of functions that are
+/// generic over studies.
+pub trait Members: Sync {
+    /// The points.
+    type Points: Points;
+    /// The state of the system.
+    type State: Send;
+    /// What is kept of each motion ([`Problem::save`]).
+    type Kept: Send;
+
+    /// Returns the points.
+    fn points(&self) -> &Self::Points;
+
+    /// Integrates the members of these indices, and passes the position of each in `indices` and its result to
+    /// `report`.
+    fn integrate(
+        &self,
+        indices: impl Iterator<Item = usize>,
+        report: impl FnMut(usize, Found<Self::State, Self::Kept>),
+    );
+
+    /// Describes the differential equations: the name of their type, and the initial state, its derivative and the end
+    /// of a member.
+    fn describe(&self, index: usize) -> (&'static str, Vec<f64>);
+
+    /// Returns an error if the points are meaningless or there are none.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Points`].
+    fn check(&self) -> Result<(), Error> {
+        let points = self.points();
+        points.check()?;
+        match points.count() {
+            0 => Err(Error::NoMembers),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Members that are integrated by one method, in `L` lanes if it has them.
+#[derive(Clone, Debug)]
+pub struct Integrated<P, F, E, I, const L: usize> {
+    pub(crate) points: P,
+    pub(crate) problem: F,
+    pub(crate) end: E,
+    pub(crate) method: I,
+}
+
+impl<P, F, E, I, D, K, C, R, O, const L: usize> Members for Integrated<P, F, E, I, L>
+where
+    P: Points,
+    F: Fn(P::Point) -> Problem<f64, D, K, C, R, O> + Sync,
+    E: Ends + Sync,
+    I: EnsembleIntegrator<f64, D, L> + Sync,
+    D: Dynamics<f64, State: Send>,
+    C: Watched<f64, D>,
+    R: Reactions<f64, D>,
+    O: Observer<D::State>,
+    K: Keep<f64, D, I::Stepper, Kept: Send>,
+{
+    type Points = P;
+    type State = D::State;
+    type Kept = K::Kept;
+
+    fn points(&self) -> &P {
+        &self.points
+    }
+
+    fn integrate(
+        &self,
+        indices: impl Iterator<Item = usize>,
+        report: impl FnMut(usize, Found<D::State, K::Kept>),
+    ) {
+        let members = indices.map(|index| {
+            let problem = (self.problem)(self.points.point(index));
+            (problem, self.end.of(index))
+        });
+        EnsembleIntegrator::<f64, D, L>::solve_each(&self.method, members, report);
+    }
+
+    fn describe(&self, index: usize) -> (&'static str, Vec<f64>) {
+        let problem = (self.problem)(self.points.point(index));
+        let At { t, x } = problem.initial_state();
+        let rates = problem.dynamics().derivative(*t, x);
+        let numbers = x.components().chain(rates.components());
+        let numbers = numbers.chain([*t, self.end.of(index)]).collect();
+        (std::any::type_name::<D>(), numbers)
+    }
+}

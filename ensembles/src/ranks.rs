@@ -1,0 +1,141 @@
+//! The ranks of an MPI program: rank 0 hands out the chunks.
+//!
+//! On each rank, the thread that has called the study sends and receives, while others integrate. A rank that wants a
+//! chunk asks rank 0 for it, and gets its number, or none. A rank whose workers have all ended tells so.
+
+use std::fmt;
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+use mpi::collective::SystemOperation;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::{Communicator, CommunicatorCollectives as _, Destination as _, Source as _};
+
+use crate::chunks::{Queue, Source};
+
+/// What a rank asks of rank 0.
+const WANTS_CHUNK: u64 = 0;
+const HAS_ENDED: u64 = 1;
+
+/// The answer of rank 0 when there are no more chunks.
+const NO_CHUNK: u64 = u64::MAX;
+
+/// The time for which rank 0 sleeps when nothing has arrived: MPI itself waits by looping, which would take a core from
+/// the workers.
+const PAUSE: Duration = Duration::from_micros(200);
+
+/// The ranks of a communicator of its own, so that messages of the study are not confused with those of the caller.
+pub(crate) struct Ranks {
+    communicator: SimpleCommunicator,
+}
+
+impl Ranks {
+    pub(crate) fn new(communicator: &impl Communicator) -> Self {
+        Self {
+            communicator: communicator.duplicate(),
+        }
+    }
+
+    pub(crate) fn is_first(&self) -> bool {
+        self.communicator.rank() == 0
+    }
+
+    /// Whether all ranks have what this one has. Waits for the others.
+    pub(crate) fn have_all(&self, has: bool) -> bool {
+        let mut have_all = false;
+        self.communicator
+            .all_reduce_into(&has, &mut have_all, SystemOperation::logical_and());
+        have_all
+    }
+
+    /// Hands out the chunks of a queue to the other ranks until they have all ended.
+    pub(crate) fn hand_out(&self, queue: &Queue) {
+        let any = self.communicator.any_process();
+        let mut others = self.communicator.size() - 1;
+        while others > 0 {
+            let Some(status) = any.immediate_probe() else {
+                thread::sleep(PAUSE);
+                continue;
+            };
+            let rank = self.communicator.process_at_rank(status.source_rank());
+            let (message, _) = rank.receive::<u64>();
+            if message == HAS_ENDED {
+                others -= 1;
+            } else {
+                let chunk = queue.take().map_or(NO_CHUNK, |(_, chunk)| chunk as u64);
+                rank.send(&chunk);
+            }
+        }
+    }
+
+    /// Asks rank 0 for the chunks that the workers of this rank want, until they have all ended.
+    pub(crate) fn ask(&self, requests: &Receiver<Request>, mut workers: usize) {
+        let first = self.communicator.process_at_rank(0);
+        while workers > 0 {
+            match requests.recv() {
+                Ok(Request::Chunk(answer)) => {
+                    first.send(&WANTS_CHUNK);
+                    let (chunk, _) = first.receive::<u64>();
+                    // The worker that has asked is waiting.
+                    let _ = answer.send(usize::try_from(chunk).ok().filter(|_| chunk != NO_CHUNK));
+                }
+                Ok(Request::Leave) => workers -= 1,
+                Err(_) => break,
+            }
+        }
+        first.send(&HAS_ENDED);
+    }
+}
+
+/// What a worker asks of the thread that sends and receives.
+pub(crate) enum Request {
+    /// A chunk, to be sent there.
+    Chunk(Sender<Option<usize>>),
+    /// Nothing more.
+    Leave,
+}
+
+/// The chunks of rank 0, as the workers of another rank see them.
+pub(crate) struct Requests {
+    requests: Mutex<Sender<Request>>,
+}
+
+impl Requests {
+    /// Creates a source of chunks, and the end at which its requests arrive.
+    pub(crate) fn new() -> (Self, Receiver<Request>) {
+        let (sender, receiver) = mpsc::channel();
+        let requests = Mutex::new(sender);
+        (Self { requests }, receiver)
+    }
+
+    fn send(&self, request: Request) {
+        let requests = self.requests.lock().unwrap_or_else(PoisonError::into_inner);
+        // The other end waits until all workers have left.
+        let _ = requests.send(request);
+    }
+}
+
+impl Source for Requests {
+    /// The place is the number of the chunk: what is delivered on ranks has no order.
+    fn take(&self) -> Option<(usize, usize)> {
+        let (sender, answer) = mpsc::channel();
+        self.send(Request::Chunk(sender));
+        let chunk = answer.recv().ok().flatten()?;
+        Some((chunk, chunk))
+    }
+
+    fn leave(&self) {
+        self.send(Request::Leave);
+    }
+}
+
+impl fmt::Debug for Ranks {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Ranks")
+            .field("rank", &self.communicator.rank())
+            .field("size", &self.communicator.size())
+            .finish()
+    }
+}

@@ -1,0 +1,449 @@
+//! Studies: many motions, and what is kept of them.
+
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+
+use lagrangian::problem::Flow;
+
+use crate::chunks::{Chunks, Queue, Source};
+use crate::column::Column;
+use crate::error::Error;
+use crate::members::{Found, Integrated, Members};
+use crate::motion::{Failure, Motion};
+use crate::points::Points;
+use crate::rows::Rows;
+use crate::summary::Summary;
+use crate::table::{self, Table};
+use crate::workers::{Entries, Sink, Work, lock};
+
+/// Many motions: one problem for each point, until an end, by a method.
+///
+/// ```
+/// use lagrangian::prelude::*;
+/// use lagrangian_ensembles::{Axis, Grid, Study};
+///
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     taylor,
+///     coordinates(theta),
+///     kinetic = 0.5 * dot(theta).powi(2),
+///     potential = -g * cos(theta),
+/// )]
+/// struct Pendulum { g: f64 }
+///
+/// let starts = Grid::new([Axis::linear("theta", 0.1, 3.0, 30).unit("rad")]);
+/// let problem = |[theta]: [f64; 1]| Problem::new(Pendulum { g: 9.81 }, State::new(0.0, [theta], [0.0]));
+/// let study = Study::new(starts, problem, 10.0, Taylor::new());
+/// for motion in study.solve()? {
+///     let motion = motion.expect("pendulums are regular");
+///     assert!(motion.q[0].abs() <= motion.point[0] + 1e-12);
+/// }
+/// # Ok::<(), lagrangian_ensembles::Error>(())
+/// ```
+///
+/// Points are a range of indices, a `Vec`, a [`Grid`](crate::Grid) or a [`Sample`](crate::Sample). The problem of a point
+/// has the events, samples and limits of any [`Problem`](lagrangian::Problem). The end is a time, or a function of the
+/// index.
+///
+/// Members are integrated on all threads of the current pool of `rayon`, and by [`Taylor`](lagrangian::Taylor) in
+/// [`lanes`](Self::lanes) on each. A member does not depend on the others, on the number of threads or on the chunk in
+/// which it is, to the last bit: `Study::new(vec![point], …)` repeats it alone.
+#[must_use = "a study is run by `solve`, `table`, `summary` or `write`"]
+pub struct Study<'a, M> {
+    pub(crate) members: M,
+    threads: Option<usize>,
+    chunk: Option<usize>,
+    pub(crate) metadata: Vec<(String, String)>,
+    observer: Option<Mutex<Observed<'a>>>,
+}
+
+type Observer<'a> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 'a;
+
+/// An observer and the progress of which it is told.
+struct Observed<'a> {
+    observer: Box<Observer<'a>>,
+    progress: Progress,
+}
+
+/// The progress of a study.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Progress {
+    /// The number of members that have ended, including those that failed.
+    pub ended: usize,
+    /// The number of members that have failed.
+    pub failed: usize,
+    /// The number of all members that this run integrates.
+    pub members: usize,
+}
+
+impl<P, F, E, I> Study<'_, Integrated<P, F, E, I, 4>> {
+    /// Creates a study from points, the problem of each, the end of the motions, and the method.
+    pub fn new<D, K, C, R, O>(points: P, problem: F, end: E, method: I) -> Self
+    where
+        P: Points,
+        F: Fn(P::Point) -> lagrangian::Problem<f64, D, K, C, R, O>,
+        D: lagrangian::Dynamics<f64>,
+    {
+        Self {
+            members: Integrated {
+                points,
+                problem,
+                end,
+                method,
+            },
+            threads: None,
+            chunk: None,
+            metadata: Vec::new(),
+            observer: None,
+        }
+    }
+}
+
+impl<'a, P, F, E, I, const L: usize> Study<'a, Integrated<P, F, E, I, L>> {
+    /// Sets the number of SIMD lanes on each thread, by default 4; methods without lanes ignore it. 4 suits processors
+    /// with AVX2, and 8 suits processors with AVX-512, when compiled with `-C target-cpu=native`.
+    pub fn lanes<const N: usize>(self) -> Study<'a, Integrated<P, F, E, I, N>> {
+        const { assert!(N > 0, "a study has at least one lane") }
+        let Integrated {
+            points,
+            problem,
+            end,
+            method,
+        } = self.members;
+        Study {
+            members: Integrated {
+                points,
+                problem,
+                end,
+                method,
+            },
+            threads: self.threads,
+            chunk: self.chunk,
+            metadata: self.metadata,
+            observer: self.observer,
+        }
+    }
+}
+
+impl<'a, M: Members> Study<'a, M> {
+    /// Sets the number of threads. By default the study runs on the current pool of `rayon`, which has one thread for
+    /// each core.
+    pub fn threads(mut self, threads: usize) -> Self {
+        self.threads = Some(threads);
+        self
+    }
+
+    /// Sets the number of members of a chunk: what a thread or a machine takes at a time, and a file contains. By
+    /// default there are at most 1024 chunks of at least 64 members. Statistics are summed chunk by chunk, and thus
+    /// depend on this number in their last digits.
+    pub fn chunk(mut self, members: usize) -> Self {
+        self.chunk = Some(members);
+        self
+    }
+
+    /// Adds an entry to the metadata of tables and files, such as the name of the model or a parameter that all members
+    /// share. A folder is only resumed with the same metadata.
+    pub fn metadata(mut self, key: impl Into<String>, value: impl Into<String>) -> Self {
+        self.metadata.push((key.into(), value.into()));
+        self
+    }
+
+    /// Calls `observer` after each member, on the thread that has integrated it. It returns nothing, or
+    /// `ControlFlow::Break(())` to cancel the study: members that have begun are then finished, and others are left out.
+    ///
+    /// ```no_run
+    /// # use lagrangian::prelude::*;
+    /// # use lagrangian_ensembles::Study;
+    /// # #[derive(Lagrangian)]
+    /// # #[lagrangian(coordinates(x), kinetic = 0.5 * m * dot(x).powi(2))]
+    /// # struct Mass { m: f64 }
+    /// # struct ProgressBar;
+    /// # impl ProgressBar { fn new(_: u64) -> Self { Self } fn set_position(&self, _: u64) {} }
+    /// # let problem = |_: usize| Problem::new(Mass { m: 1.0 }, State::new(0.0, [0.0], [1.0]));
+    /// // `ProgressBar` of the crate `indicatif`.
+    /// let bar = ProgressBar::new(1000);
+    /// let study = Study::new(0..1000, problem, 10.0, Dop853::new())
+    ///     .each_member(|progress| bar.set_position(progress.ended as u64));
+    /// ```
+    pub fn each_member<A: Flow>(
+        mut self,
+        mut observer: impl FnMut(&Progress) -> A + Send + 'a,
+    ) -> Self {
+        self.observer = Some(Mutex::new(Observed {
+            observer: Box::new(move |progress| observer(progress).flow()),
+            progress: Progress::default(),
+        }));
+        self
+    }
+
+    /// Integrates all members and returns their motions, in the order of the points. A member that fails is a
+    /// [`Failure`], which contains its motion up to the error. If an observer cancels the study, members are missing.
+    ///
+    /// # Errors
+    ///
+    /// If there are no points or they are meaningless.
+    #[allow(clippy::type_complexity)] // The type says what a motion is.
+    pub fn solve(
+        &self,
+    ) -> Result<
+        Vec<
+            Result<
+                Motion<<M::Points as Points>::Point, M::State, M::Kept>,
+                Failure<<M::Points as Points>::Point, M::State, M::Kept>,
+            >,
+        >,
+        Error,
+    > {
+        self.members.check()?;
+        let mut motions = Vec::new();
+        self.run_all(&Motions, |part| motions.extend(part))?;
+        Ok(motions)
+    }
+
+    /// Integrates all members and returns a table with the `rows` of each motion: `[x, y]` for a single row, or a `Vec`
+    /// of rows. The parameters of the points are the first columns.
+    ///
+    /// # Errors
+    ///
+    /// If there are no points or they are meaningless, or if two columns have one name.
+    pub fn table<const N: usize, A: Into<Column>, B: Rows<N>>(
+        &self,
+        columns: [A; N],
+        rows: impl Fn(&Motion<<M::Points as Points>::Point, M::State, M::Kept>) -> B + Sync,
+    ) -> Result<Table, Error> {
+        let columns = self.columns(columns)?;
+        let metadata = self.all_metadata();
+        let mut table = Table::new(columns.clone()).with_metadata(metadata);
+        let sink = Tables::<_, N> { columns, rows };
+        self.run_all(&sink, |part: Table| table.append(part))?;
+        Ok(table)
+    }
+
+    /// Integrates all members and returns the statistics of the `rows` of each motion: `[x, y]` for a single row, or a
+    /// `Vec` of rows. The parameters of the points are the first columns. Neither motions nor rows are kept.
+    ///
+    /// # Errors
+    ///
+    /// If there are no points or they are meaningless, or if two columns have one name.
+    pub fn summary<const N: usize, A: Into<Column>, B: Rows<N>>(
+        &self,
+        columns: [A; N],
+        rows: impl Fn(&Motion<<M::Points as Points>::Point, M::State, M::Kept>) -> B + Sync,
+    ) -> Result<Summary, Error> {
+        let columns = self.columns(columns)?;
+        let mut summary = Summary::new(&columns);
+        let sink = Summaries(Tables::<_, N> { columns, rows });
+        self.run_all(&sink, |part: Summary| summary.merge(part))?;
+        Ok(summary)
+    }
+
+    /// Returns the columns of the points and those of the rows, if the study is meaningful.
+    pub(crate) fn columns<const N: usize, A: Into<Column>>(
+        &self,
+        columns: [A; N],
+    ) -> Result<Vec<Column>, Error> {
+        self.members.check()?;
+        let mut all = self.members.points().columns();
+        all.extend(columns.map(Into::into));
+        table::check(&all)?;
+        Ok(all)
+    }
+
+    pub(crate) fn chunks(&self) -> Chunks {
+        Chunks::new(self.members.points().count(), self.chunk)
+    }
+
+    /// Returns the metadata of tables: what the library knows, and what was given.
+    pub(crate) fn all_metadata(&self) -> Vec<(String, String)> {
+        let points = self.members.points();
+        let known = [
+            ("lagrangian", env!("CARGO_PKG_VERSION").to_owned()),
+            ("members", points.count().to_string()),
+            ("points", points.description()),
+        ];
+        let known = known
+            .into_iter()
+            .map(|(key, value)| (key.to_owned(), value));
+        known.chain(self.metadata.iter().cloned()).collect()
+    }
+
+    /// Integrates all members.
+    fn run_all<K: Sink<M>>(
+        &self,
+        sink: &K,
+        deliver: impl FnMut(K::Part) + Send,
+    ) -> Result<(), Error> {
+        let queue = Queue::new(0..self.chunks().count());
+        self.run(&queue, self.members.points().count(), sink, deliver, |_| ())
+    }
+
+    /// Integrates the members of the chunks of a source, at most `members`. Meanwhile calls `serve` with the number of
+    /// workers.
+    pub(crate) fn run<Q: Source, K: Sink<M>>(
+        &self,
+        source: &Q,
+        members: usize,
+        sink: &K,
+        deliver: impl FnMut(K::Part) + Send,
+        serve: impl FnOnce(usize),
+    ) -> Result<(), Error> {
+        if let Some(observed) = &self.observer {
+            lock(observed).progress = Progress {
+                members,
+                ..Progress::default()
+            };
+        }
+        let work = Work {
+            members: &self.members,
+            chunks: self.chunks(),
+            source,
+            sink,
+            observer: &|has_failed| self.observe(has_failed),
+            threads: self.threads,
+        };
+        work.run(deliver, serve)
+    }
+
+    /// Tells the observer of a member that has ended.
+    fn observe(&self, has_failed: bool) -> ControlFlow<()> {
+        let Some(observed) = &self.observer else {
+            return ControlFlow::Continue(());
+        };
+        let Observed { observer, progress } = &mut *lock(observed);
+        progress.ended += 1;
+        progress.failed += usize::from(has_failed);
+        observer(progress)
+    }
+}
+
+/// The type of the points of members.
+type PointOf<M> = <<M as Members>::Points as Points>::Point;
+/// A motion, or a failure.
+type Ended<M> = Result<
+    Motion<PointOf<M>, <M as Members>::State, <M as Members>::Kept>,
+    Failure<PointOf<M>, <M as Members>::State, <M as Members>::Kept>,
+>;
+
+/// Adds its index and its point to the result of a member.
+fn identify<M: Members>(members: &M, index: usize, found: Found<M::State, M::Kept>) -> Ended<M> {
+    let points = members.points();
+    let point = points.point(index);
+    match found {
+        Ok(solution) => Ok(Motion {
+            index,
+            point,
+            solution,
+        }),
+        Err(partial) => Err(Failure {
+            index,
+            parameters: points
+                .columns()
+                .into_iter()
+                .zip(points.values(&point))
+                .collect(),
+            point,
+            partial,
+        }),
+    }
+}
+
+/// Keeps all motions.
+struct Motions;
+
+impl<M: Members> Sink<M> for Motions {
+    type Entry = Ended<M>;
+    type Part = Vec<Ended<M>>;
+
+    fn entry(&self, members: &M, index: usize, found: Found<M::State, M::Kept>) -> Self::Entry {
+        identify(members, index, found)
+    }
+
+    fn part(&self, _: usize, entries: Entries<Self::Entry>) -> Result<Self::Part, Error> {
+        Ok(entries.entries)
+    }
+}
+
+/// Keeps rows of numbers.
+pub(crate) struct Tables<F, const N: usize> {
+    pub(crate) columns: Vec<Column>,
+    pub(crate) rows: F,
+}
+
+/// The rows of a member.
+pub(crate) struct MemberRows<B> {
+    index: usize,
+    /// The values of the point.
+    values: Vec<f64>,
+    /// The rows, or why there are none.
+    rows: Result<B, String>,
+}
+
+impl<M, F, B, const N: usize> Sink<M> for Tables<F, N>
+where
+    M: Members,
+    F: Fn(&Motion<PointOf<M>, M::State, M::Kept>) -> B + Sync,
+    B: Rows<N>,
+{
+    type Entry = MemberRows<B>;
+    type Part = Table;
+
+    fn entry(&self, members: &M, index: usize, found: Found<M::State, M::Kept>) -> Self::Entry {
+        let values = |point| members.points().values(point);
+        match identify(members, index, found) {
+            Ok(motion) => MemberRows {
+                index,
+                values: values(&motion.point),
+                rows: Ok((self.rows)(&motion)),
+            },
+            Err(failure) => MemberRows {
+                index,
+                values: values(&failure.point),
+                rows: Err(failure.to_string()),
+            },
+        }
+    }
+
+    fn part(
+        &self,
+        _: usize,
+        Entries { entries, .. }: Entries<Self::Entry>,
+    ) -> Result<Table, Error> {
+        let mut table = Table::new(self.columns.clone());
+        table.count(entries.len());
+        for member in entries {
+            let MemberRows {
+                index,
+                values,
+                rows,
+            } = member;
+            match rows {
+                Ok(rows) => {
+                    for row in rows.rows() {
+                        table.add_row(index, values.iter().chain(row).copied());
+                    }
+                }
+                Err(message) => {
+                    table.add_row(index, values);
+                    table.add_failure(index, message);
+                }
+            }
+        }
+        Ok(table)
+    }
+}
+
+/// Keeps the statistics of rows of numbers.
+struct Summaries<K>(K);
+
+impl<M: Members, K: Sink<M, Part = Table>> Sink<M> for Summaries<K> {
+    type Entry = K::Entry;
+    type Part = Summary;
+
+    fn entry(&self, members: &M, index: usize, found: Found<M::State, M::Kept>) -> Self::Entry {
+        self.0.entry(members, index, found)
+    }
+
+    fn part(&self, chunk: usize, entries: Entries<Self::Entry>) -> Result<Summary, Error> {
+        Ok(self.0.part(chunk, entries)?.summary())
+    }
+}

@@ -1,0 +1,279 @@
+//! Workers: threads that take chunks, integrate their members, and deliver what is kept of them in the order of the
+//! chunks.
+
+use std::cell::RefCell;
+use std::collections::{BTreeMap, VecDeque};
+use std::iter;
+use std::ops::{ControlFlow, Range};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
+
+use rayon::{Scope, ThreadPoolBuilder};
+
+use crate::chunks::{Chunks, Source};
+use crate::error::Error;
+use crate::members::{Found, Members};
+
+/// What is kept of the members of a study.
+pub(crate) trait Sink<M: Members>: Sync {
+    /// The type of what is kept of a member.
+    type Entry;
+    /// The type of what is kept of a chunk.
+    type Part: Send;
+
+    /// Converts the result of a member into what is kept of it, as soon as it has ended.
+    fn entry(&self, members: &M, index: usize, found: Found<M::State, M::Kept>) -> Self::Entry;
+
+    /// Converts the entries of a chunk, in the order of their indices, into what is kept of it. Entries are missing only
+    /// if the study was cancelled.
+    fn part(&self, chunk: usize, entries: Entries<Self::Entry>) -> Result<Self::Part, Error>;
+}
+
+/// The entries of a chunk, in the order of the indices of the members.
+pub(crate) struct Entries<E> {
+    pub(crate) entries: Vec<E>,
+    #[cfg_attr(not(feature = "parquet"), allow(dead_code))] // Incomplete chunks are not written.
+    pub(crate) are_complete: bool,
+}
+
+/// Is told of each member that has ended, and tells whether the study goes on.
+pub(crate) type Observer<'a> = dyn Fn(bool) -> ControlFlow<()> + Sync + 'a;
+
+/// The work of a study.
+pub(crate) struct Work<'a, M, Q, K> {
+    pub(crate) members: &'a M,
+    pub(crate) chunks: Chunks,
+    pub(crate) source: &'a Q,
+    pub(crate) sink: &'a K,
+    pub(crate) observer: &'a Observer<'a>,
+    /// The number of threads; `None` for those of the current pool.
+    pub(crate) threads: Option<usize>,
+}
+
+impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
+    /// Integrates all members, and passes what is kept of the chunks to `deliver`, in the order of their places.
+    /// Meanwhile calls `serve`, on this thread, with the number of workers.
+    pub(crate) fn run(
+        &self,
+        deliver: impl FnMut(K::Part) + Send,
+        serve: impl FnOnce(usize),
+    ) -> Result<(), Error> {
+        let shared = Shared {
+            is_stopped: AtomicBool::new(false),
+            error: Mutex::new(None),
+            in_order: Mutex::new(InOrder {
+                next: 0,
+                waiting: BTreeMap::new(),
+                deliver,
+            }),
+        };
+        match self.threads {
+            None => rayon::in_place_scope(|scope| {
+                self.start(&shared, scope, rayon::current_num_threads());
+                serve(rayon::current_num_threads());
+            }),
+            Some(threads) => {
+                let threads = threads.max(1);
+                let pool = ThreadPoolBuilder::new().num_threads(threads);
+                let pool = pool.build().map_err(Error::Threads)?;
+                pool.in_place_scope(|scope| {
+                    self.start(&shared, scope, threads);
+                    serve(threads);
+                });
+            }
+        }
+        let error = shared.error.into_inner();
+        match error.unwrap_or_else(PoisonError::into_inner) {
+            Some(error) => Err(error),
+            None => Ok(()),
+        }
+    }
+
+    fn start<'s, F: FnMut(K::Part) + Send>(
+        &'s self,
+        shared: &'s Shared<K::Part, F>,
+        scope: &Scope<'s>,
+        threads: usize,
+    ) {
+        for _ in 0..threads {
+            scope.spawn(|_| self.work(shared));
+        }
+    }
+
+    /// The work of one thread.
+    fn work<F: FnMut(K::Part)>(&self, shared: &Shared<K::Part, F>) {
+        let _leaving = Leaving {
+            source: self.source,
+            is_stopped: &shared.is_stopped,
+        };
+        let open = RefCell::new(OpenChunks::default());
+        let indices = iter::from_fn(|| {
+            if shared.is_stopped.load(Ordering::Relaxed) {
+                return None;
+            }
+            open.borrow_mut().next_index(|| {
+                let (place, chunk) = self.source.take()?;
+                Some((place, chunk, self.chunks.range(chunk)))
+            })
+        });
+        self.members.integrate(indices, |position, found| {
+            let index = open.borrow().index(position);
+            let has_failed = found.is_err();
+            let entry = self.sink.entry(self.members, index, found);
+            let complete = open.borrow_mut().keep(position, entry);
+            if let Some(chunk) = complete {
+                self.finish(chunk, shared);
+            }
+            if (self.observer)(has_failed).is_break() {
+                shared.is_stopped.store(true, Ordering::Relaxed);
+            }
+        });
+        // Chunks whose members were not all begun.
+        for chunk in open.into_inner().chunks {
+            self.finish(chunk, shared);
+        }
+    }
+
+    /// Keeps a chunk whose members have ended.
+    fn finish<F: FnMut(K::Part)>(&self, chunk: OpenChunk<K::Entry>, shared: &Shared<K::Part, F>) {
+        let are_complete = chunk.entries.iter().all(Option::is_some);
+        let entries = chunk.entries.into_iter().flatten().collect();
+        let entries = Entries {
+            entries,
+            are_complete,
+        };
+        match self.sink.part(chunk.number, entries) {
+            Ok(part) => lock(&shared.in_order).add(chunk.place, part),
+            Err(error) => {
+                shared.is_stopped.store(true, Ordering::Relaxed);
+                lock(&shared.error).get_or_insert(error);
+            }
+        }
+    }
+}
+
+/// What the threads share.
+struct Shared<P, F> {
+    is_stopped: AtomicBool,
+    /// The first error.
+    error: Mutex<Option<Error>>,
+    in_order: Mutex<InOrder<P, F>>,
+}
+
+/// Delivers the parts in the order of their places; parts whose turn has not come are waiting.
+struct InOrder<P, F> {
+    next: usize,
+    waiting: BTreeMap<usize, P>,
+    deliver: F,
+}
+
+impl<P, F: FnMut(P)> InOrder<P, F> {
+    fn add(&mut self, place: usize, part: P) {
+        self.waiting.insert(place, part);
+        while let Some(part) = self.waiting.remove(&self.next) {
+            (self.deliver)(part);
+            self.next += 1;
+        }
+    }
+}
+
+/// The chunks of a thread whose members have not all ended. The lanes of a chunk that ends are refilled from the next
+/// one.
+struct OpenChunks<E> {
+    chunks: VecDeque<OpenChunk<E>>,
+    /// The number of members that have been begun.
+    begun: usize,
+}
+
+impl<E> Default for OpenChunks<E> {
+    fn default() -> Self {
+        Self {
+            chunks: VecDeque::new(),
+            begun: 0,
+        }
+    }
+}
+
+struct OpenChunk<E> {
+    /// The place in the queue.
+    place: usize,
+    number: usize,
+    range: Range<usize>,
+    /// The position of the first member among all members that the thread has begun.
+    position: usize,
+    entries: Vec<Option<E>>,
+    ended: usize,
+}
+
+impl<E> OpenChunks<E> {
+    /// Returns the index of the next member, from a new chunk if all members of the last one are begun.
+    fn next_index(
+        &mut self,
+        take: impl FnOnce() -> Option<(usize, usize, Range<usize>)>,
+    ) -> Option<usize> {
+        let end = |chunk: &OpenChunk<E>| chunk.position + chunk.range.len();
+        if self
+            .chunks
+            .back()
+            .is_none_or(|last| end(last) == self.begun)
+        {
+            let (place, number, range) = take()?;
+            self.chunks.push_back(OpenChunk {
+                place,
+                number,
+                position: self.begun,
+                entries: range.clone().map(|_| None).collect(),
+                range,
+                ended: 0,
+            });
+        }
+        let position = self.begun;
+        self.begun += 1;
+        Some(self.index(position))
+    }
+
+    /// Returns the chunk of a member.
+    fn find(&self, position: usize) -> usize {
+        self.chunks
+            .partition_point(|chunk| chunk.position <= position)
+            - 1
+    }
+
+    /// Returns the index of a member.
+    fn index(&self, position: usize) -> usize {
+        let chunk = &self.chunks[self.find(position)];
+        chunk.range.start + (position - chunk.position)
+    }
+
+    /// Keeps the entry of a member that has ended; returns its chunk if it was the last one.
+    fn keep(&mut self, position: usize, entry: E) -> Option<OpenChunk<E>> {
+        let place = self.find(position);
+        let chunk = &mut self.chunks[place];
+        chunk.entries[position - chunk.position] = Some(entry);
+        chunk.ended += 1;
+        (chunk.ended == chunk.entries.len())
+            .then(|| self.chunks.remove(place))
+            .flatten()
+    }
+}
+
+/// Tells that a worker has ended, and stops the others if it was by a panic in a function of the caller.
+struct Leaving<'a, Q: Source> {
+    source: &'a Q,
+    is_stopped: &'a AtomicBool,
+}
+
+impl<Q: Source> Drop for Leaving<'_, Q> {
+    fn drop(&mut self) {
+        if thread::panicking() {
+            self.is_stopped.store(true, Ordering::Relaxed);
+        }
+        self.source.leave();
+    }
+}
+
+/// Locks a mutex. A thread that panics with the lock ends the study with its panic, so that what it leaves is not used.
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
