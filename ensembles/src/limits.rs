@@ -12,9 +12,5 @@ pub(crate) const MAX_SOBOL_DIMENSION: usize = 1000;
 /// The greatest dimension of Halton's sequence: its bases are primes below 256.
 pub(crate) const MAX_HALTON_DIMENSION: usize = 54;
 
-/// The relative error of quantiles.
-pub(crate) const QUANTILE_ERROR: f64 = 1e-3;
-
-/// The number of bins of the sketch of quantiles: at a relative error of 10⁻³ enough for values from 10⁻¹⁵ to 10¹⁵ of
-/// one sign.
-pub(crate) const MAX_QUANTILE_BINS: u32 = 1 << 15;
+/// The number of centroids of the digests from which quantiles are estimated.
+pub(crate) const MAX_CENTROIDS: usize = 1000;
