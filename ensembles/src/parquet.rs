@@ -51,7 +51,6 @@ impl<'a> Writer<'a> {
         columns: &[Column],
         metadata: &[(String, String)],
     ) -> Result<Self, Error> {
-        let schema = Arc::new(schema(columns));
         let with_units = columns.iter().filter(|column| !column.unit.is_empty());
         let units: serde_json::Map<_, _> = with_units
             .map(|column| (column.name.clone(), column.unit.clone().into()))
@@ -61,9 +60,12 @@ impl<'a> Writer<'a> {
             serde_json::Value::from(units).to_string(),
         );
         let metadata = metadata.iter().cloned().chain([units]);
+        // Some readers look into the metadata of the file, others into those of Arrow's schema.
+        let of_schema: HashMap<_, _> = metadata.clone().collect();
         let metadata = metadata
             .map(|(key, value)| KeyValue::new(key, value))
             .collect();
+        let schema = Arc::new(schema(columns).with_metadata(of_schema));
         let properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
             .set_created_by(format!(
