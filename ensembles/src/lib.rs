@@ -95,3 +95,9 @@ pub use statrs;
 pub use study::{Progress, Study};
 pub use summary::{ColumnSummary, Summary};
 pub use table::{FailedMember, Table};
+
+/// The programs of the README.
+#[allow(missing_docs)]
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

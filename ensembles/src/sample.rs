@@ -95,7 +95,7 @@ impl<const D: usize> Sample<D> {
     }
 
     /// Spreads the values over a Latin hypercube: each of `count` parts of equal probability of each parameter contains
-    /// one value (McKay, Beckman, Conover, "A comparison of three methods for selecting values of input variables",
+    /// one value (`McKay`, Beckman, Conover, "A comparison of three methods for selecting values of input variables",
     /// 1979). Needs 4 bytes for each value.
     #[must_use]
     pub fn latin_hypercube(self) -> Self {

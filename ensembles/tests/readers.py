@@ -19,7 +19,7 @@ units = {"theta1": "rad", "theta2": "rad", "flip": "s"}
 frame = pandas.read_parquet(path)
 assert list(frame.columns) == names, list(frame.columns)
 assert list(frame["member"]) == list(range(256))
-assert frame["theta1"].iloc[-1] == 3.14 and frame["theta2"].iloc[0] == -3.14
+assert frame["theta1"].iloc[-1] == 3.1 and frame["theta2"].iloc[0] == -3.1
 assert frame["error"].isna().all()
 flips = frame["flip"].dropna()
 assert 0 < len(flips) < 256 and flips.between(0, 20).all()

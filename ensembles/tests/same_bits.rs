@@ -20,10 +20,9 @@ fn spread(index: usize, power: i32) -> f64 {
 }
 
 /// Compares every member of a study with itself alone, and on three threads in other chunks.
-fn compare<M: Members, A: Members>(
-    together: Study<'_, M>,
-    alone: impl Fn(usize) -> Study<'static, A>,
-) where
+fn compare<M, A>(together: Study<'_, M>, alone: impl Fn(usize) -> Study<'static, A>)
+where
+    M: Members,
     M::State: PartialEq + Debug,
     M::Kept: PartialEq + Debug,
     A: Members<State = M::State, Kept = M::Kept, Points = Vec<usize>>,

@@ -1,5 +1,7 @@
 //! Samples against their definitions.
 
+#![allow(clippy::float_cmp, clippy::float_cmp_const)] // The same numbers.
+
 use std::collections::HashSet;
 
 use lagrangian::nalgebra::{Matrix3, SMatrix, SVector, Vector3};
@@ -93,22 +95,18 @@ fn a_halton_sequence_is_shifted_radical_inverses() {
         .halton()
         .seed(5);
     let points = points(&sample);
-    let inverse = |mut index: usize, base: usize| {
+    let inverse = |mut index: u32, base: u32| {
         let (mut inverse, mut weight) = (0.0, 1.0);
         while index > 0 {
-            #[allow(clippy::cast_precision_loss)]
-            let digit = (index % base) as f64;
-            #[allow(clippy::cast_precision_loss)]
-            let base = base as f64;
-            weight /= base;
-            inverse += digit * weight;
-            index /= base as usize;
+            weight /= f64::from(base);
+            inverse += f64::from(index % base) * weight;
+            index /= base;
         }
         inverse
     };
     for (axis, base) in [2, 3, 5].into_iter().enumerate() {
-        for index in 1..100 {
-            let found = points[index][axis] - points[0][axis];
+        for index in 1..100_u32 {
+            let found = points[index as usize][axis] - points[0][axis];
             let expected: f64 = inverse(index + 1, base) - inverse(1, base);
             let difference = found - expected;
             assert!(

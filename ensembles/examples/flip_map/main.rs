@@ -75,8 +75,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
 
     // The motion from (−θ₁, −θ₂) is the mirror image of that from (θ₁, θ₂): half of the starts are enough.
-    let axis = |name: &str, low: f64| Axis::linear(name, low, 3.14, arguments.size).unit("rad");
-    let starts = Grid::new([axis("theta1", 0.0), axis("theta2", -3.14)]);
+    let axis = |name: &str, low: f64| {
+        Axis::linear(name, low, picture::LARGEST, arguments.size).unit("rad")
+    };
+    let starts = Grid::new([axis("theta1", 0.0), axis("theta2", -picture::LARGEST)]);
     let problem = |theta: [f64; 2]| {
         let pendulum = DoublePendulum {
             m: 1.0,

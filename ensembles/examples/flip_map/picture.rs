@@ -10,6 +10,9 @@ use plotters::style::{FontStyle, register_font};
 /// The width and height of the picture in pixels.
 const SIZE: (u32, u32) = (1000, 860);
 
+/// The largest angle of a start in rad.
+pub(crate) const LARGEST: f64 = 3.1;
+
 /// Draws the times of the flips over the starts.
 pub(crate) fn draw(table: &Table, size: usize, path: &Path) -> Result<(), Box<dyn Error>> {
     let missing = || "the table has no such column";
@@ -41,7 +44,7 @@ pub(crate) fn draw(table: &Table, size: usize, path: &Path) -> Result<(), Box<dy
         )
         .x_label_area_size(50)
         .y_label_area_size(70)
-        .build_cartesian_2d(-3.15..3.15, -3.15..3.15)?;
+        .build_cartesian_2d(-LARGEST..LARGEST, -LARGEST..LARGEST)?;
     chart
         .configure_mesh()
         .disable_mesh()
@@ -51,7 +54,7 @@ pub(crate) fn draw(table: &Table, size: usize, path: &Path) -> Result<(), Box<dy
         .draw()?;
     // Twice, since the other half are mirror images.
     #[allow(clippy::cast_precision_loss)]
-    let spacing = 3.15 / size as f64;
+    let spacing = 0.5 * LARGEST / (size.max(2) - 1) as f64;
     let starts = first.iter().zip(second).zip(flips);
     chart.draw_series(
         starts

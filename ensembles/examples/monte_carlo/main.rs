@@ -80,6 +80,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Problem::new(top, State::new(0.0, [0.0, 0.5, 0.0], [0.3, 0.0, 20.0])).save(Every(SPACING))
     };
     let bar = ProgressBar::new(arguments.members as u64);
+    #[allow(clippy::cast_precision_loss)] // There are few.
     let end = SPACING * TIMES as f64;
     let study = Study::new(inertias, problem, end, Taylor::new())
         .each_member(|progress| bar.set_position(progress.ended as u64));

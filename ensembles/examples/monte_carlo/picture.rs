@@ -3,7 +3,8 @@
 use std::error::Error;
 use std::path::Path;
 
-use lagrangian_ensembles::Summary;
+use lagrangian_ensembles::{Histogram, Summary};
+use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 
@@ -11,6 +12,11 @@ use plotters::style::{FontStyle, register_font};
 const SIZE: (u32, u32) = (1000, 900);
 
 const BLUE: RGBColor = RGBColor(38, 88, 160);
+
+/// The size of the letters.
+const TEXT: (&str, u32) = ("sans-serif", 18);
+
+type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
 
 /// Draws what a summary tells of the tilts at times of a spacing, and the part of the variance that is due to each
 /// parameter.
@@ -22,13 +28,21 @@ pub(crate) fn draw(
 ) -> Result<(), Box<dyn Error>> {
     register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular())
         .map_err(|_| "the font cannot be read")?;
-    let text = ("sans-serif", 18);
     let root = BitMapBackend::new(path, SIZE).into_drawing_area();
     root.fill(&WHITE)?;
     let (bands, below) = root.split_vertically(SIZE.1 / 2);
     let (left, right) = below.split_horizontally(SIZE.0 / 2);
+    draw_bands(&bands, summary, spacing)?;
+    let largest = summary.column("largest tilt");
+    let histogram = largest.and_then(|column| column.histogram());
+    draw_histogram(&left, histogram.ok_or("the summary has no histogram")?)?;
+    draw_parts(&right, parts)?;
+    root.present()?;
+    Ok(())
+}
 
-    // The quantiles of the tilt at each time.
+/// Draws the quantiles of the tilt at each time.
+fn draw_bands(area: &Area<'_>, summary: &Summary, spacing: f64) -> Result<(), Box<dyn Error>> {
     let tilts = summary
         .columns()
         .iter()
@@ -48,7 +62,7 @@ pub(crate) fn draw(
         .iter()
         .map(|(_, [.., quantile])| *quantile)
         .fold(0.5, f64::max);
-    let mut chart = ChartBuilder::on(&bands)
+    let mut chart = ChartBuilder::on(area)
         .margin(15)
         .caption(
             "tilt of the top: the median, and bands with 50 and 90 % of the tops",
@@ -62,7 +76,7 @@ pub(crate) fn draw(
         .light_line_style(TRANSPARENT)
         .x_desc("t [s]")
         .y_desc("θ [rad]")
-        .label_style(text)
+        .label_style(TEXT)
         .draw()?;
     for (low, high, opacity) in [(0, 4, 0.2), (1, 3, 0.35)] {
         let there = quantiles.iter().map(|(time, values)| (*time, values[low]));
@@ -75,14 +89,14 @@ pub(crate) fn draw(
     }
     let median = quantiles.iter().map(|(time, values)| (*time, values[2]));
     chart.draw_series(LineSeries::new(median, BLUE.stroke_width(2)))?;
+    Ok(())
+}
 
-    let histogram = summary
-        .column("largest tilt")
-        .and_then(|column| column.histogram());
-    let histogram = histogram.ok_or("the summary has no histogram")?;
+/// Draws the numbers of tops in the bins of a histogram.
+fn draw_histogram(area: &Area<'_>, histogram: &Histogram) -> Result<(), Box<dyn Error>> {
     let (edges, counts) = (histogram.edges(), histogram.counts());
     let most = counts.iter().copied().max().unwrap_or(0);
-    let mut chart = ChartBuilder::on(&left)
+    let mut chart = ChartBuilder::on(area)
         .margin(15)
         .x_label_area_size(45)
         .y_label_area_size(75)
@@ -93,16 +107,20 @@ pub(crate) fn draw(
         .x_labels(6)
         .x_desc("largest tilt [rad]")
         .y_desc("tops")
-        .label_style(text)
+        .label_style(TEXT)
         .draw()?;
     let bins = edges.windows(2).zip(counts);
     chart.draw_series(
         bins.map(|(edge, count)| Rectangle::new([(edge[0], 0), (edge[1], *count)], BLUE.filled())),
     )?;
+    Ok(())
+}
 
+/// Draws the part of the variance that is due to each parameter.
+fn draw_parts(area: &Area<'_>, parts: &[(&str, f64)]) -> Result<(), Box<dyn Error>> {
     #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)] // There are five.
     let count = parts.len() as i32;
-    let mut chart = ChartBuilder::on(&right)
+    let mut chart = ChartBuilder::on(area)
         .margin(15)
         .x_label_area_size(45)
         .y_label_area_size(75)
@@ -122,7 +140,7 @@ pub(crate) fn draw(
         .light_line_style(TRANSPARENT)
         .x_label_formatter(&name)
         .y_desc("part of the variance [%]")
-        .label_style(text)
+        .label_style(TEXT)
         .draw()?;
     chart.draw_series((0..).zip(parts).map(|(place, (_, part))| {
         let corners = [
@@ -133,6 +151,5 @@ pub(crate) fn draw(
         bar.set_margin(0, 0, 15, 15);
         bar
     }))?;
-    root.present()?;
     Ok(())
 }

@@ -42,7 +42,6 @@ impl Design {
     /// Returns an error if there is no such design.
     pub(super) fn check(self, count: usize, dimension: usize) -> Result<(), Error> {
         let limit = match self {
-            Self::Random => return Ok(()),
             Self::LatinHypercube if u32::try_from(count).is_err() => {
                 let text = format!(
                     "a Latin hypercube has at most {} members, not {count}",
@@ -50,7 +49,7 @@ impl Design {
                 );
                 return Err(Error::Points(text));
             }
-            Self::LatinHypercube => return Ok(()),
+            Self::Random | Self::LatinHypercube => return Ok(()),
             Self::Sobol => MAX_SOBOL_DIMENSION,
             Self::Halton => MAX_HALTON_DIMENSION,
         };
