@@ -107,6 +107,14 @@ impl<M: Members> Study<'_, M> {
         let path = &folder.path;
         let claimed = claim(path, &manifest).and_then(|()| Results::find([path]));
         #[cfg(feature = "mpi")]
+        let is_first = folder.ranks.as_ref().is_none_or(Ranks::is_first);
+        #[cfg(not(feature = "mpi"))]
+        let is_first = true;
+        let claimed = match claimed {
+            Ok(before) if is_first => before.check().map(|()| before),
+            claimed => claimed,
+        };
+        #[cfg(feature = "mpi")]
         let claimed = agree(folder.ranks.as_ref(), claimed, path);
         let before = claimed?;
         let chunks = self.chunks();
@@ -238,6 +246,16 @@ fn name(chunk: usize) -> String {
     format!("chunk-{chunk:06}.parquet")
 }
 
+/// Returns the number of the chunk whose file has a name.
+fn number(file: &str) -> Option<usize> {
+    let number = file
+        .strip_prefix("chunk-")?
+        .strip_suffix(".parquet")?
+        .parse()
+        .ok()?;
+    (name(number) == file).then_some(number)
+}
+
 /// The results of a study in one or several folders.
 #[derive(Clone, Debug)]
 pub struct Results {
@@ -254,8 +272,17 @@ impl Results {
     ///
     /// If a folder contains no results or those of another study, or a file cannot be read.
     pub fn open<P: AsRef<Path>>(folders: impl IntoIterator<Item = P>) -> Result<Self, Error> {
-        Self::find(folders)
+        let results = Self::find(folders)?;
+        results.check()?;
+        Ok(results)
     }
+
+    /// Returns an error if a file is not complete.
+    fn check(&self) -> Result<(), Error> {
+        self.files().try_for_each(parquet::check)
+    }
+
+    /// Finds the files of the finished chunks by their names.
 
     fn find<P: AsRef<Path>>(folders: impl IntoIterator<Item = P>) -> Result<Self, Error> {
         let mut results: Option<Self> = None;
@@ -276,10 +303,11 @@ impl Results {
                     files: BTreeMap::new(),
                 }),
             };
-            for chunk in 0..results.chunks().count() {
-                let path = folder.join(name(chunk));
-                if path.exists() {
-                    parquet::check(&path)?;
+            let files = fs::read_dir(folder).map_err(Error::file(folder, "read"))?;
+            for file in files {
+                let path = file.map_err(Error::file(folder, "read"))?.path();
+                let chunk = path.file_name().and_then(|name| number(name.to_str()?));
+                if let Some(chunk) = chunk.filter(|chunk| *chunk < results.chunks().count()) {
                     results.files.entry(chunk).or_insert(path);
                 }
             }
