@@ -96,7 +96,7 @@ const ENSEMBLES: &str = include_str!("../models/ensembles.rs");
 /// An event that occurs again and again, and one that never does.
 fn events(model: Model) -> &'static str {
     match model {
-        Model::Pendulum(_) => "event(often = q2, never = q1 - 2.0)",
+        Model::Pendulum(_) => "event(often = dot(q2) - dot(q1), never = q1 - 2.0)",
         _ => "event(often = dot(theta), never = theta - 2.5)",
     }
 }

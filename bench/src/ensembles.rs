@@ -6,14 +6,14 @@
 //! component of its final state from the reference, relative to the reference where that is greater than 1; that of an
 //! ensemble is the 90th percentile over its members. No motion of this range of starts is chaotic, and the largest error is printed
 //! beside the percentile. The reference is ours at the default tolerance, 2⁻⁵², after heyoka's at the same tolerance has
-//! confirmed it. For each method the tolerance is then sought, relative and absolute alike, at which the measured error is 1e-9 or
-//! a little less ([`tolerance`]).
+//! confirmed it. Each method then gets the greatest tolerance, relative and absolute alike, in eighths of a decade, at which the
+//! measured error is at most 1e-9 ([`tolerance`]).
 //!
 //! Ours is what a user writes: an [`Ensemble`](lagrangian::Ensemble) of problems of the declared model, its parameters read at run
 //! time, in 4 and in 8 lanes, by each of the named orders; a run creates the problems, integrates them and keeps the final states.
 //! Of heyoka's, whose equations are by hand with constants folded and whose code is compiled before, the calls of
 //! `propagate_until` are timed, and not the loop in Python around them (`peers/heyoka_ensemble.py`); such a call costs some 4 µs besides its
-//! steps, a fortieth of the time of a batch. Its batches have the size that it recommends, or 8 members, and its own ensembles copy the
+//! steps, some 2 % of the time of a batch. Its batches have the size that it recommends, or 8 members, and its own ensembles copy the
 //! integrator for every member. `ode_solvers` integrates the same equations by hand by its DOP853 in a parallel iterator of rayon with one
 //! thread (`peers/solvers.rs`). All are compiled for this processor, run in turn, and the fastest run of each counts, in CPU time. The best
 //! of our methods is compared with the best of heyoka's.
