@@ -4,8 +4,8 @@
 //! The members start at states that change little from one to the next ([`starts`]), so that those which heyoka integrates in
 //! one batch take nearly the same steps, and none waits for the others. The error of a member is the largest difference of a
 //! component of its final state from the reference, relative to the reference where that is greater than 1; that of an
-//! ensemble is the 90th percentile over its members. No motion of this range of starts is chaotic, and the largest error is printed
-//! beside the percentile. The reference is ours at the default tolerance, 2⁻⁵², after heyoka's at the same tolerance has
+//! ensemble is the 90th percentile over its members. Angles of the pendulum are so small that the largest error, which is
+//! printed beside the percentile, is within ten times it: no motion is dominated by chaos. The reference is ours at the default tolerance, 2⁻⁵², after heyoka's at the same tolerance has
 //! confirmed it. Each method then gets the greatest tolerance, relative and absolute alike, in eighths of a decade, at which the
 //! measured error is at most 1e-9 ([`tolerance`]).
 //!
