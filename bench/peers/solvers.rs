@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use differential_equations::prelude::*;
 use lagrangian_bench::{Integrated, Integration, Question, answer_questions, fewest_seconds};
 use nalgebra::SVector;
+use rayon::prelude::*;
 
 const G: f64 = 9.81;
 
@@ -121,11 +122,33 @@ fn by_differential_equations<E: Equations<D>, const D: usize>(
     Ok((solution.steps.total() as u64, *last))
 }
 
-fn integrated<E: Equations<D>, const D: usize>(
+/// Motions that are distributed over threads by rayon: one thread, this one.
+fn ensemble<E: Equations<D> + Send + Sync, const D: usize>(
+    equations: E,
+    integration: &Integration,
+) -> Result<Integrated, String> {
+    let Integration { tolerance, starts, end, at_least, .. } = integration;
+    let start = |row: &Vec<f64>| <[f64; D]>::try_from(row.as_slice());
+    let starts: Result<Vec<_>, _> = starts.iter().map(start).collect();
+    let starts = starts.map_err(|_| "another number of components")?;
+    let tolerance = tolerance.ok_or("no tolerance")?;
+    let (ends, seconds) = fewest_seconds(*at_least, || {
+        let motions = starts.par_iter();
+        motions.map(|start| by_ode_solvers(equations, *start, *end, tolerance)).collect::<Result<Vec<_>, _>>()
+    })?;
+    let steps = ends.iter().map(|(steps, _)| steps).sum();
+    let states = ends.iter().map(|(_, state)| state.to_vec()).collect();
+    Ok(Integrated { seconds, steps, events: 0, states })
+}
+
+fn integrated<E: Equations<D> + Send + Sync, const D: usize>(
     equations: E,
     integration: &Integration,
 ) -> Result<Integrated, String> {
     let Integration { method, tolerance, starts, end, at_least } = integration;
+    if starts.len() > 1 && method == "ode_solvers" {
+        return ensemble(equations, integration);
+    }
     let start = starts.first().ok_or("no start")?;
     let start: [f64; D] = start.as_slice().try_into().map_err(|_| "another number of components")?;
     let tolerance = tolerance.ok_or("no tolerance")?;
@@ -134,11 +157,17 @@ fn integrated<E: Equations<D>, const D: usize>(
         "differential-equations" => by_differential_equations(equations, start, *end, tolerance),
         other => Err(format!("there is no method `{other}`")),
     })?;
-    Ok(Integrated { seconds, steps, states: vec![state.to_vec()] })
+    Ok(Integrated { seconds, steps, events: 0, states: vec![state.to_vec()] })
 }
 
 fn main() -> ExitCode {
     let model = std::env::args().nth(1).unwrap_or_default();
+    // Times are those of this thread, which is the only one of the pool.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread();
+    if let Err(error) = pool.build_global() {
+        eprintln!("{error}");
+        return ExitCode::FAILURE;
+    }
     answer_questions(|question| {
         let Question::Integrate(integration) = question else {
             return Err("these solvers know no energies".to_owned());

@@ -183,6 +183,7 @@ fn solved<const INDEX: u8>(
     Ok(Integrated {
         seconds,
         steps,
+        events: 0,
         states: vec![end],
     })
 }

@@ -20,6 +20,7 @@ pub(crate) struct Arguments {
         default_value_if("ablation", "true", "A1,A2,A2m,P2,P2m,P5,P20"),
         default_value_if("taylor", "true", "A1,A2,P2,P5,P10,P20,arm,figure-eight"),
         default_value_if("work_precision", "true", "A1,A2,P2"),
+        default_value_if("ensembles", "true", "A1,A2,P2"),
         default_value_if("brouwer", "true", "A1,P2"),
         default_value_if("compile", "true", "A1,A2,P2,P10,P20")
     )]
@@ -80,6 +81,10 @@ pub(crate) struct Arguments {
     /// One, two and forty four-bar linkages in a row through their singular configurations.
     #[arg(long, group = "task")]
     pub(crate) linkages: bool,
+
+    /// Ensembles of 10,000 motions at equal errors, beside heyoka's and those of `ode_solvers`.
+    #[arg(long, group = "task")]
+    pub(crate) ensembles: bool,
 
     /// An arm in space of so many links: accelerations and inverse dynamics beside algorithms written by hand in C.
     #[arg(long, group = "task")]

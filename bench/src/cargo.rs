@@ -54,6 +54,7 @@ pub(crate) fn build(
         Calls::CompareReduced => format!("reduced-{model}"),
         Calls::Taylor => format!("taylor-{model}"),
         Calls::Dop853 => format!("dop853-{model}"),
+        Calls::Ensembles => format!("ensembles-{model}"),
     };
     let main = source(model, calls);
     let timed = matches!(
@@ -238,7 +239,7 @@ pub(crate) fn build_peer(
 
 /// The crates of the solvers, and what their code here needs.
 const SOLVERS: &str = "ode_solvers = \"=0.6.2\"\ndifferential-equations = \"=0.7.0\"\n\
-                       nalgebra = \"0.34\"\nserde_json = \"1\"\n";
+                       nalgebra = \"0.34\"\nrayon = \"1.11\"\nserde_json = \"1\"\n";
 
 /// Writes the package of a model. The derive gets these features.
 fn package(

@@ -29,18 +29,22 @@ pub(crate) enum Calls {
     Taylor,
     /// The same without the clause.
     Dop853,
+    /// Ensembles of such a model, with two events.
+    Ensembles,
 }
 
 impl Calls {
     /// What the declaration says besides what every model has.
-    fn clause(self) -> &'static str {
-        match self {
+    fn clause(self, model: Model) -> String {
+        let clause = match self {
             Self::Measure | Self::MeasureWithRounding | Self::Dop853 => "",
             Self::Integrate | Self::IntegrateAlone | Self::IntegratePrecisely | Self::Taylor => {
                 "    taylor,\n"
             }
             Self::CompareReduced => "    taylor,\n    routhian(Reduced),\n",
-        }
+            Self::Ensembles => return format!("    taylor,\n    {},\n", events(model)),
+        };
+        clause.to_owned()
     }
 
     /// What `main` does with the model, and what it returns.
@@ -54,6 +58,10 @@ impl Calls {
             Self::CompareReduced => return compare_reduced(degrees),
             Self::Taylor => return once("Taylor", degrees),
             Self::Dop853 => return once("Dop853", degrees),
+            Self::Ensembles => {
+                let body = "    contest(&model)\n".to_owned();
+                return (body, "std::process::ExitCode");
+            }
         };
         let call = format!(
             "    let operations = Model::OPERATIONS.accelerations;\n    \
@@ -82,6 +90,17 @@ fn once(method: &str, degrees: usize) -> (String, &'static str) {
     (body, "Result<(), IntegrationError>")
 }
 
+/// What integrates ensembles.
+const ENSEMBLES: &str = include_str!("../models/ensembles.rs");
+
+/// An event that occurs again and again, and one that never does.
+fn events(model: Model) -> &'static str {
+    match model {
+        Model::Pendulum(_) => "event(often = dot(q2) - dot(q1), never = q1 - 2.0)",
+        _ => "event(often = dot(theta), never = theta - 2.5)",
+    }
+}
+
 fn declaration(model: Model) -> Declaration {
     match model {
         Model::SymmetricTop => symmetric_top(),
@@ -98,7 +117,7 @@ fn declaration(model: Model) -> Declaration {
 pub(crate) fn source(model: Model, calls: Calls) -> String {
     let declaration = declaration(model);
     let Declaration { title, clauses, .. } = &declaration;
-    let clause = calls.clause();
+    let clause = calls.clause(model);
     let (mut fields, mut values) = (String::new(), String::new());
     for (name, value) in declaration.parameters {
         let _ = write!(fields, "{name}: f64, ");
@@ -106,6 +125,10 @@ pub(crate) fn source(model: Model, calls: Calls) -> String {
     }
     let degrees = model.degrees();
     let (body, result) = calls.body(degrees);
+    let functions = match calls {
+        Calls::Ensembles => format!("\nconst DEGREES: usize = {degrees};\n{ENSEMBLES}"),
+        _ => String::new(),
+    };
     format!(
         "//! Written by lagrangian-bench.\n\
          use lagrangian::prelude::*;\n\n\
@@ -114,7 +137,7 @@ pub(crate) fn source(model: Model, calls: Calls) -> String {
          #[lagrangian(\n{clause}{clauses})]\n\
          struct Model {{ {fields}}}\n\n\
          fn main() -> {result} {{\n\
-         \x20   let model = Model {{ {values}}};\n{body}}}\n"
+         \x20   let model = Model {{ {values}}};\n{body}}}\n{functions}"
     )
 }
 

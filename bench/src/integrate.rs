@@ -5,12 +5,10 @@ use std::process::ExitCode;
 use lagrangian::prelude::*;
 use lagrangian::quantities::{MembersInLanes, MotionSeries};
 use lagrangian::{DoubleDouble, EquationsOfMotion, Lanes, OperationCount};
-use serde::Serialize;
-use serde_json::Value;
 
 use crate::energy_errors::{drift, energy, energy_errors};
 use crate::motions::{LANES, Motions, rows, state};
-use crate::question::{Integrated, Integration, Question, answer_questions};
+use crate::question::{Integrated, Integration, Question, answer, answer_questions};
 use crate::thread_time::fewest_seconds;
 
 /// A model without inputs, on the scalars on which it is integrated here.
@@ -39,12 +37,13 @@ impl<M, const N: usize> Contestant<N> for M where
 /// The `main` of a model crate that is measured by integrating it, one motion at a time or several at once.
 pub fn integrate<const N: usize, M: Contestant<N>>(model: &M, _: OperationCount) -> ExitCode {
     answer_questions(|question| match question {
-        Question::Integrate(integration) => value(&match integration.starts.len() {
+        Question::Integrate(integration) => answer(&match integration.starts.len() {
             1 => alone(model, &integration)?,
             _ => together(model, &integration)?,
         }),
-        Question::EnergyDrifts(states) => value(&drifts(model, &states)?),
-        Question::EnergyErrors(question) => value(&energy_errors(model, &question)?),
+        Question::EnergyDrifts(states) => answer(&drifts(model, &states)?),
+        Question::EnergyErrors(question) => answer(&energy_errors(model, &question)?),
+        Question::Throughput(_) => Err("throughput is that of ensembles".to_owned()),
     })
 }
 
@@ -57,9 +56,9 @@ pub fn integrate_alone<
     _: OperationCount,
 ) -> ExitCode {
     answer_questions(|question| match question {
-        Question::Integrate(integration) => value(&alone(model, &integration)?),
-        Question::EnergyDrifts(states) => value(&drifts(model, &states)?),
-        Question::EnergyErrors(_) => Err("one motion at a time".to_owned()),
+        Question::Integrate(integration) => answer(&alone(model, &integration)?),
+        Question::EnergyDrifts(states) => answer(&drifts(model, &states)?),
+        _ => Err("one motion at a time".to_owned()),
     })
 }
 
@@ -74,14 +73,10 @@ pub fn integrate_precisely<
     answer_questions(|question| match question {
         Question::Integrate(integration) => {
             let method = Taylor::order_40();
-            value(&by::<DoubleDouble, _, _, N>(model, &method, &integration)?)
+            answer(&by::<DoubleDouble, _, _, N>(model, &method, &integration)?)
         }
         _ => Err("references alone".to_owned()),
     })
-}
-
-fn value(answer: &impl Serialize) -> Result<Value, String> {
-    serde_json::to_value(answer).map_err(|error| error.to_string())
 }
 
 /// One motion, by a method with this name.
@@ -156,6 +151,7 @@ fn ensemble<const N: usize, const HALF: usize, M: Contestant<N>>(
     Ok(Integrated {
         seconds,
         steps: steps.max().unwrap_or(0),
+        events: 0,
         states: states.collect(),
     })
 }
@@ -187,6 +183,7 @@ where
     Ok(Integrated {
         seconds,
         steps: solution.statistics.steps,
+        events: 0,
         states: rows(&solution.x),
     })
 }

@@ -29,6 +29,8 @@ pub use integrate::{Contestant, integrate, integrate_alone, integrate_precisely}
 pub use measure::{measure, measure_dynamics, measure_with_rounding};
 pub use motions::LANES;
 pub use protocol::{Answers, Library, Measurement, Operations, Report, Request};
-pub use question::{EnergyErrors, Integrated, Integration, Question, answer_questions};
+pub use question::{
+    EnergyErrors, Integrated, Integration, Question, Throughput, answer, answer_questions,
+};
 pub use reduced_step::compare_steps;
 pub use thread_time::fewest_seconds;

@@ -55,6 +55,7 @@ mod compile_costs;
 mod reduced;
 mod light_cart_pole;
 mod linkages;
+mod ensembles;
 mod constraints;
 mod cartesian_pendulum;
 
@@ -107,6 +108,9 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     if arguments.linkages {
         return linkages::run(arguments);
+    }
+    if arguments.ensembles {
+        return ensembles::run(arguments);
     }
     if arguments.spatial {
         return spatial::run(arguments);

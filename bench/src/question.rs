@@ -16,6 +16,8 @@ pub enum Question {
     EnergyDrifts(Vec<Vec<f64>>),
     /// The relative errors of the energy, a row for each of the times, and in it one for each start.
     EnergyErrors(EnergyErrors),
+    /// How many motions the process integrates in a second by the clock.
+    Throughput(Throughput),
 }
 
 /// An integration from time 0 that is measured.
@@ -38,10 +40,22 @@ pub struct Integration {
 pub struct Integrated {
     /// The fewest seconds of CPU time.
     pub seconds: f64,
-    /// Steps; of several starts together, the most.
+    /// Steps; of several starts together, the most; of an ensemble, all.
     pub steps: u64,
+    /// Events that were recorded.
+    #[serde(default)]
+    pub events: u64,
     /// The final states.
     pub states: Vec<Vec<f64>>,
+}
+
+/// An integration that is repeated by the clock.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Throughput {
+    /// The ensemble.
+    pub integration: Integration,
+    /// No repetition begins after that.
+    pub seconds: f64,
 }
 
 /// How the energy is kept over long times.
@@ -53,6 +67,15 @@ pub struct EnergyErrors {
     pub times: Vec<f64>,
     /// The relative and absolute tolerance; none is the method's own.
     pub tolerance: Option<f64>,
+}
+
+/// What a contestant answers.
+///
+/// # Errors
+///
+/// The message of the serializer.
+pub fn answer(value: &impl Serialize) -> Result<Value, String> {
+    serde_json::to_value(value).map_err(|error| error.to_string())
 }
 
 /// The `main` of a contestant: answers questions until there are no more.

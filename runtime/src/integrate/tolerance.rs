@@ -152,12 +152,9 @@ pub(crate) fn largest_ratios<X: LaneStates<L>, const L: usize>(
     vector: &X,
     weights: &X,
 ) -> Lanes<L> {
-    let mut largest = Lanes::from_f64(0.0);
-    let mut finite = Lanes::from_f64(0.0);
-    for (component, weight) in vector.components().zip(weights.components()) {
-        largest = Scalar::max(largest, component.abs() * weight);
-        // Adds 0, or NaN if the component is not finite.
-        finite += component * Lanes::from_f64(0.0);
-    }
-    largest + finite
+    let zero = Lanes::from_f64(0.0);
+    let ratios = vector.zip_map(weights, |component, weight| component.abs() * weight);
+    // Adds 0, or NaN if the component is not finite.
+    let finite = vector.fold(zero, |sum, component| sum + component * zero);
+    ratios.fold(zero, Scalar::max) + finite
 }

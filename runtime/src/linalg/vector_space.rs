@@ -118,7 +118,7 @@ impl<S: Scalar, const D: usize> VectorSpace<S> for SVector<S, D> {
 
     #[inline]
     fn components(&self) -> impl Iterator<Item = S> + '_ {
-        self.iter().copied()
+        self.as_slice().iter().copied()
     }
 }
 

@@ -111,8 +111,9 @@ impl<S: Scalar, const N: usize, Z: VectorSpace<S>> VectorSpace<S> for Phase<S, N
 
     #[inline]
     fn components(&self) -> impl Iterator<Item = S> + '_ {
-        let motion = self.q.iter().chain(self.v.iter()).copied();
-        motion.chain(self.z.components())
+        // Slices, whose lengths the compiler knows, for the iterators of nalgebra are loops that it does not unroll.
+        let (q, v) = (self.q.as_slice(), self.v.as_slice());
+        q.iter().chain(v).copied().chain(self.z.components())
     }
 
     /// Updates first all coordinates, then all velocities: in vectors of both, coordinates would wait for
@@ -134,11 +135,10 @@ impl<S: Scalar, const N: usize, Z: VectorSpace<S>> VectorSpace<S> for Phase<S, N
 
     #[inline]
     fn fold<T>(&self, start: T, mut function: impl FnMut(T, S) -> T) -> T {
-        let coordinates = self.q.iter().fold(start, |value, x| function(value, *x));
-        let motion = self
-            .v
-            .iter()
-            .fold(coordinates, |value, x| function(value, *x));
+        let motion = [&self.q, &self.v].into_iter().fold(start, |value, half| {
+            let numbers = half.as_slice().iter();
+            numbers.fold(value, |value, x| function(value, *x))
+        });
         self.z.fold(motion, function)
     }
 

@@ -46,19 +46,26 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let mut verdicts = [Verdict::Agrees; L];
         // Lanes without a verdict.
         let mut open = *pending;
-        for lane in lanes(pending) {
-            if let Some((index, _)) = non_finite(reached.state.value(), lane) {
+        let state = reached.state.value();
+        // A sum of zeros, or NaN if a component is not finite.
+        let zero = state.fold(Lanes::from_f64(0.0), |sum, component| {
+            component.mul_add(Lanes::from_f64(0.0), sum)
+        });
+        for lane in lanes(pending).filter(|&lane| !zero.0[lane].is_finite()) {
+            if let Some((index, _)) = non_finite(state, lane) {
                 (verdicts[lane], open[lane]) = (Verdict::Differs(index), false);
             }
         }
         let crossings = self.crossings(dynamics, h, reached.tau, &open);
-        for lane in lanes(&open) {
-            if crossings[lane].converging < 1.0 {
-                verdicts[lane] = Verdict::Converges(crossings[lane].converging);
-                open[lane] = false;
+        if let Some(crossings) = &crossings {
+            for lane in lanes(&open) {
+                if crossings[lane].converging < 1.0 {
+                    verdicts[lane] = Verdict::Converges(crossings[lane].converging);
+                    open[lane] = false;
+                }
             }
+            self.check_crossings(dynamics, h, crossings, (&mut verdicts, &mut open));
         }
-        self.check_crossings(dynamics, h, &crossings, (&mut verdicts, &mut open));
         if !any(&open) {
             return verdicts;
         }
@@ -69,15 +76,18 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         for lane in lanes(&open) {
             if let Some(component) = found[lane] {
                 open[lane] = false;
-                verdicts[lane] = match crossings[lane].at_end {
+                let at_end = crossings.as_ref().and_then(|of| of[lane].at_end);
+                verdicts[lane] = match at_end {
                     Some(function) => Verdict::Crosses(Crossing { at: 1.0, function }),
                     None => Verdict::Differs(component),
                 };
             }
         }
         let mut inner = self.is_uncertain_within(h, (reached.tau, middle), &open);
-        for lane in lanes(&open) {
-            inner[lane] |= crossings[lane].has_noise;
+        if let Some(crossings) = &crossings {
+            for lane in lanes(&open) {
+                inner[lane] |= crossings[lane].has_noise;
+            }
         }
         let found = self.check_within(dynamics, (h, &allowance), inner);
         for lane in lanes(&open) {
@@ -131,28 +141,33 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         beyond
     }
 
-    /// Returns the sign changes of switching functions in the steps of the lanes that are asked for.
+    /// Returns the sign changes of switching functions in the steps of the lanes that are asked for; `None` if there are no
+    /// switching functions.
     fn crossings<D>(
         &self,
         dynamics: &D,
         h: Lanes<L>,
         tau: Lanes<L>,
         asked: &[bool; L],
-    ) -> [BranchCrossings; L]
+    ) -> Option<[BranchCrossings; L]>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
         let (t, unit) = (Lanes(self.time), Lanes(self.unit));
-        let mut crossings = core::array::from_fn(|lane| {
-            let (time, h) = (self.time[lane].abs(), h.0[lane].abs());
-            BranchCrossings::none(RESOLUTION * f64::EPSILON * (time + h) / h)
-        });
         if !any(asked) {
-            return crossings;
+            return None;
         }
+        let none = || {
+            core::array::from_fn(|lane| {
+                let (time, h) = (self.time[lane].abs(), h.0[lane].abs());
+                BranchCrossings::none(RESOLUTION * f64::EPSILON * (time + h) / h)
+            })
+        };
+        let mut crossings: Option<[BranchCrossings; L]> = None;
         let motion = &self.coefficients;
         let from = self.state.reduced(dynamics);
         dynamics.branches(t, &from, unit, motion, &mut |function| {
+            let crossings = crossings.get_or_insert_with(none);
             let mut coefficients = [Lanes::from_f64(0.0); MAX_COEFFICIENTS];
             let mut count = 0;
             for (slot, coefficient) in coefficients.iter_mut().zip(function) {
@@ -279,12 +294,12 @@ fn exceeds<X: LaneStates<L>, const L: usize>(
     allowed: &X,
     asked: &[bool; L],
 ) -> [bool; L] {
-    let mut excess = Lanes::from_f64(0.0);
-    for (residual, allowed) in residual.components().zip(allowed.components()) {
-        // Adds twice the excess, or 0, or NaN.
+    let excess = residual.zip_map(allowed, |residual, allowed| {
+        // Twice the excess, or 0, or NaN.
         let over = residual - allowed;
-        excess += over + over.abs();
-    }
+        over + over.abs()
+    });
+    let excess = excess.fold(Lanes::from_f64(0.0), |sum, excess| sum + excess);
     core::array::from_fn(|lane| asked[lane] && (excess.0[lane].is_nan() || excess.0[lane] > 0.0))
 }
 
