@@ -283,7 +283,6 @@ impl Results {
     }
 
     /// Finds the files of the finished chunks by their names.
-
     fn find<P: AsRef<Path>>(folders: impl IntoIterator<Item = P>) -> Result<Self, Error> {
         let mut results: Option<Self> = None;
         for folder in folders {
