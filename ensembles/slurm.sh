@@ -1,7 +1,7 @@
 #!/bin/bash
 # Computes a study as an array of jobs of Slurm: `sbatch ensembles/slurm.sh`. Each job computes one shard into the common
-# folder. A job that is cancelled or whose node dies is submitted again, alone, by `sbatch --array=K ensembles/slurm.sh`; it goes
-# on behind its finished chunks.
+# folder. If a job is cancelled or its node dies, resubmit it alone with `sbatch --array=K ensembles/slurm.sh`; it
+# continues after its finished chunks.
 #SBATCH --job-name=flip_map
 #SBATCH --array=1-16
 #SBATCH --cpus-per-task=32

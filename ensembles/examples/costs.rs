@@ -28,7 +28,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     #[cfg(feature = "mpi")]
     {
         use lagrangian_ensembles::mpi::{self, traits::Communicator as _};
-        let universe = mpi::initialize().ok_or("MPI could not be initialized")?;
+        let (universe, _) = mpi::initialize_with_threading(mpi::Threading::Funneled)
+            .ok_or("MPI could not be initialized")?;
         let world = universe.world();
         if world.size() > 1 {
             return on_ranks(&world);

@@ -13,11 +13,11 @@ use std::path::{Path, PathBuf};
 pub enum Error {
     /// There are no members.
     NoMembers,
-    /// The points are meaningless; the text tells why.
+    /// The points are invalid; the text says why.
     Points(String),
-    /// The columns are meaningless; the text tells why.
+    /// The columns are invalid; the text says why.
     Columns(String),
-    /// A shard is none of those that there are; the text tells why.
+    /// There is no such shard; the text says why.
     Shard(String),
     /// The threads could not be started.
     Threads(rayon::ThreadPoolBuildError),
@@ -31,7 +31,7 @@ pub enum Error {
         /// The error.
         source: io::Error,
     },
-    /// A folder contains something else than the results of this study; the text tells what to do.
+    /// A folder contains something other than the results of this study; the text says what to do.
     #[cfg(feature = "parquet")]
     Folder {
         /// Its path.

@@ -3,17 +3,20 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+#[cfg(feature = "mpi")]
+use std::sync::atomic::AtomicBool;
 
 use crate::chunks::{Chunks, Queue};
 use crate::column::Column;
 use crate::error::Error;
+use crate::limits::MAX_COMPARED_MEMBERS;
 use crate::manifest::{Identity, MANIFEST, Manifest};
 use crate::members::{Found, Members};
 use crate::motion::Motion;
 use crate::parquet::{self, Writer};
 use crate::points::Points;
 #[cfg(feature = "mpi")]
-use crate::ranks::{Ranks, Requests};
+use crate::ranks::{AbortOnPanic, Ranks, Requests};
 use crate::rows::Rows;
 use crate::shard::Shard;
 use crate::study::{Study, Tables};
@@ -53,9 +56,9 @@ impl Folder {
 
     /// Computes the study on all ranks of a communicator of MPI, all of which call [`Study::write`](crate::Study::write).
     /// Rank 0 hands out the chunks on request. Each rank computes on all its threads; only the calling thread uses MPI,
-    /// which is to be initialized with `mpi::initialize` or any support of threads.
+    /// which must be initialized by `mpi::initialize_with_threading(mpi::Threading::Funneled)`.
     ///
-    /// If a rank dies, MPI ends all; the study then goes on behind the finished chunks, with any number of ranks.
+    /// If a rank dies, MPI ends all; the study then continues after the finished chunks, with any number of ranks.
     #[cfg(feature = "mpi")]
     #[must_use]
     pub fn ranks(mut self, communicator: &impl mpi::traits::Communicator) -> Self {
@@ -88,13 +91,13 @@ impl<M: Members> Study<'_, M> {
     /// parameters of the points are the first columns.
     ///
     /// A file appears when it is complete. Chunks whose files are there are not computed again: a study that was
-    /// interrupted, even by the end of its process, goes on behind them. The bytes of the files depend on neither
+    /// interrupted, even by the end of its process, continues after them. The bytes of the files depend on neither
     /// interruptions nor threads nor shards. If an observer cancels the study, chunks that are not complete are left out.
     ///
     /// # Errors
     ///
-    /// If there are no points or they are meaningless, two columns have one name, the folder contains the results of
-    /// another study, or a file cannot be read or written. What is finished is kept.
+    /// If there are no points or they are invalid, two columns have one name, the folder contains the results of
+    /// another study, or a file cannot be read or written. Finished chunks are kept.
     pub fn write<const N: usize, A: Into<Column>, B: Rows<N>>(
         &self,
         folder: impl Into<Folder>,
@@ -105,18 +108,22 @@ impl<M: Members> Study<'_, M> {
         let columns = self.columns(columns)?;
         let manifest = self.manifest(&columns);
         let path = &folder.path;
+        let pool = self.own_pool();
+        #[cfg(feature = "mpi")]
+        let _guard = folder.ranks.as_ref().map(AbortOnPanic);
         let claimed = claim(path, &manifest).and_then(|()| Results::find([path]));
+        let claimed = claimed.and_then(|before| Ok((before, pool?)));
         #[cfg(feature = "mpi")]
         let is_first = folder.ranks.as_ref().is_none_or(Ranks::is_first);
         #[cfg(not(feature = "mpi"))]
         let is_first = true;
         let claimed = match claimed {
-            Ok(before) if is_first => before.check().map(|()| before),
+            Ok((before, pool)) if is_first => before.check().map(|()| (before, pool)),
             claimed => claimed,
         };
         #[cfg(feature = "mpi")]
         let claimed = agree(folder.ranks.as_ref(), claimed, path);
-        let before = claimed?;
+        let (before, pool) = claimed?;
         let chunks = self.chunks();
         let is_ours = |chunk: &usize| folder.shard.is_none_or(|shard| shard.contains(*chunk));
         let missing = (0..chunks.count()).filter(|chunk| !before.files.contains_key(chunk));
@@ -131,42 +138,42 @@ impl<M: Members> Study<'_, M> {
             path,
             metadata: manifest.metadata(),
         };
+        let pool = Some(&pool);
         #[cfg(feature = "mpi")]
         let run = match &folder.ranks {
             Some(ranks) if ranks.is_first() => {
-                self.run(&queue, count, &sink, |()| (), |_| ranks.hand_out(&queue))
+                let serve = |_, is_stopped: &AtomicBool| ranks.hand_out(&queue, is_stopped);
+                self.run((&queue, count), pool, &sink, |()| (), serve)
             }
             Some(ranks) => {
                 let (source, requests) = Requests::new();
-                self.run(
-                    &source,
-                    count,
-                    &sink,
-                    |()| (),
-                    |workers| ranks.ask(&requests, workers),
-                )
+                let serve =
+                    |workers, is_stopped: &AtomicBool| ranks.ask(&requests, workers, is_stopped);
+                self.run((&source, count), pool, &sink, |()| (), serve)
             }
-            None => self.run(&queue, count, &sink, |()| (), |_| ()),
+            None => self.run((&queue, count), pool, &sink, |()| (), |_, _| ()),
         };
         #[cfg(feature = "mpi")]
         let run = agree(folder.ranks.as_ref(), run, path);
         #[cfg(not(feature = "mpi"))]
-        let run = self.run(&queue, count, &sink, |()| (), |_| ());
+        let run = self.run((&queue, count), pool, &sink, |()| (), |_, _| ());
         run?;
         Results::find([path])
     }
 
     fn manifest(&self, columns: &[Column]) -> Manifest {
         let chunks = self.chunks();
-        let members = [0, chunks.members() / 2, chunks.members() - 1];
-        let described = members.map(|member| self.members.describe(member));
+        let count = chunks.members();
+        let spacing = count.div_ceil(MAX_COMPARED_MEMBERS).max(1);
+        let compared = (0..count).step_by(spacing).chain([count - 1]);
+        let [problem, method] = self.members.description();
         Manifest::new(Identity {
             chunks,
             points: self.members.points().description(),
-            dynamics: described[0].0,
-            numbers: described
-                .into_iter()
-                .flat_map(|(_, numbers)| numbers)
+            problem,
+            method,
+            numbers: compared
+                .flat_map(|member| self.members.numbers(member))
                 .collect(),
             columns,
             metadata: &self.metadata,
@@ -183,7 +190,7 @@ fn agree<T>(ranks: Option<&Ranks>, result: Result<T, Error>, path: &Path) -> Res
     }
     result.and(Err(Error::Folder {
         path: path.to_path_buf(),
-        text: "another rank could not go on; it says why".to_owned(),
+        text: "another rank failed; see its error".to_owned(),
     }))
 }
 
@@ -192,22 +199,24 @@ fn claim(path: &Path, manifest: &Manifest) -> Result<(), Error> {
     fs::create_dir_all(path).map_err(Error::file(path, "created"))?;
     if Manifest::read(path)?.is_none() {
         let mut files = fs::read_dir(path).map_err(Error::file(path, "read"))?;
-        // Another process may be about to write its manifest.
-        let is_other = |name: &str| name != MANIFEST && !name.starts_with('.');
-        if files.any(|file| file.is_ok_and(|file| file.file_name().to_str().is_none_or(is_other))) {
+        let is_other = |name: &str| !name.starts_with('.');
+        let is_used =
+            files.any(|file| file.is_ok_and(|file| file.file_name().to_str().is_none_or(is_other)));
+        // Another process may have begun meanwhile.
+        if is_used && Manifest::read(path)?.is_none() {
             return Err(Error::Folder {
                 path: path.to_path_buf(),
                 text: format!(
-                    "it exists and has no {MANIFEST}: it is not of a study; choose another folder, or an empty one"
+                    "it exists and has no {MANIFEST}, so it is not of a study; choose another folder, or an empty one"
                 ),
             });
         }
-        manifest.write(path)?;
+        manifest.write_first(path)?;
     } else {
-        // A folder that is read-only is an error before the first member, not behind it.
+        // Report a folder that is read-only before the first member is integrated.
         parquet::temporary(&path.join(MANIFEST))?;
     }
-    // Of several processes that begin, the last one has written; what they have written is equal.
+    // Of several processes that begin, the first one has written.
     match Manifest::read(path)? {
         Some(found) => manifest.compare(&found, path),
         None => Ok(()),
@@ -350,8 +359,8 @@ impl Results {
     pub fn table(&self) -> Result<Table, Error> {
         let columns = self.manifest.columns();
         let mut all = Table::new(columns.clone()).with_metadata(self.manifest.metadata());
-        for path in self.files() {
-            all.append(parquet::read(path, &columns)?);
+        for chunk in self.files.keys() {
+            all.append(self.read(*chunk, &columns)?);
         }
         Ok(all)
     }
@@ -365,10 +374,21 @@ impl Results {
     pub fn summary(&self) -> Result<Summary, Error> {
         let columns = self.manifest.columns();
         let mut all = Summary::new(&columns);
-        for path in self.files() {
-            all.merge(parquet::read(path, &columns)?.summary());
+        for chunk in self.files.keys() {
+            all.merge(self.read(*chunk, &columns)?.summary());
         }
         Ok(all)
+    }
+
+    /// Reads the rows of a finished chunk.
+    fn read(&self, chunk: usize, columns: &[Column]) -> Result<Table, Error> {
+        let mut table = Table::new(columns.to_vec());
+        if let Some(path) = self.files.get(&chunk) {
+            table = parquet::read(path, columns)?;
+            // Members without rows have ended, too.
+            table.count(self.chunks().range(chunk).len());
+        }
+        Ok(table)
     }
 
     /// Merges the files of all chunks into one, chunk by chunk.

@@ -123,7 +123,8 @@ impl<const D: usize> Points for Grid<D> {
     type Point = [f64; D];
 
     fn count(&self) -> usize {
-        self.axes.iter().map(Axis::count).product()
+        let counts = self.axes.iter().map(Axis::count);
+        counts.fold(1, usize::saturating_mul)
     }
 
     fn point(&self, index: usize) -> [f64; D] {
@@ -153,6 +154,10 @@ impl<const D: usize> Points for Grid<D> {
     }
 
     fn check(&self) -> Result<(), Error> {
-        self.axes.iter().try_for_each(Axis::check)
+        self.axes.iter().try_for_each(Axis::check)?;
+        let mut counts = self.axes.iter().map(Axis::count);
+        let count = counts.try_fold(1_usize, usize::checked_mul);
+        let too_many = || Error::Points("the grid has more points than can be counted".to_owned());
+        count.map(|_| ()).ok_or_else(too_many)
     }
 }

@@ -42,10 +42,9 @@
 //!
 //! - Points are the [`Range`](std::ops::Range) of the indices, a `Vec` of anything, a [`Grid`], or a [`Sample`] of
 //!   distributions: random, a Latin hypercube, Sobol's or Halton's sequence.
-//! - [`Study::solve`] returns all motions, [`Study::table`] numbers of each, [`Study::summary`] their statistics, for
-//!   which no number of members needs memory.
+//! - [`Study::solve`] returns all motions, [`Study::table`] numbers of each, [`Study::summary`] their statistics.
 //! - With the feature `parquet`, `Study::write` writes tables chunk by chunk into a folder. A study that was
-//!   interrupted goes on after its finished chunks, and parts of it ([`Shard`]) are computed by different machines.
+//!   interrupted continues after its finished chunks, and parts of it ([`Shard`]) are computed by different machines.
 //!   With the feature `csv`, tables are written as text.
 
 mod limits;

@@ -14,3 +14,8 @@ pub(crate) const MAX_HALTON_DIMENSION: usize = 54;
 
 /// The number of centroids of the digests from which quantiles are estimated.
 pub(crate) const MAX_CENTROIDS: usize = 1000;
+
+/// The number of members whose initial states, derivatives and ends are compared before a folder is resumed; of more
+/// members, so many are chosen at equal distances.
+#[cfg(feature = "parquet")]
+pub(crate) const MAX_COMPARED_MEMBERS: usize = 10_000;

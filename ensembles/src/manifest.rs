@@ -9,10 +9,11 @@ use serde::{Deserialize, Serialize};
 use crate::chunks::Chunks;
 use crate::column::{Bins, Column};
 use crate::error::Error;
-use crate::parquet::{persist, temporary};
+use crate::parquet::temporary;
 
 /// The name of the file.
-pub(crate) const MANIFEST: &str = "manifest.json";
+/// Readers of folders of Parquet files ignore names with an underscore.
+pub(crate) const MANIFEST: &str = "_manifest.json";
 
 /// Which study the chunks of a folder are of. A folder is resumed only by a study with an equal manifest.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -24,8 +25,10 @@ pub(crate) struct Manifest {
     chunk: usize,
     /// The description of the points.
     points: String,
-    /// The type of the differential equations.
-    dynamics: String,
+    /// The type of the problems: their equations, events, reactions, and what is kept.
+    problem: String,
+    /// The method with its settings.
+    method: String,
     /// A hash of initial states, derivatives and ends.
     fingerprint: String,
     columns: Vec<ManifestColumn>,
@@ -43,7 +46,8 @@ struct ManifestColumn {
 pub(crate) struct Identity<'a> {
     pub(crate) chunks: Chunks,
     pub(crate) points: String,
-    pub(crate) dynamics: &'static str,
+    pub(crate) problem: String,
+    pub(crate) method: String,
     /// Numbers of some members.
     pub(crate) numbers: Vec<f64>,
     pub(crate) columns: &'a [Column],
@@ -62,7 +66,8 @@ impl Manifest {
             members: identity.chunks.members(),
             chunk: identity.chunks.length(),
             points: identity.points,
-            dynamics: identity.dynamics.to_owned(),
+            problem: identity.problem,
+            method: identity.method,
             fingerprint: format!("{:016x}", hash(&identity.numbers)),
             columns: columns.collect(),
             metadata: identity.metadata.to_vec(),
@@ -111,13 +116,21 @@ impl Manifest {
             .map_err(Error::file(&path, "read"))
     }
 
-    /// Writes the manifest of a folder; it appears as a whole.
-    pub(crate) fn write(&self, folder: &Path) -> Result<(), Error> {
+    /// Writes the manifest of a folder unless there is one; it appears as a whole.
+    pub(crate) fn write_first(&self, folder: &Path) -> Result<(), Error> {
         let path = folder.join(MANIFEST);
         let mut file = temporary(&path)?;
         serde_json::to_writer_pretty(&mut file, self).map_err(Error::file(&path, "written"))?;
         file.flush().map_err(Error::file(&path, "written"))?;
-        persist(file, &path)
+        file.as_file()
+            .sync_all()
+            .map_err(Error::file(&path, "written"))?;
+        match file.persist_noclobber(&path) {
+            Err(error) if error.error.kind() != io::ErrorKind::AlreadyExists => {
+                Err(Error::file(&path, "written")(error.error))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Returns an error that tells in what another manifest in a folder differs.
@@ -140,7 +153,8 @@ impl Manifest {
                 text(&other.chunk),
             ),
             ("points", text(&self.points), text(&other.points)),
-            ("system", text(&self.dynamics), text(&other.dynamics)),
+            ("problem", text(&self.problem), text(&other.problem)),
+            ("method", text(&self.method), text(&other.method)),
             ("columns", text(&self.columns), text(&other.columns)),
             ("metadata", text(&self.metadata), text(&other.metadata)),
             (
@@ -153,7 +167,7 @@ impl Manifest {
             return Ok(());
         };
         let text = format!(
-            "it contains the results of another study: the {part} there: {found}, here: {this}; choose another folder, or remove this one to \
+            "it contains the results of another study: its {part} is {found}, this study's is {this}; choose another folder, or remove this one to \
              compute all anew"
         );
         Err(Error::Folder {

@@ -1,5 +1,7 @@
 //! The members of a study: how each is integrated.
 
+use std::fmt::Debug;
+
 use lagrangian::problem::{Ends, EnsembleIntegrator, Keep, Observer, Reactions, Watched};
 use lagrangian::{At, Dynamics, Partial, Problem, Solution, VectorSpace};
 
@@ -30,11 +32,13 @@ pub trait Members: Sync {
         report: impl FnMut(usize, Found<Self::State, Self::Kept>),
     );
 
-    /// Describes the differential equations: the name of their type, and the initial state, its derivative and the end
-    /// of a member.
-    fn describe(&self, index: usize) -> (&'static str, Vec<f64>);
+    /// Returns the initial state of a member, its derivative, and its end.
+    fn numbers(&self, index: usize) -> Vec<f64>;
 
-    /// Returns an error if the points are meaningless or there are none.
+    /// Describes how members are integrated: the type of their problems, the method with its settings, and the lanes.
+    fn description(&self) -> [String; 2];
+
+    /// Returns an error if the points are invalid or there are none.
     ///
     /// # Errors
     ///
@@ -63,7 +67,7 @@ where
     P: Points,
     F: Fn(P::Point) -> Problem<f64, D, K, C, R, O> + Sync,
     E: Ends + Sync,
-    I: EnsembleIntegrator<f64, D, L> + Sync,
+    I: EnsembleIntegrator<f64, D, L> + Debug + Sync,
     D: Dynamics<f64, State: Send>,
     C: Watched<f64, D>,
     R: Reactions<f64, D>,
@@ -90,12 +94,18 @@ where
         EnsembleIntegrator::<f64, D, L>::solve_each(&self.method, members, report);
     }
 
-    fn describe(&self, index: usize) -> (&'static str, Vec<f64>) {
+    fn description(&self) -> [String; 2] {
+        let problem = std::any::type_name::<Problem<f64, D, K, C, R, O>>();
+        // In one lane, series are summed in another order than in several.
+        let lanes = if L == 1 { "one lane" } else { "lanes" };
+        [problem.to_owned(), format!("{:?}, {lanes}", self.method)]
+    }
+
+    fn numbers(&self, index: usize) -> Vec<f64> {
         let problem = (self.problem)(self.points.point(index));
         let At { t, x } = problem.initial_state();
         let rates = problem.dynamics().derivative(*t, x);
         let numbers = x.components().chain(rates.components());
-        let numbers = numbers.chain([*t, self.end.of(index)]).collect();
-        (std::any::type_name::<D>(), numbers)
+        numbers.chain([*t, self.end.of(index)]).collect()
     }
 }

@@ -68,12 +68,13 @@ impl Parameter {
         self
     }
 
-    /// Returns the value below which a part `probability` of the distribution lies.
+    /// Returns the value below which a part `probability` of the distribution lies; NaN unless this is between 0 and 1.
     #[must_use]
     pub fn quantile(&self, probability: f64) -> f64 {
         match &self.distribution {
             Distribution::Uniform(low, high) => low * (1.0 - probability) + high * probability,
             Distribution::Normal(..) => self.at_score(standard_score(probability)),
+            Distribution::Other(..) if !(0.0..=1.0).contains(&probability) => f64::NAN,
             Distribution::Other(quantile, _) => quantile(probability),
         }
     }
@@ -82,6 +83,7 @@ impl Parameter {
     pub(crate) fn at_score(&self, score: f64) -> f64 {
         match self.distribution {
             Distribution::Normal(mean, deviation) => mean + deviation * score,
+            _ if score.is_nan() => f64::NAN,
             _ => self.quantile(Normal::standard().cdf(score)),
         }
     }
@@ -110,7 +112,12 @@ impl Parameter {
 
 /// Returns the quantile of the standard normal distribution.
 pub(crate) fn standard_score(probability: f64) -> f64 {
-    Normal::standard().inverse_cdf(probability)
+    let is_probability = (0.0..=1.0).contains(&probability);
+    if is_probability {
+        Normal::standard().inverse_cdf(probability)
+    } else {
+        f64::NAN
+    }
 }
 
 impl fmt::Debug for Distribution {

@@ -161,7 +161,7 @@ fn open(path: &Path) -> Result<ParquetRecordBatchReaderBuilder<File>, Error> {
     ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| {
         let length = fs::metadata(path).map_or(0, |metadata| metadata.len());
         let text = format!(
-            "it is truncated or no Parquet file ({length} bytes: {error}); remove it, and run the study again, which computes this chunk anew"
+            "it is truncated or not a Parquet file ({length} bytes: {error}); remove it, and run the study again, which computes this chunk anew"
         );
         Error::file(path, "read")(text)
     })
@@ -196,9 +196,6 @@ pub(crate) fn read(path: &Path, columns: &[Column]) -> Result<Table, Error> {
                 }
             };
             let member = usize::try_from(members.value(row)).map_err(Error::file(path, "read"))?;
-            if table.members().last() != Some(&member) {
-                table.count(1);
-            }
             table.add_row(member, values.iter().map(value));
             if messages.is_valid(row) {
                 table.add_failure(member, messages.value(row).to_owned());

@@ -39,7 +39,7 @@ pub trait Points: Sync {
         format!("{} points", self.count())
     }
 
-    /// Returns an error if the points are meaningless.
+    /// Returns an error if the points are invalid.
     ///
     /// # Errors
     ///

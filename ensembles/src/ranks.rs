@@ -4,6 +4,7 @@
 //! chunk asks rank 0 for it, and gets its number, or none. A rank whose workers have all ended tells so.
 
 use std::fmt;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
@@ -18,6 +19,8 @@ use crate::chunks::{Queue, Source};
 /// What a rank asks of rank 0.
 const WANTS_CHUNK: u64 = 0;
 const HAS_ENDED: u64 = 1;
+/// As `HAS_ENDED`, by an error or a cancellation: all ranks are to stop.
+const HAS_STOPPED: u64 = 2;
 
 /// The answer of rank 0 when there are no more chunks.
 const NO_CHUNK: u64 = u64::MAX;
@@ -50,8 +53,9 @@ impl Ranks {
         have_all
     }
 
-    /// Hands out the chunks of a queue to the other ranks until they have all ended.
-    pub(crate) fn hand_out(&self, queue: &Queue) {
+    /// Hands out the chunks of a queue to the other ranks until they have all ended; none after the study is stopped
+    /// on any rank.
+    pub(crate) fn hand_out(&self, queue: &Queue, is_stopped: &AtomicBool) {
         let any = self.communicator.any_process();
         let mut others = self.communicator.size() - 1;
         while others > 0 {
@@ -61,17 +65,26 @@ impl Ranks {
             };
             let rank = self.communicator.process_at_rank(status.source_rank());
             let (message, _) = rank.receive::<u64>();
-            if message == HAS_ENDED {
-                others -= 1;
-            } else {
-                let chunk = queue.take().map_or(NO_CHUNK, |(_, chunk)| chunk as u64);
+            if message == WANTS_CHUNK {
+                let chunk = (!is_stopped.load(Ordering::Relaxed)).then(|| queue.take());
+                let chunk = chunk.flatten().map_or(NO_CHUNK, |(_, chunk)| chunk as u64);
                 rank.send(&chunk);
+            } else {
+                others -= 1;
+                if message == HAS_STOPPED {
+                    is_stopped.store(true, Ordering::Relaxed);
+                }
             }
         }
     }
 
     /// Asks rank 0 for the chunks that the workers of this rank want, until they have all ended.
-    pub(crate) fn ask(&self, requests: &Receiver<Request>, mut workers: usize) {
+    pub(crate) fn ask(
+        &self,
+        requests: &Receiver<Request>,
+        mut workers: usize,
+        is_stopped: &AtomicBool,
+    ) {
         let first = self.communicator.process_at_rank(0);
         while workers > 0 {
             match requests.recv() {
@@ -85,7 +98,23 @@ impl Ranks {
                 Err(_) => break,
             }
         }
-        first.send(&HAS_ENDED);
+        let message = if is_stopped.load(Ordering::Relaxed) {
+            HAS_STOPPED
+        } else {
+            HAS_ENDED
+        };
+        first.send(&message);
+    }
+}
+
+/// Ends all ranks if this one panics: they would wait for it.
+pub(crate) struct AbortOnPanic<'a>(pub(crate) &'a Ranks);
+
+impl Drop for AbortOnPanic<'_> {
+    fn drop(&mut self) {
+        if thread::panicking() {
+            self.0.communicator.abort(1);
+        }
     }
 }
 

@@ -16,7 +16,7 @@ use design::{Design, Prepared};
 ///
 /// By default the values are independent pseudo-random numbers. [`latin_hypercube`](Self::latin_hypercube),
 /// [`sobol`](Self::sobol) and [`halton`](Self::halton) spread them more evenly. Each member depends on the seed and its
-/// index alone, and is the same on every machine.
+/// index alone, in a Latin hypercube also on their number.
 ///
 /// ```
 /// use lagrangian_ensembles::{Parameter, Points, Sample};
@@ -103,7 +103,7 @@ impl<const D: usize> Sample<D> {
     }
 
     /// Takes the values from Sobol's sequence, with the direction numbers of Joe and Kuo ("Constructing Sobol sequences
-    /// with better two-dimensional projections", 2008), shifted digit by digit by the seed. It has at most 1000
+    /// with better two-dimensional projections", 2008), with a random digital shift, an exclusive or, drawn from the seed. It has at most 1000
     /// parameters, and is best with 2ⁿ members.
     #[must_use]
     pub fn sobol(self) -> Self {
@@ -155,7 +155,7 @@ impl<const D: usize> Points for Sample<D> {
         self.count
     }
 
-    /// Returns the values of a member; NaN if the sample is meaningless ([`check`](Points::check)).
+    /// Returns the values of a member; NaN if the sample is invalid ([`check`](Points::check)).
     fn point(&self, index: usize) -> [f64; D] {
         let prepared = self
             .prepared

@@ -54,7 +54,7 @@ impl FromStr for Shard {
         match parts {
             Some((number, count)) => Self::new(number, count),
             None => Err(Error::Shard(format!(
-                "`{text}` is no shard: write k/n, such as 2/4"
+                "`{text}` is not a shard: write k/n, such as 2/4"
             ))),
         }
     }

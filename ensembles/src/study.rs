@@ -2,8 +2,10 @@
 
 use std::ops::ControlFlow;
 use std::sync::Mutex;
+use std::sync::atomic::AtomicBool;
 
 use lagrangian::problem::Flow;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::chunks::{Chunks, Queue, Source};
 use crate::column::Column;
@@ -126,7 +128,7 @@ impl<'a, P, F, E, I, const L: usize> Study<'a, Integrated<P, F, E, I, L>> {
 }
 
 impl<'a, M: Members> Study<'a, M> {
-    /// Sets the number of threads. By default the study runs on the current pool of `rayon`, which has one thread for
+    /// Sets the number of threads; 0 means one for each core. By default the study runs on the current pool of `rayon`, which has one thread for
     /// each core.
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = Some(threads);
@@ -181,7 +183,7 @@ impl<'a, M: Members> Study<'a, M> {
     ///
     /// # Errors
     ///
-    /// If there are no points or they are meaningless.
+    /// If there are no points or they are invalid.
     #[allow(clippy::type_complexity)] // The type says what a motion is.
     pub fn solve(
         &self,
@@ -205,7 +207,7 @@ impl<'a, M: Members> Study<'a, M> {
     ///
     /// # Errors
     ///
-    /// If there are no points or they are meaningless, or if two columns have one name.
+    /// If there are no points or they are invalid, or if two columns have one name.
     pub fn table<const N: usize, A: Into<Column>, B: Rows<N>>(
         &self,
         columns: [A; N],
@@ -220,11 +222,12 @@ impl<'a, M: Members> Study<'a, M> {
     }
 
     /// Integrates all members and returns the statistics of the `rows` of each motion: `[x, y]` for a single row, or a
-    /// `Vec` of rows. The parameters of the points are the first columns. Neither motions nor rows are kept.
+    /// `Vec` of rows. The parameters of the points are the first columns. Neither motions nor rows are kept beyond
+    /// their chunk. (The summary of a [`table`](Self::table) is of one chunk, and differs in its last digits.)
     ///
     /// # Errors
     ///
-    /// If there are no points or they are meaningless, or if two columns have one name.
+    /// If there are no points or they are invalid, or if two columns have one name.
     pub fn summary<const N: usize, A: Into<Column>, B: Rows<N>>(
         &self,
         columns: [A; N],
@@ -274,18 +277,26 @@ impl<'a, M: Members> Study<'a, M> {
         deliver: impl FnMut(K::Part) + Send,
     ) -> Result<(), Error> {
         let queue = Queue::new(0..self.chunks().count());
-        self.run(&queue, self.members.points().count(), sink, deliver, |_| ())
+        let pool = self.threads.map(pool_of).transpose()?;
+        let members = self.members.points().count();
+        self.run((&queue, members), pool.as_ref(), sink, deliver, |_, _| ())
+    }
+
+    /// Returns a pool of its own, with one thread for each core unless their number was set.
+    #[cfg(feature = "parquet")]
+    pub(crate) fn own_pool(&self) -> Result<ThreadPool, Error> {
+        pool_of(self.threads.unwrap_or_default())
     }
 
     /// Integrates the members of the chunks of a source, at most `members`. Meanwhile calls `serve` with the number of
-    /// workers.
+    /// workers and the flag that stops them.
     pub(crate) fn run<Q: Source, K: Sink<M>>(
         &self,
-        source: &Q,
-        members: usize,
+        (source, members): (&Q, usize),
+        pool: Option<&ThreadPool>,
         sink: &K,
         deliver: impl FnMut(K::Part) + Send,
-        serve: impl FnOnce(usize),
+        serve: impl FnOnce(usize, &AtomicBool),
     ) -> Result<(), Error> {
         if let Some(observed) = &self.observer {
             lock(observed).progress = Progress {
@@ -299,7 +310,7 @@ impl<'a, M: Members> Study<'a, M> {
             source,
             sink,
             observer: &|has_failed| self.observe(has_failed),
-            threads: self.threads,
+            pool,
         };
         work.run(deliver, serve)
     }
@@ -314,6 +325,12 @@ impl<'a, M: Members> Study<'a, M> {
         progress.failed += usize::from(has_failed);
         observer(progress)
     }
+}
+
+/// Returns a pool with this number of threads; 0 means one for each core.
+fn pool_of(threads: usize) -> Result<ThreadPool, Error> {
+    let pool = ThreadPoolBuilder::new().num_threads(threads);
+    pool.build().map_err(Error::Threads)
 }
 
 /// The type of the points of members.

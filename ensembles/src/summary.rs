@@ -139,7 +139,10 @@ impl Summary {
     #[must_use]
     pub fn covariance(&self, one: &str, other: &str) -> Option<f64> {
         let (i, j) = (self.place(one)?, self.place(other)?);
-        Some(self.joint.products[triangle(i, j)] / (self.joint.count - 1.0))
+        Some(over_degrees_of_freedom(
+            self.joint.products[triangle(i, j)],
+            self.joint.count,
+        ))
     }
 
     /// Returns the correlation of two columns; `None` if there is no column of one of the names.
@@ -147,7 +150,8 @@ impl Summary {
     pub fn correlation(&self, one: &str, other: &str) -> Option<f64> {
         let (i, j) = (self.place(one)?, self.place(other)?);
         let product = |i, j| self.joint.products[triangle(i, j)];
-        Some(product(i, j) / (product(i, i) * product(j, j)).sqrt())
+        let correlation = product(i, j) / (product(i, i).sqrt() * product(j, j).sqrt());
+        Some(correlation.clamp(-1.0, 1.0))
     }
 
     /// Returns the number of members, including those that failed.
@@ -172,6 +176,15 @@ impl Summary {
         self.columns
             .iter()
             .position(|column| column.column.name == name)
+    }
+}
+
+/// Returns a sum of products of deviations over n − 1; NaN for fewer than two values.
+fn over_degrees_of_freedom(sum: f64, count: f64) -> f64 {
+    if count < 2.0 {
+        f64::NAN
+    } else {
+        sum / (count - 1.0)
     }
 }
 
@@ -268,7 +281,7 @@ impl ColumnSummary {
     /// Returns the variance, with n − 1 as its divisor; NaN for fewer than two values.
     #[must_use]
     pub fn variance(&self) -> f64 {
-        self.moments.squares / (self.moments.count - 1.0)
+        over_degrees_of_freedom(self.moments.squares, self.moments.count)
     }
 
     /// Returns the standard deviation; NaN for fewer than two values.
@@ -291,8 +304,8 @@ impl ColumnSummary {
 
     /// Returns the value below which a part `probability` of the finite values lies; `None` without values, or if
     /// `probability` is not between 0 and 1. It is estimated by a digest (Dunning, Ertl, "Computing extremely accurate
-    /// quantiles using t-digests", 2019): the part that lies below differs from `probability` by less than 10⁻³, and near 0
-    /// and 1 by much less.
+    /// quantiles using t-digests", 2019): the part that lies below typically differs from `probability` by less than 10⁻³, and
+    /// near 0 and 1 by much less. There is no bound: where the chunks differ much, the difference may reach 10⁻².
     #[must_use]
     pub fn quantile(&self, probability: f64) -> Option<f64> {
         let is_probability = (0.0..=1.0).contains(&probability);
@@ -421,7 +434,7 @@ impl fmt::Display for Summary {
         write!(
             f,
             "\n{:width$}  {:>8}  {:>12}  {:>12}  {:>12}  {:>12}  {:>12}",
-            "", "values", "mean", "deviation", "least", "median", "greatest"
+            "", "values", "mean", "std. dev.", "min", "median", "max"
         )?;
         for column in &self.columns {
             let number = |value: Option<f64>| {

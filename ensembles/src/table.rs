@@ -162,7 +162,7 @@ pub(crate) fn check(columns: &[Column]) -> Result<(), Error> {
         }
         if [MEMBER, ERROR].contains(&name.as_str()) {
             let text = format!(
-                "a column cannot be called `{name}`: each table has a column of this name besides"
+                "a column cannot be called `{name}`: every table already has a column of this name"
             );
             return Err(Error::Columns(text));
         }
@@ -170,7 +170,7 @@ pub(crate) fn check(columns: &[Column]) -> Result<(), Error> {
             && !(low < high && (high - low).is_finite() && *count > 0)
         {
             let text = format!(
-                "the histogram of `{name}` needs finite ends, the lower one first, and a bin between them"
+                "the histogram of `{name}` needs finite bounds, the lower one first, and at least one bin"
             );
             return Err(Error::Columns(text));
         }

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 
-use rayon::{Scope, ThreadPoolBuilder};
+use rayon::{Scope, ThreadPool};
 
 use crate::chunks::{Chunks, Source};
 use crate::error::Error;
@@ -47,17 +47,17 @@ pub(crate) struct Work<'a, M, Q, K> {
     pub(crate) source: &'a Q,
     pub(crate) sink: &'a K,
     pub(crate) observer: &'a Observer<'a>,
-    /// The number of threads; `None` for those of the current pool.
-    pub(crate) threads: Option<usize>,
+    /// The pool of threads; `None` for the current one.
+    pub(crate) pool: Option<&'a ThreadPool>,
 }
 
 impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
     /// Integrates all members, and passes what is kept of the chunks to `deliver`, in the order of their places.
-    /// Meanwhile calls `serve`, on this thread, with the number of workers.
+    /// Meanwhile calls `serve`, on this thread, with the number of workers and the flag that stops them.
     pub(crate) fn run(
         &self,
         deliver: impl FnMut(K::Part) + Send,
-        serve: impl FnOnce(usize),
+        serve: impl FnOnce(usize, &AtomicBool),
     ) -> Result<(), Error> {
         let shared = Shared {
             is_stopped: AtomicBool::new(false),
@@ -68,20 +68,15 @@ impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
                 deliver,
             }),
         };
-        match self.threads {
+        match self.pool {
             None => rayon::in_place_scope(|scope| {
                 self.start(&shared, scope, rayon::current_num_threads());
-                serve(rayon::current_num_threads());
+                serve(rayon::current_num_threads(), &shared.is_stopped);
             }),
-            Some(threads) => {
-                let threads = threads.max(1);
-                let pool = ThreadPoolBuilder::new().num_threads(threads);
-                let pool = pool.build().map_err(Error::Threads)?;
-                pool.in_place_scope(|scope| {
-                    self.start(&shared, scope, threads);
-                    serve(threads);
-                });
-            }
+            Some(pool) => pool.in_place_scope(|scope| {
+                self.start(&shared, scope, pool.current_num_threads());
+                serve(pool.current_num_threads(), &shared.is_stopped);
+            }),
         }
         let error = shared.error.into_inner();
         match error.unwrap_or_else(PoisonError::into_inner) {

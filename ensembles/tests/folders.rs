@@ -33,7 +33,10 @@ const COLUMNS: [&str; 2] = ["t", "v"];
 
 /// A study whose members pass the bottom once each, except for one that fails.
 macro_rules! study {
-    ($seed:expr, $g:expr) => {{
+    ($seed:expr, $g:expr) => {
+        study!($seed, $g, 1e-12)
+    };
+    ($seed:expr, $g:expr, $tolerance:expr) => {{
         let parameter = Parameter::uniform("theta", 0.1, 3.0).unit("rad");
         let starts = Sample::new(MEMBERS, [parameter])
             .latin_hypercube()
@@ -44,7 +47,8 @@ macro_rules! study {
                 .on(Pendulum::BOTTOM)
                 .stop()
         };
-        Study::new(starts, problem, 10.0, Taylor::new())
+        let method = Taylor::new().relative_tolerance($tolerance);
+        Study::new(starts, problem, 10.0, method)
             .chunk(37)
             .metadata("g", "9.81 m/s²")
     }};
@@ -92,6 +96,51 @@ fn a_folder_contains_what_a_table_contains() {
         study.summary(COLUMNS, row!()).unwrap(),
     ];
     assert_eq!(format!("{:?}", summaries[0]), format!("{:?}", summaries[1]));
+}
+
+/// One member of a `Vec`, of which no description tells.
+#[test]
+fn a_folder_of_other_points() {
+    let folder = folder();
+    let write = |points: Vec<f64>| {
+        let problem = |theta| Problem::new(Pendulum { g: 9.81 }, State::new(0.0, [theta], [0.0]));
+        let study = Study::new(points, problem, 1.0, Taylor::new());
+        study.write(folder.path(), ["end"], |motion| [motion.q[0]])
+    };
+    let points: Vec<f64> = (0..50).map(|n| 0.01 * f64::from(n)).collect();
+    write(points.clone()).unwrap();
+    write(points.clone()).unwrap();
+    let mut others = points;
+    others[17] += 1e-9;
+    let complaint = write(others).unwrap_err().to_string();
+    assert!(
+        complaint.contains("its fingerprint of parameters, initial states and ends is "),
+        "{complaint}"
+    );
+}
+
+/// Members without rows are members.
+#[test]
+fn members_without_rows() {
+    let folder = folder();
+    let problem = |index: usize| {
+        #[allow(clippy::cast_precision_loss)]
+        let speed = index as f64;
+        Problem::new(Pendulum { g: 9.81 }, State::new(0.0, [0.1], [speed]))
+    };
+    let study = Study::new(0..100, problem, 0.1, Taylor::new()).chunk(9);
+    let rows = |motion: &lagrangian_ensembles::Motion<usize, _>| match motion.index % 3 {
+        0 => vec![[1.0]],
+        _ => Vec::new(),
+    };
+    let results = study.write(folder.path(), ["a"], rows).unwrap();
+    let summaries = [
+        results.summary().unwrap(),
+        study.summary(["a"], rows).unwrap(),
+    ];
+    assert_eq!(summaries.map(|summary| summary.members()), [100, 100]);
+    assert_eq!(results.table().unwrap().finished(), 100);
+    assert_eq!(results.table().unwrap().members().len(), 34);
 }
 
 #[test]
@@ -223,19 +272,21 @@ fn folders_of_other_studies() {
     let path = folder.path();
     let seed = complain(study!(2, 9.81).write(path, COLUMNS, row!()));
     assert!(
-        seed.contains("the points there: \"Latin hypercube of 500, seed 1: "),
+        seed.contains("its points is \"Latin hypercube of 500, seed 1: "),
         "{seed}"
     );
     let parameter = complain(study!(1, 9.8).write(path, COLUMNS, row!()));
     assert!(
-        parameter.contains("the fingerprint of parameters, initial states and ends there: "),
+        parameter.contains("its fingerprint of parameters, initial states and ends is "),
         "{parameter}"
     );
+    let method = complain(study!(1, 9.81, 1e-9).write(path, COLUMNS, row!()));
+    assert!(method.contains("its method is \"Taylor"), "{method}");
     let column = complain(study!(1, 9.81).write(path, ["t", "speed"], row!()));
-    assert!(column.contains("the columns there: "), "{column}");
+    assert!(column.contains("its columns is "), "{column}");
     let chunk = complain(study!(1, 9.81).chunk(40).write(path, COLUMNS, row!()));
     assert!(
-        chunk.contains("the number of members in a chunk there: 37, here: 40"),
+        chunk.contains("its number of members in a chunk is 37, this study's is 40"),
         "{chunk}"
     );
     let metadata = complain(
@@ -243,9 +294,9 @@ fn folders_of_other_studies() {
             .metadata("by", "us")
             .write(path, COLUMNS, row!()),
     );
-    assert!(metadata.contains("the metadata there: "), "{metadata}");
+    assert!(metadata.contains("its metadata is "), "{metadata}");
     // A version that does not exist.
-    let manifest = path.join("manifest.json");
+    let manifest = path.join("_manifest.json");
     let text = fs::read_to_string(&manifest).unwrap();
     let version = format!("\"lagrangian\": \"{}\"", env!("CARGO_PKG_VERSION"));
     fs::write(
@@ -255,7 +306,7 @@ fn folders_of_other_studies() {
     .unwrap();
     let version = complain(study!(1, 9.81).write(path, COLUMNS, row!()));
     assert!(
-        version.contains("the version of lagrangian there: \"0.0.9\""),
+        version.contains("its version of lagrangian is \"0.0.9\""),
         "{version}"
     );
     fs::write(&manifest, &text[..100]).unwrap();
@@ -264,7 +315,7 @@ fn folders_of_other_studies() {
         .unwrap_err()
         .to_string();
     assert!(
-        broken.contains("manifest.json could not be read"),
+        broken.contains("_manifest.json could not be read"),
         "{broken}"
     );
     // Nothing was lost.
@@ -280,10 +331,10 @@ fn folders_of_something_else() {
         .write(folder.path(), COLUMNS, row!())
         .unwrap_err()
         .to_string();
-    assert!(complaint.ends_with("it exists and has no manifest.json: it is not of a study; choose another folder, or an empty one"));
+    assert!(complaint.ends_with("it exists and has no _manifest.json, so it is not of a study; choose another folder, or an empty one"));
     let complaint = Results::open([folder.path()]).unwrap_err().to_string();
     assert!(
-        complaint.ends_with("it has no manifest.json: it does not contain the results of a study"),
+        complaint.ends_with("it has no _manifest.json: it does not contain the results of a study"),
         "{complaint}"
     );
     let file = folder.path().join("letter.txt");
@@ -324,7 +375,7 @@ fn truncated_files() {
             .to_string();
         assert!(
             complaint.contains(
-                "chunk-000003.parquet could not be read: it is truncated or no Parquet file"
+                "chunk-000003.parquet could not be read: it is truncated or not a Parquet file"
             ),
             "{complaint}"
         );

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::env;
 use std::fs;
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::{self, Command, Stdio};
 
@@ -23,44 +24,52 @@ struct Pendulum {
     g: f64,
 }
 
-/// The variables that tell this program to be a rank: its folder, and after how many members rank 1 dies.
+/// The variables that tell this program to be a rank: its folder, and what happens after some members.
 const FOLDER: &str = "LAGRANGIAN_ENSEMBLES_FOLDER";
-const DIES: &str = "LAGRANGIAN_ENSEMBLES_DIES";
+const EVENT: &str = "LAGRANGIAN_ENSEMBLES_EVENT";
+
+/// The number of members of a rank after which it happens.
+const AFTER: usize = 25;
 
 /// Computes the study into a folder, on the ranks if this is one.
-fn study(folder: Folder, threads: usize, ended: impl Fn(usize) + Sync) -> Results {
+fn study(
+    folder: Folder,
+    threads: usize,
+    ended: impl Fn(usize) -> ControlFlow<()> + Sync,
+) -> Results {
     let starts = Sample::new(400, [Parameter::uniform("theta", 0.1, 3.0).unit("rad")]).halton();
     let problem = |theta| Problem::new(Pendulum { g: 9.81 }, State::new(0.0, theta, [0.0]));
-    let study = Study::new(starts, problem, 5.0, Taylor::new())
-        .chunk(10)
-        .threads(threads);
-    let study = study.each_member(|progress| ended(progress.ended));
-    study
-        .write(folder, ["end", "speed"], |motion| {
-            [motion.q[0], motion.v[0]]
-        })
-        .unwrap()
+    let study = Study::new(starts, problem, 5.0, Taylor::new()).chunk(10);
+    let study = study
+        .threads(threads)
+        .each_member(|progress| ended(progress.ended));
+    let rows = |motion: &lagrangian_ensembles::Motion<_, Phase<f64, 1>>| [motion.q[0], motion.v[0]];
+    study.write(folder, ["end", "speed"], rows).unwrap()
 }
 
 /// What a rank does.
 fn be_a_rank(folder: &Path) {
-    let universe = mpi::initialize().unwrap();
+    let (universe, _) = mpi::initialize_with_threading(mpi::Threading::Funneled).unwrap();
     let world = universe.world();
-    let dies: usize = env::var(DIES).map_or(usize::MAX, |count| count.parse().unwrap());
-    let rank = world.rank();
-    let ranks = Folder::new(folder).ranks(&world);
-    let ended = move |count| {
-        if rank == 1 && count >= dies {
-            process::abort();
+    let (rank, event) = (world.rank(), env::var(EVENT).unwrap_or_default());
+    let ended = |count| {
+        if count < AFTER {
+            return ControlFlow::Continue(());
+        }
+        match (&*event, rank) {
+            ("rank 1 dies", 1) => process::abort(),
+            ("rank 1 panics", 1) => panic!("of the caller"),
+            ("rank 0 cancels", 0) | ("rank 1 cancels", 1) => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
         }
     };
-    let results = study(ranks, 2, ended);
+    let results = study(Folder::new(folder).ranks(&world), 2, ended);
     // All chunks are there when a rank returns, those of the others, too.
-    assert!(results.is_complete());
+    assert_eq!(results.is_complete(), !event.ends_with("cancels"));
 }
 
 /// Runs this test on some ranks; `None` if there is no `mpirun`.
-fn on_ranks(ranks: usize, folder: &Path, dies: Option<usize>) -> Option<bool> {
+fn on_ranks(ranks: usize, folder: &Path, event: &str) -> Option<bool> {
     let mut command = Command::new("mpirun");
     command
         .args([
@@ -72,11 +81,9 @@ fn on_ranks(ranks: usize, folder: &Path, dies: Option<usize>) -> Option<bool> {
         .arg(env::current_exe().unwrap())
         .args(["--exact", "the_same_bytes_for_any_number_of_ranks"])
         .env(FOLDER, folder)
+        .env(EVENT, event)
         .stdout(Stdio::null())
         .stderr(Stdio::null());
-    if let Some(count) = dies {
-        command.env(DIES, count.to_string());
-    }
     command.status().ok().map(|status| status.success())
 }
 
@@ -97,20 +104,29 @@ fn the_same_bytes_for_any_number_of_ranks() {
         return;
     }
     let whole = TempDir::new().unwrap();
-    study(Folder::new(whole.path()), 1, |_| ());
+    study(Folder::new(whole.path()), 1, |_| ControlFlow::Continue(()));
     for ranks in [1, 2, 4] {
         let folder = TempDir::new().unwrap();
-        match on_ranks(ranks, folder.path(), None) {
+        match on_ranks(ranks, folder.path(), "") {
             None => return println!("SKIPPED: there is no mpirun"),
             Some(succeeds) => assert!(succeeds, "{ranks} ranks"),
         }
         assert!(bytes(folder.path()) == bytes(whole.path()), "{ranks} ranks");
     }
-    // A rank that dies ends all; three others go on behind the finished chunks.
-    let folder = TempDir::new().unwrap();
-    assert_eq!(on_ranks(4, folder.path(), Some(25)), Some(false));
-    let before = bytes(folder.path()).len();
-    assert!((2..41).contains(&before), "{before} files");
-    assert_eq!(on_ranks(3, folder.path(), None), Some(true));
-    assert!(bytes(folder.path()) == bytes(whole.path()));
+    // A rank that dies or panics ends all, and one that cancels stops all. Three others continue after the finished
+    // chunks.
+    for event in [
+        "rank 1 dies",
+        "rank 1 panics",
+        "rank 0 cancels",
+        "rank 1 cancels",
+    ] {
+        let folder = TempDir::new().unwrap();
+        let succeeds = on_ranks(4, folder.path(), event);
+        assert_eq!(succeeds, Some(event.ends_with("cancels")), "{event}");
+        let before = bytes(folder.path()).len();
+        assert!((2..41).contains(&before), "{event}: {before} files");
+        assert_eq!(on_ranks(3, folder.path(), ""), Some(true), "{event}");
+        assert!(bytes(folder.path()) == bytes(whole.path()), "{event}");
+    }
 }

@@ -1,4 +1,4 @@
-"""Reads the results of `flip_map --size 16` with pandas and polars: `python readers.py FLIP_MAP.parquet`.
+"""Reads the results of `flip_map --size 16` with pandas and polars: `python readers.py FLIP_MAP.parquet FOLDER`.
 
 Needs pandas, pyarrow and polars. Fails if names, units, metadata or values are not those that were written.
 """
@@ -11,7 +11,7 @@ import pandas
 import polars
 import pyarrow.parquet
 
-path = sys.argv[1]
+path, folder = sys.argv[1:]
 names = ["member", "theta1", "theta2", "flip", "error"]
 units = {"theta1": "rad", "theta2": "rad", "flip": "s"}
 
@@ -39,5 +39,9 @@ assert other.schema["flip"] == polars.Float64 and other.schema["member"] == pola
 assert other["flip"].null_count() == 256 - len(flips)
 assert math.isclose(other["flip"].mean(), flips.mean(), rel_tol=1e-14)
 assert json.loads(polars.read_parquet_metadata(path)["units"]) == units
+
+# The folder as it is.
+assert pandas.read_parquet(folder).equals(frame)
+assert polars.read_parquet(f"{folder}/chunk-*.parquet").equals(other)
 
 print(f"pandas {pandas.__version__} and polars {polars.__version__} read {len(frame)} rows")

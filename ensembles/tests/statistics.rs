@@ -92,7 +92,8 @@ fn a_summary_is_the_same_for_any_number_of_threads() {
     let summaries = [1, 2, 5].map(|threads| {
         let study = Study::new(&rows[..], problem, 1.0, Taylor::new()).threads(threads);
         let summary = study.summary(["a", "b"], |motion| motion.point).unwrap();
-        format!("{summary:?}")
+        let quantiles = (0..=100).map(|n| summary.column("a")?.quantile(f64::from(n) / 100.0));
+        format!("{summary:?} {:?}", quantiles.collect::<Vec<_>>())
     });
     assert_eq!(summaries[0], summaries[1]);
     assert_eq!(summaries[0], summaries[2]);
@@ -151,6 +152,17 @@ fn missing_values_count_nowhere() {
     assert_eq!(summary.covariance("a", "b"), Some(40.0));
     assert!(table.column("a").unwrap()[1].is_nan());
     assert!(summary.column("c").is_none() && summary.covariance("a", "c").is_none());
+}
+
+#[test]
+fn few_values_have_no_variance() {
+    for rows in [&[[f64::NAN]][..], &[[2.0]]] {
+        let (_, summary) = at_rest(rows, [Column::new("a")], 2);
+        let a = summary.column("a").unwrap();
+        assert!(a.variance().is_nan() && a.standard_deviation().is_nan());
+        assert!(summary.covariance("a", "a").unwrap().is_nan());
+        assert_eq!(a.mean().is_nan(), rows[0][0].is_nan());
+    }
 }
 
 #[test]

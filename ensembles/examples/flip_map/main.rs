@@ -2,7 +2,7 @@
 //!
 //!     cargo run --release -p lagrangian-ensembles --features parquet --example flip_map
 //!
-//! The results are in a folder, chunk by chunk. Interrupt the program and start it again: it goes on behind the finished
+//! The results are in a folder, chunk by chunk. Interrupt the program and start it again: it continues after the finished
 //! chunks. `--shard 1/4` computes a quarter of them; with the feature `mpi`, `mpirun -n 4` shares them among ranks.
 //! Whoever completes the folder draws the picture.
 
@@ -14,6 +14,8 @@ use std::path::PathBuf;
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use lagrangian::prelude::*;
+#[cfg(feature = "mpi")]
+use lagrangian_ensembles::mpi::{self, traits::Communicator as _};
 use lagrangian_ensembles::{Axis, Column, Folder, Grid, Shard, Study};
 
 /// Two equal particles on equal massless rods, angles from the downward vertical.
@@ -65,7 +67,8 @@ struct Arguments {
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
     #[cfg(feature = "mpi")]
-    let universe = lagrangian_ensembles::mpi::initialize().ok_or("MPI could not be initialized")?;
+    let (universe, _) = mpi::initialize_with_threading(mpi::Threading::Funneled)
+        .ok_or("MPI could not be initialized")?;
     let folder = Folder::new(&arguments.folder);
     #[cfg(feature = "mpi")]
     let folder = folder.ranks(&universe.world());
@@ -118,6 +121,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
     bar.finish();
 
+    #[cfg(feature = "mpi")]
+    if universe.world().rank() != 0 {
+        return Ok(());
+    }
     if results.is_complete() {
         println!("{}", results.summary()?);
         picture::draw(&results.table()?, arguments.size, &arguments.image)?;
