@@ -17,6 +17,8 @@ pub enum Error {
     Points(String),
     /// The columns are invalid; the text says why.
     Columns(String),
+    /// The metadata are invalid; the text says why.
+    Metadata(String),
     /// There is no such shard; the text says why.
     Shard(String),
     /// The threads could not be started.
@@ -68,7 +70,9 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoMembers => f.write_str("the study has no members"),
-            Self::Points(text) | Self::Columns(text) | Self::Shard(text) => f.write_str(text),
+            Self::Points(text) | Self::Columns(text) | Self::Metadata(text) | Self::Shard(text) => {
+                f.write_str(text)
+            }
             Self::Threads(error) => write!(f, "the threads could not be started: {error}"),
             #[cfg(any(feature = "csv", feature = "parquet"))]
             Self::File {

@@ -50,6 +50,7 @@
 mod limits;
 mod error;
 mod column;
+mod metadata;
 mod points;
 mod grid;
 mod parameter;

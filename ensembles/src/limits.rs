@@ -15,6 +15,9 @@ pub(crate) const MAX_HALTON_DIMENSION: usize = 54;
 /// The number of centroids of the digests from which quantiles are estimated.
 pub(crate) const MAX_CENTROIDS: usize = 1000;
 
+/// The number of failures of which a summary keeps the index and the message.
+pub(crate) const MAX_KEPT_FAILURES: usize = 100;
+
 /// The number of members whose initial states, derivatives and ends are compared before a folder is resumed; of more
 /// members, so many are chosen at equal distances.
 #[cfg(feature = "parquet")]

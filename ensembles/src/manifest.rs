@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::chunks::Chunks;
 use crate::column::{Bins, Column};
 use crate::error::Error;
+use crate::metadata;
 use crate::parquet::temporary;
 
 /// The name of the file.
@@ -92,15 +93,7 @@ impl Manifest {
 
     /// Returns the metadata of the files.
     pub(crate) fn metadata(&self) -> Vec<(String, String)> {
-        let known = [
-            ("lagrangian", self.lagrangian.clone()),
-            ("members", self.members.to_string()),
-            ("points", self.points.clone()),
-        ];
-        let known = known
-            .into_iter()
-            .map(|(key, value)| (key.to_owned(), value));
-        known.chain(self.metadata.iter().cloned()).collect()
+        metadata::all(self.members, self.points.clone(), &self.metadata)
     }
 
     /// Reads the manifest of a folder; `None` if there is none.

@@ -80,12 +80,9 @@ impl<'a> Writer<'a> {
         Ok(Self { path, file, schema })
     }
 
-    /// Adds a table as a row group.
+    /// Adds the rows of a table.
     pub(crate) fn add(&mut self, table: &Table) -> Result<(), Error> {
-        let written = batch(&self.schema, table).and_then(|batch| {
-            self.file.write(&batch)?;
-            self.file.flush()
-        });
+        let written = batch(&self.schema, table).and_then(|batch| self.file.write(&batch));
         written.map_err(Error::file(self.path, "written"))
     }
 

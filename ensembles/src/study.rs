@@ -11,6 +11,7 @@ use crate::chunks::{Chunks, Queue, Source};
 use crate::column::Column;
 use crate::error::Error;
 use crate::members::{Found, Integrated, Members};
+use crate::metadata;
 use crate::motion::{Failure, Motion};
 use crate::points::Points;
 use crate::rows::Rows;
@@ -144,7 +145,7 @@ impl<'a, M: Members> Study<'a, M> {
     }
 
     /// Adds an entry to the metadata of tables and files, such as the name of the model or a parameter that all members
-    /// share. A folder is only resumed with the same metadata.
+    /// share. Each key is given once. A folder is only resumed with the same metadata.
     pub fn metadata(mut self, key: impl Into<String>, value: impl Into<String>) -> Self {
         self.metadata.push((key.into(), value.into()));
         self
@@ -214,7 +215,8 @@ impl<'a, M: Members> Study<'a, M> {
         rows: impl Fn(&Motion<<M::Points as Points>::Point, M::State, M::Kept>) -> B + Sync,
     ) -> Result<Table, Error> {
         let columns = self.columns(columns)?;
-        let metadata = self.all_metadata();
+        let points = self.members.points();
+        let metadata = metadata::all(points.count(), points.description(), &self.metadata);
         let mut table = Table::new(columns.clone()).with_metadata(metadata);
         let sink = Tables::<_, N> { columns, rows };
         self.run_all(&sink, |part: Table| table.append(part))?;
@@ -246,6 +248,7 @@ impl<'a, M: Members> Study<'a, M> {
         columns: [A; N],
     ) -> Result<Vec<Column>, Error> {
         self.members.check()?;
+        metadata::check(&self.metadata)?;
         let mut all = self.members.points().columns();
         all.extend(columns.map(Into::into));
         table::check(&all)?;
@@ -254,20 +257,6 @@ impl<'a, M: Members> Study<'a, M> {
 
     pub(crate) fn chunks(&self) -> Chunks {
         Chunks::new(self.members.points().count(), self.chunk)
-    }
-
-    /// Returns the metadata of tables: what the library knows, and what was given.
-    pub(crate) fn all_metadata(&self) -> Vec<(String, String)> {
-        let points = self.members.points();
-        let known = [
-            ("lagrangian", env!("CARGO_PKG_VERSION").to_owned()),
-            ("members", points.count().to_string()),
-            ("points", points.description()),
-        ];
-        let known = known
-            .into_iter()
-            .map(|(key, value)| (key.to_owned(), value));
-        known.chain(self.metadata.iter().cloned()).collect()
     }
 
     /// Integrates all members.

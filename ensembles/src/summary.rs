@@ -7,12 +7,13 @@ use tdigest::TDigest;
 
 use crate::column::Column;
 use crate::histogram::Histogram;
-use crate::limits::MAX_CENTROIDS;
+use crate::limits::{MAX_CENTROIDS, MAX_KEPT_FAILURES};
 use crate::table::{FailedMember, Table};
 
 /// Statistics of the columns of a table: mean, variance, extremes, quantiles, and the covariances of all columns.
 ///
-/// Values that are NaN are missing: they count for no statistic of their column. Covariances are of the rows without
+/// Values that are NaN are missing: they count for no statistic of their column. Infinite values count for extremes and
+/// histograms, and make the mean and the variance infinite or NaN; quantiles are of finite values. Covariances are of the rows without
 /// missing values. Sums are formed chunk by chunk and merged in the order of the chunks (Chan, Golub, `LeVeque`, "Updating
 /// formulae and a pairwise algorithm for computing sample variances", 1979), so that their bits do not depend on the
 /// number of threads.
@@ -62,9 +63,6 @@ struct Joint {
     /// The lower triangle, row by row.
     products: Vec<f64>,
 }
-
-/// The number of failures of which a summary keeps index, point and error.
-const MAX_KEPT_FAILURES: usize = 100;
 
 impl Summary {
     pub(crate) fn new(columns: &[Column]) -> Self {

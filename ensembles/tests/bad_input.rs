@@ -129,6 +129,22 @@ fn columns_that_cannot_be_told_apart() {
 }
 
 #[test]
+fn keys_of_metadata() {
+    let study = || Study::new(0..3, |_| start(1.0), 1.0, Taylor::new()).metadata("by", "us");
+    let complaint = |key: &str| {
+        let table = study()
+            .metadata(key, "")
+            .table(["end"], |motion| [motion.t]);
+        table.unwrap_err().to_string()
+    };
+    assert_eq!(
+        complaint("units"),
+        "the metadata cannot have the key `units`, which every file has already"
+    );
+    assert_eq!(complaint("by"), "the metadata have the key `by` twice");
+}
+
+#[test]
 fn shards() {
     let complaint = |text: &str| text.parse::<Shard>().unwrap_err().to_string();
     assert_eq!(
