@@ -8,7 +8,6 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// An error of a study as a whole. A member that fails is no error of the study, but a [`Failure`](crate::Failure).
-#[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {
     /// There are no members.
@@ -83,6 +82,13 @@ impl fmt::Display for Error {
             #[cfg(feature = "parquet")]
             Self::Folder { path, text } => write!(f, "the folder {}: {text}", path.display()),
         }
+    }
+}
+
+/// The message, which `main` prints when it returns an error.
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 
