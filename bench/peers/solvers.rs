@@ -162,7 +162,7 @@ fn integrated<E: Equations<D> + Send + Sync, const D: usize>(
 
 fn main() -> ExitCode {
     let model = std::env::args().nth(1).unwrap_or_default();
-    // Times are those of this thread, which is the only one of the pool.
+    // The CPU time of this thread is measured, which is the only thread of the pool.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread();
     if let Err(error) = pool.build_global() {
         eprintln!("{error}");

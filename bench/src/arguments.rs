@@ -82,7 +82,7 @@ pub(crate) struct Arguments {
     #[arg(long, group = "task")]
     pub(crate) linkages: bool,
 
-    /// Ensembles of 10,000 motions at equal errors, beside heyoka's and those of `ode_solvers`.
+    /// Ensembles of 10,000 motions at equal errors, beside heyoka and `ode_solvers`.
     #[arg(long, group = "task")]
     pub(crate) ensembles: bool,
 

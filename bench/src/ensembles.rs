@@ -1,9 +1,9 @@
-//! Ensembles: 10,000 motions of a model over ten seconds on one core, ours beside heyoka's and those of `ode_solvers`, at equal
-//! measured errors.
+//! Ensembles: 10,000 motions of a model over ten seconds on one core, integrated by us, by heyoka and by `ode_solvers`, at
+//! equal measured errors.
 //!
 //! The members start at states that change little from one to the next ([`starts`]), so that those which heyoka integrates in
 //! one batch take nearly the same steps, and none waits for the others. The error of a member is the largest difference of a
-//! component of its final state from the reference, relative to the reference where that is greater than 1; that of an
+//! component of its final state from the reference, relative to the reference where this exceeds 1; the error of an
 //! ensemble is the 90th percentile over its members. Angles of the pendulum are so small that the largest error, which is
 //! printed beside the percentile, is within ten times it: no motion is dominated by chaos. The reference is ours at the default tolerance, 2⁻⁵², after heyoka's at the same tolerance has
 //! confirmed it. Each method then gets the greatest tolerance, relative and absolute alike, in eighths of a decade, at which the
@@ -92,7 +92,7 @@ impl Side {
         match self {
             Self::Ours => "lagrangian",
             Self::Heyoka => "heyoka",
-            Self::Solvers => "rayon",
+            Self::Solvers => "ode_solvers",
         }
     }
 }
@@ -246,7 +246,7 @@ impl Sheet {
             best(Side::Ours).ok_or_else(|| format!("no ensemble of {}", self.model))?;
         for (peer, what) in [
             (Side::Heyoka, "heyoka's"),
-            (Side::Solvers, "that of ode_solvers"),
+            (Side::Solvers, "the time of ode_solvers"),
         ] {
             if let Some((_, theirs)) = best(peer) {
                 verdicts.push(Verdict {

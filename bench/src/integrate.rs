@@ -43,7 +43,7 @@ pub fn integrate<const N: usize, M: Contestant<N>>(model: &M, _: OperationCount)
         }),
         Question::EnergyDrifts(states) => answer(&drifts(model, &states)?),
         Question::EnergyErrors(question) => answer(&energy_errors(model, &question)?),
-        Question::Throughput(_) => Err("throughput is that of ensembles".to_owned()),
+        Question::Throughput(_) => Err("only ensembles have a throughput".to_owned()),
     })
 }
 

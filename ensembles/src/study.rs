@@ -129,8 +129,8 @@ impl<'a, P, F, E, I, const L: usize> Study<'a, Integrated<P, F, E, I, L>> {
 }
 
 impl<'a, M: Members> Study<'a, M> {
-    /// Sets the number of threads; 0 means one for each core. By default the study runs on the current pool of `rayon`, which has one thread for
-    /// each core.
+    /// Sets the number of threads; 0 means one for each core. By default the study runs on the current pool of `rayon`,
+    /// which has one thread for each core; `write` starts a pool of its own.
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = Some(threads);
         self
@@ -242,7 +242,7 @@ impl<'a, M: Members> Study<'a, M> {
         Ok(summary)
     }
 
-    /// Returns the columns of the points and those of the rows, if the study is meaningful.
+    /// Returns the columns of the points and those of the rows, or an error if the study is invalid.
     pub(crate) fn columns<const N: usize, A: Into<Column>>(
         &self,
         columns: [A; N],

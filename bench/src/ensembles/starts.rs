@@ -7,7 +7,7 @@ use crate::model::Model;
 /// So many members.
 const MEMBERS: u32 = 10_000;
 
-/// Returns the starts of a model: coordinates and then velocities, which oscillate about those of `peers/trajectories.json`,
+/// Returns the starts of a model: coordinates and then velocities, which oscillate about the starts in `peers/trajectories.json`,
 /// each with another number of periods, from the first member to the last.
 pub(super) fn of(model: Model) -> Result<Vec<Vec<f64>>, String> {
     let (middle, spread): (&[f64], &[f64]) = match model {
