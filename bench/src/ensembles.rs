@@ -244,10 +244,7 @@ impl Sheet {
         };
         let (ours, entry) =
             best(Side::Ours).ok_or_else(|| format!("no ensemble of {}", self.model))?;
-        for (peer, what) in [
-            (Side::Heyoka, "heyoka's"),
-            (Side::Solvers, "the time of ode_solvers"),
-        ] {
+        for (peer, what) in [(Side::Heyoka, "heyoka's"), (Side::Solvers, "ode_solvers'")] {
             if let Some((_, theirs)) = best(peer) {
                 verdicts.push(Verdict {
                     what: format!("{}, ensemble, time over {what}", self.model),
@@ -269,8 +266,7 @@ impl Sheet {
         let cases = [best.clone(), with("recorded event"), with("absent event")];
         let entries = self.contest(&cases);
         print!("{}", table(&self.lines(&entries)));
-        let mut limits = [f64::INFINITY, 1.2, 1.1].into_iter();
-        for (entry, limit) in entries.iter().zip(limits.by_ref()).skip(1) {
+        for (entry, limit) in entries.iter().skip(1).zip([1.2, 1.1]) {
             let method = &entry.integration.method;
             let result = entry
                 .result

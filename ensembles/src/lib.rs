@@ -61,9 +61,11 @@ mod chunks;
 mod workers;
 mod rows;
 mod table;
+mod moments;
 mod summary;
 mod histogram;
 mod shard;
+mod sinks;
 mod study;
 #[cfg(feature = "csv")]
 mod csv;
@@ -72,6 +74,8 @@ mod parquet;
 #[cfg(feature = "parquet")]
 mod manifest;
 #[cfg(feature = "parquet")]
+mod results;
+#[cfg(feature = "parquet")]
 mod folder;
 #[cfg(feature = "mpi")]
 mod ranks;
@@ -79,7 +83,7 @@ mod ranks;
 pub use column::Column;
 pub use error::Error;
 #[cfg(feature = "parquet")]
-pub use folder::{Folder, Results};
+pub use folder::Folder;
 pub use grid::{Axis, Grid};
 pub use histogram::Histogram;
 pub use members::Members;
@@ -88,6 +92,8 @@ pub use motion::{Failure, Motion};
 pub use mpi;
 pub use parameter::Parameter;
 pub use points::Points;
+#[cfg(feature = "parquet")]
+pub use results::Results;
 pub use rows::Rows;
 pub use sample::Sample;
 pub use shard::Shard;

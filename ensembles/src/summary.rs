@@ -8,6 +8,7 @@ use tdigest::TDigest;
 use crate::column::Column;
 use crate::histogram::Histogram;
 use crate::limits::{MAX_CENTROIDS, MAX_KEPT_FAILURES};
+use crate::moments::{Joint, Moments};
 use crate::table::{FailedMember, Table};
 
 /// Statistics of the columns of a table: mean, variance, extremes, quantiles, and the covariances of all columns.
@@ -41,40 +42,11 @@ pub struct ColumnSummary {
     histogram: Option<Histogram>,
 }
 
-/// The number, the mean, and the sum of squared deviations from the mean.
-#[derive(Clone, Copy, Debug, Default)]
-struct Moments {
-    count: f64,
-    /// The first value: means near it keep their digits where values are far from zero.
-    origin: f64,
-    /// The mean, from the origin.
-    mean: f64,
-    squares: f64,
-}
-
-/// The number of rows, their mean, and the sums of the products of deviations from it.
-#[derive(Clone, Debug)]
-struct Joint {
-    count: f64,
-    /// The first row.
-    origin: Vec<f64>,
-    /// The mean, from the origin.
-    mean: Vec<f64>,
-    /// The lower triangle, row by row.
-    products: Vec<f64>,
-}
-
 impl Summary {
     pub(crate) fn new(columns: &[Column]) -> Self {
-        let count = columns.len();
         Self {
             columns: columns.iter().cloned().map(ColumnSummary::new).collect(),
-            joint: Joint {
-                count: 0.0,
-                origin: vec![0.0; count],
-                mean: vec![0.0; count],
-                products: vec![0.0; count * (count + 1) / 2],
-            },
+            joint: Joint::new(columns.len()),
             members: 0,
             failures: 0,
             first_failures: Vec::new(),
@@ -137,19 +109,14 @@ impl Summary {
     #[must_use]
     pub fn covariance(&self, one: &str, other: &str) -> Option<f64> {
         let (i, j) = (self.place(one)?, self.place(other)?);
-        Some(over_degrees_of_freedom(
-            self.joint.products[triangle(i, j)],
-            self.joint.count,
-        ))
+        Some(self.joint.covariance(i, j))
     }
 
     /// Returns the correlation of two columns; `None` if there is no column of one of the names.
     #[must_use]
     pub fn correlation(&self, one: &str, other: &str) -> Option<f64> {
         let (i, j) = (self.place(one)?, self.place(other)?);
-        let product = |i, j| self.joint.products[triangle(i, j)];
-        let correlation = product(i, j) / (product(i, i).sqrt() * product(j, j).sqrt());
-        Some(correlation.clamp(-1.0, 1.0))
+        Some(self.joint.correlation(i, j))
     }
 
     /// Returns the number of members, including those that failed.
@@ -175,21 +142,6 @@ impl Summary {
             .iter()
             .position(|column| column.column.name == name)
     }
-}
-
-/// Returns a sum of products of deviations over n − 1; NaN for fewer than two values.
-fn over_degrees_of_freedom(sum: f64, count: f64) -> f64 {
-    if count < 2.0 {
-        f64::NAN
-    } else {
-        sum / (count - 1.0)
-    }
-}
-
-/// Returns the place of an element of a symmetric matrix in its lower triangle.
-fn triangle(i: usize, j: usize) -> usize {
-    let (row, column) = (i.max(j), i.min(j));
-    row * (row + 1) / 2 + column
 }
 
 impl ColumnSummary {
@@ -256,9 +208,8 @@ impl ColumnSummary {
 
     /// Returns the number of values that are not missing.
     #[must_use]
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // It is a count.
     pub fn count(&self) -> u64 {
-        self.moments.count as u64
+        self.moments.count()
     }
 
     /// Returns the number of missing values.
@@ -270,16 +221,13 @@ impl ColumnSummary {
     /// Returns the mean; NaN without values.
     #[must_use]
     pub fn mean(&self) -> f64 {
-        match self.moments.count {
-            0.0 => f64::NAN,
-            _ => self.moments.origin + self.moments.mean,
-        }
+        self.moments.mean()
     }
 
     /// Returns the variance, with n − 1 as its divisor; NaN for fewer than two values.
     #[must_use]
     pub fn variance(&self) -> f64 {
-        over_degrees_of_freedom(self.moments.squares, self.moments.count)
+        self.moments.variance()
     }
 
     /// Returns the standard deviation; NaN for fewer than two values.
@@ -317,96 +265,6 @@ impl ColumnSummary {
     pub fn histogram(&self) -> Option<&Histogram> {
         self.histogram.as_ref()
     }
-}
-
-impl Moments {
-    /// Adds a value (Welford, "Note on a method for calculating corrected sums of squares and products", 1962).
-    fn add(&mut self, value: f64) {
-        if self.count == 0.0 {
-            self.origin = value;
-        }
-        self.count += 1.0;
-        let value = value - self.origin;
-        let deviation = value - self.mean;
-        self.mean += deviation / self.count;
-        self.squares += deviation * (value - self.mean);
-    }
-
-    fn merge(&mut self, other: &Self) {
-        if other.count == 0.0 {
-            return;
-        }
-        if self.count == 0.0 {
-            *self = *other;
-            return;
-        }
-        let count = self.count + other.count;
-        let deviation = (other.origin - self.origin) + (other.mean - self.mean);
-        self.mean += deviation * (other.count / count);
-        self.squares += other.squares + deviation * deviation * (self.count * other.count / count);
-        self.count = count;
-    }
-}
-
-impl Joint {
-    fn add(&mut self, row: &[f64]) {
-        if row.iter().any(|value| value.is_nan()) {
-            return;
-        }
-        if self.count == 0.0 {
-            self.origin.copy_from_slice(row);
-        }
-        self.count += 1.0;
-        let row: Vec<f64> = difference(row, &self.origin);
-        let before = difference(&row, &self.mean);
-        for (mean, deviation) in self.mean.iter_mut().zip(&before) {
-            *mean += deviation / self.count;
-        }
-        // The deviations from the mean without this row, times those from the mean with it.
-        let behind = difference(&row, &self.mean);
-        let mut products = self.products.iter_mut();
-        for (i, one) in before.iter().enumerate() {
-            for (other, product) in behind.iter().take(i + 1).zip(&mut products) {
-                *product += one * other;
-            }
-        }
-    }
-
-    fn merge(&mut self, other: &Self) {
-        if other.count == 0.0 {
-            return;
-        }
-        if self.count == 0.0 {
-            self.clone_from(other);
-            return;
-        }
-        let count = self.count + other.count;
-        let origins = difference(&other.origin, &self.origin);
-        let means = difference(&other.mean, &self.mean);
-        let deviations = origins
-            .iter()
-            .zip(means)
-            .map(|(origin, mean)| origin + mean);
-        let deviations: Vec<f64> = deviations.collect();
-        let weight = self.count * other.count / count;
-        let mut products = self.products.iter_mut().zip(&other.products);
-        for (i, one) in deviations.iter().enumerate() {
-            for ((product, other), two) in products.by_ref().take(i + 1).zip(&deviations) {
-                *product += other + one * two * weight;
-            }
-        }
-        for (mean, deviation) in self.mean.iter_mut().zip(&deviations) {
-            *mean += deviation * (other.count / count);
-        }
-        self.count = count;
-    }
-}
-
-fn difference(one: &[f64], other: &[f64]) -> Vec<f64> {
-    one.iter()
-        .zip(other)
-        .map(|(one, other)| one - other)
-        .collect()
 }
 
 /// A table of the statistics.
