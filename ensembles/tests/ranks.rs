@@ -7,6 +7,8 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::{self, Command, Stdio};
+use std::thread;
+use std::time::Duration;
 
 use lagrangian::prelude::*;
 use lagrangian_ensembles::mpi::traits::Communicator as _;
@@ -52,7 +54,12 @@ fn be_a_rank(folder: &Path) {
     let (universe, _) = mpi::initialize_with_threading(mpi::Threading::Funneled).unwrap();
     let world = universe.world();
     let (rank, event) = (world.rank(), env::var(EVENT).unwrap_or_default());
+    let cancels = event.ends_with("cancels");
     let ended = |count| {
+        if cancels && !event.starts_with(&format!("rank {rank}")) {
+            // Others are far from the end then.
+            thread::sleep(Duration::from_millis(20));
+        }
         if count < AFTER {
             return ControlFlow::Continue(());
         }
@@ -65,7 +72,7 @@ fn be_a_rank(folder: &Path) {
     };
     let results = study(Folder::new(folder).ranks(&world), 2, ended);
     // All chunks are there when a rank returns, those of the others, too.
-    assert_eq!(results.is_complete(), !event.ends_with("cancels"));
+    assert_eq!(results.is_complete(), !cancels);
 }
 
 /// Runs this test on some ranks; `None` if there is no `mpirun`.
@@ -125,7 +132,8 @@ fn the_same_bytes_for_any_number_of_ranks() {
         let succeeds = on_ranks(4, folder.path(), event);
         assert_eq!(succeeds, Some(event.ends_with("cancels")), "{event}");
         let before = bytes(folder.path()).len();
-        assert!((2..41).contains(&before), "{event}: {before} files");
+        let most = if event.ends_with("cancels") { 25 } else { 41 };
+        assert!((2..most).contains(&before), "{event}: {before} files");
         assert_eq!(on_ranks(3, folder.path(), ""), Some(true), "{event}");
         assert!(bytes(folder.path()) == bytes(whole.path()), "{event}");
     }
