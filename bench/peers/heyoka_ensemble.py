@@ -8,7 +8,6 @@ their integrators are kept. Equations are those by hand. An integrator is compil
 timed. Times are CPU times of this process: heyoka's ensembles run in threads of their own, one at a time.
 """
 
-import json
 import sys
 import time
 
@@ -16,6 +15,7 @@ import heyoka as hy
 import numpy as np
 
 import systems
+from answers import answer_questions
 
 # So many members of one of heyoka's ensembles.
 KEPT = 480
@@ -109,19 +109,4 @@ def propagate(method, tolerance, starts, end):
     return seconds, steps, list(np.concatenate([batch.T for batch in states])[: len(starts)])
 
 
-def integrated(question):
-    method, tolerance = question["method"], question["tolerance"]
-    starts, end = np.array(question["starts"]), question["end"]
-    fewest, together = float("inf"), 0.0
-    while together < question["at_least"] or together == 0.0:
-        seconds, steps, states = propagate(method, tolerance, starts, end)
-        fewest, together = min(fewest, seconds), together + seconds
-    return {"seconds": fewest, "steps": int(steps), "states": [state.tolist() for state in states]}
-
-
-for line in sys.stdin:
-    try:
-        answer = {"Ok": integrated(json.loads(line)["Integrate"])}
-    except Exception as error:
-        answer = {"Err": f"{type(error).__name__}: {error}"}
-    print(json.dumps(answer), flush=True)
+answer_questions(propagate)

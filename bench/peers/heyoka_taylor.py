@@ -5,7 +5,6 @@ Answers the questions of the program, a line of JSON each (see `src/question.rs`
 asked for, outside of what is timed. Times are CPU times of this thread.
 """
 
-import json
 import sys
 import time
 
@@ -13,6 +12,7 @@ import heyoka as hy
 import numpy as np
 
 import systems
+from answers import answer_questions
 
 model = sys.argv[1]
 hy.llvm_state.set_diskcache_enabled(False)
@@ -65,19 +65,4 @@ def propagate(method, tolerance, starts, end):
     return seconds, steps, states
 
 
-def integrated(question):
-    method, tolerance = question["method"], question["tolerance"]
-    starts, end = np.array(question["starts"]), question["end"]
-    fewest, together = float("inf"), 0.0
-    while together < question["at_least"] or together == 0.0:
-        seconds, steps, states = propagate(method, tolerance, starts, end)
-        fewest, together = min(fewest, seconds), together + seconds
-    return {"seconds": fewest, "steps": int(steps), "states": [state.tolist() for state in states]}
-
-
-for line in sys.stdin:
-    try:
-        answer = {"Ok": integrated(json.loads(line)["Integrate"])}
-    except Exception as error:
-        answer = {"Err": f"{type(error).__name__}: {error}"}
-    print(json.dumps(answer), flush=True)
+answer_questions(propagate)

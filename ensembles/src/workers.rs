@@ -207,12 +207,9 @@ impl<E> OpenChunks<E> {
         &mut self,
         take: impl FnOnce() -> Option<(usize, usize, Range<usize>)>,
     ) -> Option<usize> {
-        let end = |chunk: &OpenChunk<E>| chunk.position + chunk.range.len();
-        if self
-            .chunks
-            .back()
-            .is_none_or(|last| end(last) == self.begun)
-        {
+        // The last chunk may have ended before an earlier one.
+        let is_begun = |chunk: &OpenChunk<E>| chunk.position + chunk.range.len() <= self.begun;
+        if self.chunks.back().is_none_or(is_begun) {
             let (place, number, range) = take()?;
             self.chunks.push_back(OpenChunk {
                 place,

@@ -1,6 +1,8 @@
 //! A member is the same to the last bit alone, among others, in any chunk and on any number of threads: its end, its
 //! events and its samples.
 
+#![allow(clippy::float_cmp)] // The same numbers.
+
 use std::fmt::Debug;
 
 use lagrangian::prelude::*;
@@ -178,6 +180,31 @@ fn carts(count: usize) {
             .save(Every(0.5))
     };
     compare!(count, RungeKutta::classical(0.01), problem);
+}
+
+/// Whole chunks end while a member of an earlier one goes on.
+#[test]
+fn slow_members_do_not_hold_up_others() {
+    let problem = |index: usize| {
+        let model = DoublePendulum {
+            m1: 1.0,
+            m2: 1.0,
+            l1: 1.0,
+            l2: 1.0,
+            g: 9.81,
+        };
+        Problem::new(model, State::new(0.0, [spread(index, 1), 0.1], [0.0, 0.0]))
+    };
+    for (threads, chunk) in [(1, 1), (1, 3), (2, 5)] {
+        let end = |index: usize| if index % 40 == 2 { 10.0 } else { 0.1 };
+        let study = Study::new(0..200, problem, end, Taylor::new());
+        let motions = study.threads(threads).chunk(chunk).solve().unwrap();
+        assert_eq!(motions.len(), 200);
+        for (index, motion) in motions.iter().enumerate() {
+            let motion = motion.as_ref().unwrap();
+            assert_eq!((motion.index, motion.t), (index, end(index)));
+        }
+    }
 }
 
 #[test]

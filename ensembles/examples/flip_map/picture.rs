@@ -4,11 +4,17 @@ use std::error::Error;
 use std::path::Path;
 
 use lagrangian_ensembles::Table;
+use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 
 /// The width and height of the picture in pixels.
 const SIZE: (u32, u32) = (1000, 860);
+
+/// The size of the letters.
+const TEXT: (&str, u32) = ("sans-serif", 20);
+
+type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
 
 /// The largest angle of a start in rad.
 pub(crate) const LARGEST: f64 = 3.1;
@@ -35,8 +41,22 @@ pub(crate) fn draw(table: &Table, size: usize, path: &Path) -> Result<(), Box<dy
     let root = BitMapBackend::new(path, SIZE).into_drawing_area();
     root.fill(&WHITE)?;
     let (map, bar) = root.split_horizontally(SIZE.0 - 130);
-    let text = ("sans-serif", 20);
-    let mut chart = ChartBuilder::on(&map)
+    let starts = first.iter().zip(second).zip(flips);
+    let starts: Vec<[f64; 3]> = starts.map(|((x, y), flip)| [*x, *y, *flip]).collect();
+    draw_map(&map, &starts, size, colour)?;
+    draw_scale(&bar, (low, high), colour)?;
+    root.present()?;
+    Ok(())
+}
+
+/// Draws a rectangle for each start, and for its mirror image.
+fn draw_map(
+    area: &Area<'_>,
+    starts: &[[f64; 3]],
+    size: usize,
+    colour: impl Fn(f64) -> RGBColor,
+) -> Result<(), Box<dyn Error>> {
+    let mut chart = ChartBuilder::on(area)
         .margin(15)
         .caption(
             "time until a double pendulum flips, from rest",
@@ -50,16 +70,15 @@ pub(crate) fn draw(table: &Table, size: usize, path: &Path) -> Result<(), Box<dy
         .disable_mesh()
         .x_desc("θ₁ [rad]")
         .y_desc("θ₂ [rad]")
-        .label_style(text)
+        .label_style(TEXT)
         .draw()?;
-    // Twice, since the other half are mirror images.
-    #[allow(clippy::cast_precision_loss)]
+    #[allow(clippy::cast_precision_loss)] // There are few.
     let spacing = 0.5 * LARGEST / (size.max(2) - 1) as f64;
-    let starts = first.iter().zip(second).zip(flips);
     chart.draw_series(
         starts
-            .filter(|(_, flip)| flip.is_finite())
-            .flat_map(|((x, y), flip)| {
+            .iter()
+            .filter(|[.., flip]| flip.is_finite())
+            .flat_map(|[x, y, flip]| {
                 let style = colour(*flip).filled();
                 [1.0, -1.0].map(|sign| {
                     let (x, y) = (sign * x, sign * y);
@@ -73,8 +92,16 @@ pub(crate) fn draw(table: &Table, size: usize, path: &Path) -> Result<(), Box<dy
                 })
             }),
     )?;
+    Ok(())
+}
 
-    let mut scale = ChartBuilder::on(&bar)
+/// Draws the colours of the times between two.
+fn draw_scale(
+    area: &Area<'_>,
+    (low, high): (f64, f64),
+    colour: impl Fn(f64) -> RGBColor,
+) -> Result<(), Box<dyn Error>> {
+    let mut scale = ChartBuilder::on(area)
         .margin_top(60)
         .margin_bottom(75)
         .margin_right(15)
@@ -86,7 +113,7 @@ pub(crate) fn draw(table: &Table, size: usize, path: &Path) -> Result<(), Box<dy
         .disable_x_axis()
         .y_desc("time of the flip [s]; white: none")
         .y_label_formatter(&|time| format!("{time}"))
-        .label_style(text)
+        .label_style(TEXT)
         .draw()?;
     let steps = 200;
     scale.draw_series((0..steps).map(|step| {
@@ -96,6 +123,5 @@ pub(crate) fn draw(table: &Table, size: usize, path: &Path) -> Result<(), Box<dy
             colour(edge(step)).filled(),
         )
     }))?;
-    root.present()?;
     Ok(())
 }

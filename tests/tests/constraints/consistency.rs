@@ -121,19 +121,24 @@ struct Growth {
     m: f64,
 }
 
+/// Returns the constraint that is named, and its residual.
+fn inconsistency(error: IntegrationError) -> (&'static str, f64) {
+    match error {
+        IntegrationError::Inconsistent {
+            constraint,
+            residual,
+            ..
+        } => (constraint, residual),
+        _ => panic!("{error}"),
+    }
+}
+
 #[test]
 fn a_residual_without_a_value_is_the_one_that_is_named() {
     let start = State::new(0.0, [-1.0, 5.0, 0.0], [0.0; 3]);
     let failed = Problem::new(&Growth { m: 1.0 }, start).solve(1.0, Dop853::new());
     let error = failed.expect_err("ln of −1 has no value").error();
-    let IntegrationError::Inconsistent {
-        constraint,
-        residual,
-        ..
-    } = error
-    else {
-        panic!("{error}");
-    };
+    let (constraint, residual) = inconsistency(error);
     assert_eq!(constraint, "growth");
     assert!(residual.is_nan());
 }
@@ -155,14 +160,7 @@ fn the_unit_of_one_constraint_leaves_others_as_they_are() {
     let start = State::new(0.0, [2.0 + 1e-6, 1.0], [0.0; 2]);
     let failed = Problem::new(&Held { m: 1.0 }, start).solve(1.0, Dop853::new());
     let error = failed.expect_err("the post is elsewhere").error();
-    let IntegrationError::Inconsistent {
-        constraint,
-        residual,
-        ..
-    } = error
-    else {
-        panic!("{error}");
-    };
+    let (constraint, residual) = inconsistency(error);
     assert_eq!(constraint, "post");
     assert!((residual - 1e-6).abs() < 1e-15, "{residual}");
 }
