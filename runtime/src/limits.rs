@@ -165,6 +165,13 @@ pub(crate) mod events {
     /// its end. By judgement.
     pub(crate) const MIN_REMAINING_PART: f64 = 0.25;
 
+    /// The largest part of a step in which the sign of an event function may be uncertain behind a zero that is located by
+    /// Newton's method.
+    pub(crate) const MAX_ZERO_WIDTH: f64 = 1e-6;
+
+    /// The largest number of steps of Newton's method; bisection alone needs 53.
+    pub(crate) const NEWTON_STEPS: u32 = 64;
+
     /// The errors of the coefficients of an event's polynomial, in machine epsilons. Values below their effect are
     /// zero, and an extremum of that size is a double root.
     pub(crate) const UNCERTAINTY: f64 = 8.0;

@@ -52,6 +52,28 @@ impl Emitter<'_> {
         Some(self.function_of_series(&quote!(event_series), None, &value, Some(&result)))
     }
 
+    /// The method that visits the events in a step, for a model whose events have series.
+    pub(super) fn events_in_step(&self) -> Option<TokenStream> {
+        self.event_series()?;
+        let (root, scalar) = (&self.declaration.root, &self.scalar);
+        let (state, inputs) = (self.signatures().state(), self.signatures().inputs());
+        let (prepared, others) = (self.signatures().prepared, self.parameters_of_series());
+        Some(quote! {
+            fn events_in_step<const HALF: usize>(
+                &self,
+                state: #state,
+                inputs: &[#inputs],
+                prepared: &#prepared,
+                #others
+                end: (#state, &#inputs),
+                visit: &mut dyn FnMut(&#root::TaylorCoefficients<#scalar, HALF>, #scalar),
+            ) {
+                let begin = (state, inputs, prepared);
+                #root::__private::visit_events(self, begin, (unit, motion), end, visit);
+            }
+        })
+    }
+
     /// A method that takes the series of a motion and of the inputs, whose body reads those.
     pub(super) fn function_of_series(
         &self,

@@ -61,7 +61,7 @@ impl Emitter<'_> {
         let body = self.series(&series.motion);
         let (inputs, orders) = self.series_of_inputs(&body);
         let prepared = self.prepared_parameter(&body);
-        let branches = self.branches();
+        let (branches, events) = (self.branches(), self.events_in_step());
         let names = self.switching_functions();
         let items = quote! {
             #names
@@ -77,6 +77,7 @@ impl Emitter<'_> {
                 #body
             }
             #branches
+            #events
         };
         self.implement(
             &quote!(#root::quantities::MotionSeries<#n, #scalar>),

@@ -2,6 +2,8 @@
 
 use core::ops::{AddAssign, Div, Mul, MulAssign};
 
+use crate::scalar::Scalar;
+
 /// Bound on the rounding errors of a coefficient, in machine epsilons times the number of terms, relative to the sum of
 /// the magnitudes of all terms. The shift, the scaling and the sum of positive multiples each add one epsilon per term.
 pub(crate) const ROUNDINGS: f64 = 4.0;
@@ -29,6 +31,22 @@ where
     }
     for i in 1..=degree {
         for j in (i..=degree).rev() {
+            let lower = all[j - 1];
+            all[j] += lower;
+        }
+    }
+}
+
+/// Replaces the coefficients of p by its Bernstein coefficients on the unit interval, as [`between`] 0 and 1 does.
+#[inline]
+pub(crate) fn on_unit_interval<S: Scalar, const COUNT: usize>(all: &mut [S; COUNT]) {
+    let mut factor = 1.0;
+    for (k, coefficient) in all.iter_mut().enumerate().skip(1) {
+        factor = factor * as_number(k) / as_number(COUNT - k);
+        *coefficient *= S::from_f64(factor);
+    }
+    for i in 1..COUNT {
+        for j in (i..COUNT).rev() {
             let lower = all[j - 1];
             all[j] += lower;
         }

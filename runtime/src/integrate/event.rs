@@ -22,6 +22,10 @@ mod event_dynamics;
 mod polynomial;
 mod window;
 mod exclusion;
+mod terms;
+mod one_signed;
+mod outline;
+mod simple_zero;
 mod declared;
 mod declared_event;
 mod event_time;
@@ -40,6 +44,8 @@ pub(crate) use last_step::LastStep;
 pub(crate) use location::Bracket;
 pub(crate) use memory::{Memory, Remembers};
 pub use met_conditions::MetConditions;
+pub(crate) use one_signed::OneSigned;
+pub(crate) use terms::Terms;
 
 use core::ops::Deref;
 

@@ -198,4 +198,17 @@ impl<S: Scalar, D: Series<S>> Series<S> for WithSizes<D, D::State> {
     fn switching_function(&self, index: usize) -> SwitchingFunction {
         self.dynamics.switching_function(index)
     }
+
+    #[inline]
+    fn events_in_step<const HALF: usize>(
+        &self,
+        begin: (S, &Self::State),
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        end: (S, &Self::State),
+        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+    ) {
+        self.dynamics
+            .events_in_step(begin, unit, motion, end, visit);
+    }
 }

@@ -22,7 +22,7 @@ pub use in_every_lane::{InEveryLane, Kept};
 
 pub use series::{
     HigherOrders, Term, event_series, orders, taylor_series, taylor_series_in_quasi_velocities,
-    visit_branches,
+    visit_branches, visit_events,
 };
 
 use super::linearization::Linearization;

@@ -49,6 +49,21 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     ) {
         let _ = (state, inputs, prepared, unit, motion, visit);
     }
+
+    /// Visits the Taylor coefficients of each event function along a motion through a state, and its value at the end of a step,
+    /// as [`Series::events_in_step`] says. `end` is the state and the inputs there.
+    fn events_in_step<const HALF: usize>(
+        &self,
+        state: &State<S, N>,
+        inputs: &[Self::Inputs],
+        prepared: &Self::Prepared,
+        unit: S,
+        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+        end: (&State<S, N>, &Self::Inputs),
+        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+    ) {
+        let _ = (state, inputs, prepared, unit, motion, end, visit);
+    }
 }
 
 impl<M, S, const N: usize, L> Series<S> for EquationsOfMotion<M, S, N, L>
@@ -94,5 +109,25 @@ where
     fn switching_function(&self, index: usize) -> SwitchingFunction {
         let functions = <M::Model as MotionSeries<N, S>>::SWITCHING_FUNCTIONS;
         functions.get(index).copied().unwrap_or_default()
+    }
+
+    #[inline]
+    fn events_in_step<const HALF: usize>(
+        &self,
+        (t, x): (S, &Self::State),
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        (end, last): (S, &Self::State),
+        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+    ) {
+        let (model, state) = (self.model.model(), x.at_time(t));
+        let (inputs_at_end, _) = self.law.evaluate(&self.inputs, end, last);
+        let end = (&last.at_time(end), &inputs_at_end);
+        self.law
+            .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, _| {
+                L::States::of_motion(motion, |motion| {
+                    model.events_in_step(&state, inputs, &self.prepared, unit, motion, end, visit);
+                });
+            });
     }
 }

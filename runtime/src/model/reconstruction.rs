@@ -160,6 +160,20 @@ where
     fn switching_function(&self, index: usize) -> SwitchingFunction {
         self.reduced.switching_function(index)
     }
+
+    fn events_in_step<const HALF: usize>(
+        &self,
+        (t, x): (S, &Self::State),
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        (end, last): (S, &Self::State),
+        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+    ) {
+        let (begin, end) = ((t, &x.motion()), (end, &last.motion()));
+        SVector::of_motion(motion, |motion| {
+            self.reduced.events_in_step(begin, unit, motion, end, visit);
+        });
+    }
 }
 
 /// The events of the reduced model, which depend only on its state.

@@ -5,7 +5,7 @@
 use core::iter::{Enumerate, Fuse};
 
 use super::EnsembleIntegrator;
-use crate::integrate::event::Watched;
+use crate::integrate::event::{MetConditions, OneSigned, Watched};
 use crate::integrate::in_lanes::InLanes;
 use crate::integrate::loop_state::{Steps, Taken};
 use crate::integrate::observer::Observer;
@@ -104,15 +104,17 @@ where
     /// Whether the last step of a lane ended before the target, with nothing in it that the member has to see.
     #[inline]
     fn passes_over<const L: usize>(
-        &self,
+        &mut self,
         lane: usize,
         lanes: &TaylorLanes<D::States, L, HALF>,
+        one_signed: OneSigned,
     ) -> bool
     where
         D: InLanes<L>,
     {
         let attempts = || self.before.plus(lanes.statistics(lane)).attempts();
-        lanes.error(lane).is_none() && self.member.passes_over(lanes.time(lane), attempts)
+        let step = [lanes.previous_time(lane), lanes.time(lane)];
+        lanes.error(lane).is_none() && self.member.passes_over(step, attempts, one_signed)
     }
 
     /// Lets the member process the last step of a lane. Returns whether the member has not ended.
@@ -221,11 +223,11 @@ where
         let Some(steppers) = &mut self.steppers else {
             return true;
         };
-        let is_regular = steps(&self.members, steppers);
+        let (is_regular, passed) = steps(&mut self.members, steppers);
         let mut is_free = false;
         for (lane, place) in self.members.iter_mut().enumerate() {
             let Some(begun) = place else { continue };
-            if is_regular && begun.passes_over(lane, &steppers.0) {
+            if passed[lane] {
                 continue;
             }
             if !begun.follow(lane, &steppers.0, is_regular) {
@@ -242,11 +244,11 @@ where
 }
 
 /// Takes steps in all lanes until a member has to process one. Returns whether it is certain that the last step has
-/// neither led to a singularity nor passed one.
+/// neither led to a singularity nor passed one, and the lanes whose members pass over it.
 fn steps<D, K, C, R, O, const L: usize, const HALF: usize>(
-    members: &[Option<InLane<D, K, C, R, O, HALF>>; L],
+    members: &mut [Option<InLane<D, K, C, R, O, HALF>>; L],
     (lanes, parameters): &mut Steppers<D, L, HALF>,
-) -> bool
+) -> (bool, [bool; L])
 where
     D: InLanes<L>,
     C: Watched<f64, D>,
@@ -254,30 +256,44 @@ where
     O: Observer<D::State>,
     K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
 {
-    let busy = || {
-        members
-            .iter()
-            .enumerate()
-            .filter_map(|(lane, begun)| Some((lane, begun.as_ref()?)))
-    };
-    let Some((_, one)) = busy().next() else {
-        return true;
-    };
-    let equations = one.member.dynamics().together(parameters);
     // Lanes without a member stay where they are.
     let mut targets = lanes.times().0;
-    let mut min_pivot = 0.0_f64;
-    for (lane, begun) in busy() {
+    let (mut min_pivot, mut watched) = (0.0_f64, MetConditions::default());
+    for (lane, begun) in busy(members) {
         targets[lane] = begun.target;
         min_pivot = min_pivot.max(begun.member.min_pivot());
+        watched = watched.or(begun.member.watched_functions());
     }
     loop {
-        lanes.step(&equations, &targets);
-        let is_regular = is_regular(&equations, lanes, min_pivot);
-        if !is_regular || !busy().all(|(lane, begun)| begun.passes_over(lane, lanes)) {
-            return is_regular;
+        let Some((_, any)) = busy(members).next() else {
+            return (true, [true; L]);
+        };
+        let one_signed = {
+            let equations = any.member.dynamics().together(parameters);
+            lanes.step(&equations, &targets);
+            if !is_regular(&equations, lanes, min_pivot) {
+                return (false, [false; L]);
+            }
+            if watched.any() {
+                lanes.one_signed(&equations, watched)
+            } else {
+                [OneSigned::default(); L]
+            }
+        };
+        let mut passed = [true; L];
+        for (lane, begun) in busy(members) {
+            passed[lane] = begun.passes_over(lane, lanes, one_signed[lane]);
+        }
+        if passed.contains(&false) {
+            return (true, passed);
         }
     }
+}
+
+/// Returns the members in lanes.
+fn busy<T>(members: &mut [Option<T>]) -> impl Iterator<Item = (usize, &mut T)> {
+    let lanes = members.iter_mut().enumerate();
+    lanes.filter_map(|(lane, begun)| Some((lane, begun.as_mut()?)))
 }
 
 /// Whether it is certain that the last steps have neither led to a singularity nor passed one.

@@ -3,6 +3,7 @@
 
 use super::memory::Remembers;
 use super::met_conditions::MetConditions;
+use super::one_signed::OneSigned;
 use super::{Detection, LastStep, Occurring};
 use crate::integrate::at::At;
 use crate::integrate::checkpoint::EventSigns;
@@ -113,6 +114,24 @@ where
             pending: [None; 2],
             count: A::COUNT,
         }
+    }
+
+    fn watched_functions(&self, dynamics: &D) -> MetConditions {
+        let second = self.1.watched_functions(dynamics);
+        self.0.watched_functions(dynamics).or(second)
+    }
+
+    fn passes_over(
+        &mut self,
+        memory: &mut Self::Memory,
+        dynamics: &D,
+        step: [f64; 2],
+        one_signed: OneSigned,
+    ) -> bool {
+        let (first, second) = (&mut memory.first, &mut memory.second);
+        // A list that has passed over the step finds nothing when the step is examined for the other one.
+        self.0.passes_over(first, dynamics, step, one_signed)
+            && self.1.passes_over(second, dynamics, step, one_signed)
     }
 
     /// Returns the events that come first. Events of both lists within the resolution of time occur together, at the

@@ -5,6 +5,7 @@
 
 mod first_root;
 mod next_roots;
+mod outlined;
 
 use super::declared_event::DeclaredEvents;
 use super::event_functions::{EventFunctions, detection_by_functions};
@@ -13,7 +14,10 @@ use super::junction::rounding;
 use super::memory::Memory;
 use super::polynomial::Polynomial;
 use super::window::{Search, Window};
-use super::{Detection, Event, EventDynamics, LastStep, Occurring, SingleNumber, sampling};
+use super::{
+    Detection, Event, EventDynamics, LastStep, MetConditions, Occurring, OneSigned, SingleNumber,
+    sampling,
+};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Advance;
 use crate::limits::events::MIN_WINDOW;
@@ -64,8 +68,16 @@ where
                 memory.window = step.begin();
                 (memory.resume, memory.ahead) = ([0.0; K], [0.0; K]);
             }
+            if !step.comes_before(memory.window, step.end()) {
+                // Nothing is left in a step that has been outlined.
+                memory.arrive(step.end());
+                return None;
+            }
             if self.excludes_events(memory, step) {
                 return None;
+            }
+            if let Some(known) = self.outlined(memory, step) {
+                return known;
             }
             let Some((window, polynomials)) = self.window(memory.window, step) else {
                 return sampling::next(self, memory, step);
@@ -89,10 +101,42 @@ where
     fn declared(&self, event: usize) -> Option<usize> {
         self.events.get(event).map(|(index, _)| *index)
     }
+
+    fn watched_functions(&self, dynamics: &D) -> MetConditions {
+        let mut watched = MetConditions::default();
+        for (index, _) in self.events {
+            watched.insert(index);
+            for branch in dynamics.branches(index) {
+                watched.insert(*branch);
+            }
+        }
+        watched
+    }
+
+    fn passes_over(
+        &mut self,
+        memory: &mut Memory<[f64; K]>,
+        dynamics: &D,
+        [begin, end]: [f64; 2],
+        one_signed: OneSigned,
+    ) -> bool {
+        let mut signs = [0.0; K];
+        for (sign, (index, _)) in signs.iter_mut().zip(&self.events) {
+            let mut branches = dynamics.branches(*index).iter();
+            let of_event = one_signed.sign(*index);
+            let has_corner = branches.any(|branch| one_signed.sign(*branch).is_none());
+            let Some(of_event) = of_event.filter(|_| !has_corner) else {
+                memory.not_excluded = begin;
+                return false;
+            };
+            *sign = of_event;
+        }
+        memory.is_plain_at(begin) && memory.keep_signs(signs, end)
+    }
 }
 
 impl<const K: usize> DeclaredEvents<K> {
-    /// Whether none of the events can occur in a step that has not been searched yet. If so, the whole step is done.
+    /// Whether the first terms exclude all events from a step that has not been searched yet. If so, the whole step is done.
     fn excludes_events<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
@@ -103,48 +147,14 @@ impl<const K: usize> DeclaredEvents<K> {
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        let (begin, end) = (step.begin(), step.end());
-        let is_special = memory.touching.or(memory.left).or(memory.at_zero).any();
-        if is_special || memory.until - begin != 0.0 || memory.window - begin != 0.0 {
+        let (begin, end, dynamics) = (step.begin(), step.end(), step.dynamics());
+        if !memory.is_plain_at(begin) || memory.not_excluded - begin == 0.0 {
             return false;
         }
-        let Some(signs) = self
-            .excluded(step, false)
-            .or_else(|| self.excluded(step, true))
-        else {
+        // Without the ends there is no polynomial either, and no reason to interpolate.
+        let Some([from, to]) = step.ends() else {
             return false;
         };
-        // A sign that differs from the sign before the step has changed where the step begins.
-        let mut pairs = signs.iter().zip(&memory.signs);
-        if pairs.any(|(sign, before)| sign * before < 0.0 || before.is_nan()) {
-            return false;
-        }
-        memory.signs = signs;
-        memory.window = end;
-        memory.arrive(end);
-        true
-    }
-
-    /// Returns the signs of the functions if they have no zeros in a step, by a few terms of their series or by all of
-    /// them.
-    fn excluded<S, D, T>(
-        &mut self,
-        step: &mut LastStep<'_, S, D, T>,
-        by_all_terms: bool,
-    ) -> Option<[f64; K]>
-    where
-        S: SingleNumber,
-        D: EventDynamics<S> + ?Sized,
-        T: Advance<S, D>,
-    {
-        let (begin, end, dynamics) = (step.begin(), step.end(), step.dynamics());
-        // Without the ends there is no polynomial either, and no reason to interpolate.
-        step.ends()?;
-        let middle = by_all_terms.then(|| {
-            let middle = step.at(begin + 0.5 * (end - begin));
-            self.values(dynamics, middle.t, &middle.x)
-        });
-        let [from, to] = step.ends()?;
         let last = self.values(dynamics, end, to);
         let exclusion = Exclusion {
             events: self,
@@ -152,9 +162,9 @@ impl<const K: usize> DeclaredEvents<K> {
             from,
             end,
             last,
-            middle,
         };
-        step.polynomial(exclusion).flatten()
+        let signs = step.polynomial(exclusion).flatten();
+        signs.is_some_and(|signs| memory.keep_signs(signs, end))
     }
 
     /// Returns the window that begins at a time, with the polynomials of the event functions; `None` if they have no

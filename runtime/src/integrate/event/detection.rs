@@ -3,6 +3,7 @@
 use super::LastStep;
 use super::memory::Remembers;
 use super::met_conditions::MetConditions;
+use super::one_signed::OneSigned;
 use crate::integrate::at::At;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
@@ -58,6 +59,26 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
 
     /// Returns what is known about the events at the initial time.
     fn begin(&mut self, dynamics: &D, t: f64, x: &D::State) -> Self::Memory;
+
+    /// Returns the event functions of the dynamics that are watched, and those at whose zeros they have corners, by their
+    /// indices below 64.
+    fn watched_functions(&self, dynamics: &D) -> MetConditions {
+        let _ = dynamics;
+        MetConditions::default()
+    }
+
+    /// Notes that the last step has ended at this time, and which event functions of the dynamics have no zero in it. Returns
+    /// false if the step has to be examined, by [`next`](Self::next) and [`holding`](Self::holding).
+    fn passes_over(
+        &mut self,
+        memory: &mut Self::Memory,
+        dynamics: &D,
+        step: [f64; 2],
+        one_signed: OneSigned,
+    ) -> bool {
+        let _ = (memory, dynamics, step, one_signed);
+        false
+    }
 
     /// Returns the next events within the last step, after those that were found before.
     fn next<T: Advance<S, D>>(
@@ -120,4 +141,9 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Detection<S, D> for () {
     const COUNT: usize = 0;
 
     fn begin(&mut self, _: &D, _: f64, _: &D::State) {}
+
+    #[inline]
+    fn passes_over(&mut self, (): &mut (), _: &D, _: [f64; 2], _: OneSigned) -> bool {
+        true
+    }
 }

@@ -30,8 +30,10 @@ pub struct Memory<V> {
     pub(super) within_rounding: MetConditions,
     /// The values of the functions at the last events.
     pub(super) at_event: V,
-    /// For polynomials: the beginning of the present part of the step.
+    /// For polynomials: the beginning of the present part of the step; its end if no event is left in it.
     pub(super) window: f64,
+    /// The beginning of the step of which first terms are known not to exclude events; NaN if there is none.
+    pub(super) not_excluded: f64,
     /// For polynomials: the part of the step after which the sign that follows the last root is certain.
     pub(super) resume: V,
     /// For polynomials, after an event: the signs of the other functions before their next roots, which may be next to
@@ -74,6 +76,7 @@ impl<V: Values> Memory<V> {
             within_rounding: MetConditions::default(),
             at_event: V::ZERO,
             window: start,
+            not_excluded: f64::NAN,
             resume: V::ZERO,
             ahead: V::ZERO,
             at_zero: MetConditions::default(),
@@ -264,6 +267,39 @@ impl<V: Values> Memory<V> {
         self.at_zero = MetConditions::default();
         self.left = MetConditions::default();
         self.touching = MetConditions::default();
+    }
+
+    /// Whether the step from this time is to be searched as a whole, and nothing is particular about its beginning: no
+    /// function is zero there.
+    pub(super) fn is_plain_at(&self, begin: f64) -> bool {
+        let is_special = self.touching.or(self.left).or(self.at_zero).any();
+        !is_special && self.until - begin == 0.0 && self.window - begin == 0.0
+    }
+
+    /// Whether functions with these signs at the beginning of a step have not changed them where it begins.
+    pub(super) fn agrees_with(&self, signs: &V) -> bool {
+        let mut pairs = signs.as_slice().iter().zip(self.signs.as_slice());
+        pairs.all(|(sign, before)| sign * before >= 0.0)
+    }
+
+    /// Records that the functions have these signs up to the end of a step. Returns false, and records nothing, if one of
+    /// them had another sign before the step.
+    pub(super) fn keep_signs(&mut self, signs: V, end: f64) -> bool {
+        let agrees = self.agrees_with(&signs);
+        if agrees {
+            (self.signs, self.window) = (signs, end);
+            self.arrive(end);
+        }
+        agrees
+    }
+
+    /// Records that the function of an event has the only zero of a step at `t`, and the signs behind it, up to the end.
+    pub(super) fn pass_zero(&mut self, signs: V, event: usize, (t, end): (f64, f64)) {
+        (self.signs, self.window) = (signs, end);
+        self.arrive(end);
+        if let Some(last) = self.zero_at.as_mut_slice().get_mut(event) {
+            *last = t;
+        }
     }
 
     /// Records that no event has occurred up to a time at which the functions have these values.

@@ -9,7 +9,7 @@ use crate::integrate::at::At;
 use crate::integrate::driver::{Driver, Next};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::event::Watched;
+use crate::integrate::event::{MetConditions, OneSigned, Watched};
 use crate::integrate::integrator::Integrator;
 use crate::integrate::loop_state::{Beginning, LoopState, Steps, Taken};
 use crate::integrate::observer::Observer;
@@ -168,17 +168,35 @@ where
         self.outcome.last = At { t, x };
     }
 
-    /// Whether neither a step to this time nor its end has to be examined, after this number of attempted steps.
+    /// Returns the event functions of the dynamics that are watched.
+    pub(crate) fn watched_functions(&self) -> MetConditions {
+        self.driver.conditions.watched_functions(&self.dynamics)
+    }
+
+    /// Whether neither a step between these times nor its end has to be examined, after this number of attempted steps, in
+    /// which these event functions have no zero. The conditions then know that the step has been taken.
     #[inline]
-    pub(crate) fn passes_over(&self, time: f64, attempts: impl Fn() -> u64) -> bool {
+    pub(crate) fn passes_over(
+        &mut self,
+        step: [f64; 2],
+        attempts: impl Fn() -> u64,
+        one_signed: OneSigned,
+    ) -> bool {
+        let [_, time] = step;
         let LoopState { end, update, .. } = self.state;
-        let is_asked = C::COUNT > 0 || O::COUNT > 0 || K::READS_STEPS;
+        let is_asked = O::COUNT > 0 || K::READS_STEPS;
         !is_asked
             && time - end != 0.0
             && update.is_none_or(|update| time - update != 0.0)
             && !self
                 .samples_are_due(|sample| sample - time == 0.0 || self.comes_before(sample, time))
             && attempts() < self.state.step_limit
+            && (self.driver.conditions).passes_over(
+                &mut self.memory,
+                &self.dynamics,
+                step,
+                one_signed,
+            )
     }
 
     /// Whether states within a step to this time are needed: by events, by what is kept, or by a sample.

@@ -6,6 +6,7 @@
 
 mod arrivals;
 mod checks;
+mod events;
 mod expansion;
 mod last_step;
 mod passage;

@@ -51,6 +51,22 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         let _ = index;
         SwitchingFunction::default()
     }
+
+    /// Visits each function of [`EventDynamics`](crate::EventDynamics) in a step: its Taylor coefficients along the motion
+    /// from `begin`, (t, x), up to the order of the coefficients `motion`, and its value at the end of the step.
+    ///
+    /// An [`Ensemble`](crate::Ensemble) thereby finds the lanes in which no event can occur, in all lanes at once. Without
+    /// this method, the step of each lane is examined by itself.
+    fn events_in_step<const HALF: usize>(
+        &self,
+        begin: (S, &Self::State),
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        end: (S, &Self::State),
+        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+    ) {
+        let _ = (begin, unit, motion, end, visit);
+    }
 }
 
 impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for &D {
@@ -78,6 +94,18 @@ impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for &D {
 
     fn switching_function(&self, index: usize) -> SwitchingFunction {
         (**self).switching_function(index)
+    }
+
+    #[inline]
+    fn events_in_step<const HALF: usize>(
+        &self,
+        begin: (S, &Self::State),
+        unit: S,
+        motion: &TaylorCoefficients<Self::State, HALF>,
+        end: (S, &Self::State),
+        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+    ) {
+        (**self).events_in_step(begin, unit, motion, end, visit);
     }
 }
 

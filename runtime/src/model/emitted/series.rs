@@ -7,7 +7,7 @@ use crate::integrate::{
     TaylorCoefficients,
 };
 use crate::limits::taylor::{MAX_PAIRED_CONVOLUTIONS, MIN_CONVOLUTIONS};
-use crate::model::{Phase, State};
+use crate::model::{Events, Phase, State};
 use crate::scalar::Scalar;
 
 /// Returns the coefficients of the inputs of order 0, and an iterator over the higher orders. Missing coefficients are
@@ -287,5 +287,30 @@ pub fn visit_branches<S: Scalar, const B: usize, const HALF: usize>(
     for index in 0..B {
         let values = core::iter::once(series.initial()).chain(series.higher());
         visit(&mut values.map(|values| values[index]));
+    }
+}
+
+/// Visits the series of the event functions of a model, and their values at the end of a step.
+#[inline]
+pub fn visit_events<M, S, const N: usize, const HALF: usize>(
+    model: &M,
+    (state, inputs, prepared): (&State<S, N>, &[M::Inputs], &M::Prepared),
+    (unit, motion): (S, &TaylorCoefficients<Phase<S, N>, HALF>),
+    (end, inputs_at_end): (&State<S, N>, &M::Inputs),
+    visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+) where
+    M: Events<N, S>,
+    S: Scalar,
+{
+    let Some(series) = model.event_series(state, inputs, prepared, unit, motion) else {
+        return;
+    };
+    let last = model.event_functions(end, inputs_at_end, prepared);
+    for (index, last) in last.as_ref().iter().enumerate() {
+        let of_event = |values: &M::EventValues| values.as_ref().get(index).copied();
+        visit(
+            &series.map(|values| of_event(values).unwrap_or_else(S::zero)),
+            *last,
+        );
     }
 }

@@ -117,7 +117,7 @@ impl<const K: usize> DeclaredEvents<K> {
     /// Returns the time of an event at a root, moved by rounding errors until its function has reached zero. Where
     /// terms of the polynomial cancel, it has larger rounding errors than the function, whose zero then
     /// counts. `None` if that is after the window.
-    fn time_of<S, D, T>(
+    pub(super) fn time_of<S, D, T>(
         &mut self,
         event: usize,
         root: Root,

@@ -1,0 +1,126 @@
+//! Steps in which at most one event function has a zero, a simple one.
+
+use super::DeclaredEvents;
+use crate::integrate::event::junction::rounding;
+use crate::integrate::event::memory::Memory;
+use crate::integrate::event::outline::{Course, Outline};
+use crate::integrate::event::polynomial::Root;
+use crate::integrate::event::simple_zero::SimpleZero;
+use crate::integrate::event::window::Window;
+use crate::integrate::event::{EventDynamics, LastStep, Occurring, SingleNumber};
+use crate::integrate::event::{EventFunctions, MetConditions};
+use crate::integrate::stepper::Advance;
+
+/// What is known of the events in a step: the next one, or `None` if there are no more.
+type Known = Option<Occurring>;
+
+impl<const K: usize> DeclaredEvents<K> {
+    /// Returns what the outline of the event functions tells about the events in a step that has not been searched yet; `None` if
+    /// the step has to be searched.
+    pub(super) fn outlined<S, D, T>(
+        &mut self,
+        memory: &mut Memory<[f64; K]>,
+        step: &mut LastStep<'_, S, D, T>,
+    ) -> Option<Known>
+    where
+        S: SingleNumber,
+        D: EventDynamics<S> + ?Sized,
+        T: Advance<S, D>,
+    {
+        if !memory.is_plain_at(step.begin()) {
+            return None;
+        }
+        let [from, to] = step.ends()?;
+        let (end, dynamics) = (step.end(), step.dynamics());
+        let last = self.values(dynamics, end, to);
+        let outline = Outline {
+            events: self,
+            dynamics,
+            from,
+            end,
+            last,
+        };
+        let courses = step.polynomial(outline)??;
+        let signs = courses.map(|course| course.sign);
+        if !memory.agrees_with(&signs) {
+            return None;
+        }
+        let mut zeros = (0..K).filter_map(|event| Some((event, courses[event].zero?)));
+        match (zeros.next(), zeros.next()) {
+            (None, _) => {
+                let middle = step.at(step.begin() + 0.5 * (end - step.begin()));
+                let values = self.values(dynamics, middle.t, &middle.x);
+                let is_near = |(value, course): (&f64, &Course)| {
+                    (value - course.in_middle).abs() <= course.allowed
+                };
+                let agree = values.iter().zip(&courses).all(is_near);
+                (agree && memory.keep_signs(signs, end)).then_some(None)
+            }
+            // The zero of a function that is not certain at the end of the step may be a rounding error. Functions of a scalar
+            // with other digits are searched.
+            (Some((event, zero)), None) if S::machine_epsilon() - f64::EPSILON == 0.0 => {
+                let noise = rounding(self, dynamics, (end, to), &last)[event];
+                let is_certain = last[event].abs() > 2.0 * noise;
+                let zero = is_certain.then(|| zero.shifted_by(noise))?;
+                self.at_zero(memory, step, (event, zero), (&courses, last))
+            }
+            _ => None,
+        }
+    }
+
+    /// Returns what is known of a step with one zero, of the function of this event.
+    fn at_zero<S, D, T>(
+        &mut self,
+        memory: &mut Memory<[f64; K]>,
+        step: &mut LastStep<'_, S, D, T>,
+        (event, zero): (usize, SimpleZero),
+        (courses, last): (&[Course; K], [f64; K]),
+    ) -> Option<Known>
+    where
+        S: SingleNumber,
+        D: EventDynamics<S> + ?Sized,
+        T: Advance<S, D>,
+    {
+        let mut signs = courses.map(|course| course.sign);
+        let root = Root {
+            at: zero.at,
+            before: signs[event],
+            behind: -signs[event],
+            until: zero.until,
+        };
+        signs[event] = root.behind;
+        let window = Window {
+            begin: step.begin(),
+            end: step.end(),
+            corner: None,
+            last,
+            is_known: true,
+        };
+        let t = self.time_of(event, root, step, window)?;
+        let there = step.at(t);
+        let values = self.values(step.dynamics(), t, &there.x);
+        let agree = (0..K).all(|other| {
+            let (value, course) = (values[other], &courses[other]);
+            if other == event {
+                value.abs() <= course.allowed
+            } else {
+                value * course.sign > 0.0
+            }
+        });
+        if !agree {
+            return None;
+        }
+        let is_event = self
+            .event(event)
+            .crossing()
+            .between(root.before, root.behind);
+        memory.pass_zero(signs, event, (t, step.end()));
+        if !is_event {
+            return Some(None);
+        }
+        memory.at_event = values;
+        memory.until = step.after(t);
+        let events = MetConditions::of((0..K).map(|other| other == event));
+        Some(Some(Occurring { t, events }))
+    }
+}

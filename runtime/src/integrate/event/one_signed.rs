@@ -1,0 +1,30 @@
+//! The event functions that have no zero in a step.
+
+use super::met_conditions::MetConditions;
+
+/// The functions of [`EventDynamics`](super::EventDynamics) that have one sign in a whole step.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct OneSigned {
+    positive: MetConditions,
+    negative: MetConditions,
+}
+
+impl OneSigned {
+    /// Records the sign of the function with an index, unless it is 0. Functions beyond the first 64 are not recorded.
+    pub(crate) fn insert(&mut self, index: usize, sign: f64) {
+        if sign > 0.0 {
+            self.positive.insert(index);
+        } else if sign < 0.0 {
+            self.negative.insert(index);
+        }
+    }
+
+    /// Returns the sign of the function with an index, if it has one in the whole step.
+    pub(crate) fn sign(self, index: usize) -> Option<f64> {
+        if self.positive.contains(index) {
+            Some(1.0)
+        } else {
+            self.negative.contains(index).then_some(-1.0)
+        }
+    }
+}

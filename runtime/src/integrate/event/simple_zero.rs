@@ -1,0 +1,167 @@
+//! The only zero of a polynomial in the unit interval.
+
+use super::terms::Terms;
+use crate::integrate::bernstein;
+use crate::integrate::taylor::TaylorCoefficients;
+use crate::limits::events::{MAX_COEFFICIENTS, MAX_ZERO_WIDTH, NEWTON_STEPS};
+use crate::scalar::DoubleDouble;
+
+/// A simple zero, on both sides of which the signs are certain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct SimpleZero {
+    /// Its position as a fraction of the step.
+    pub(super) at: f64,
+    /// The magnitude of the slope there.
+    pub(super) slope: f64,
+    /// The fraction from which on the sign behind it is certain.
+    pub(super) until: f64,
+}
+
+impl SimpleZero {
+    /// Returns the zero of a function with these terms and coefficients in a step of this length, if it is the only one and
+    /// rounding and further terms leave no doubt.
+    pub(super) fn of<const HALF: usize>(
+        terms: &Terms<f64, HALF>,
+        coefficients: &TaylorCoefficients<f64, HALF>,
+        length: f64,
+    ) -> Option<Self> {
+        let (least, sign) = (terms.least(0.0), terms.first().signum());
+        let mut all = [0.0; MAX_COEFFICIENTS];
+        let all = all.get_mut(..=2 * HALF)?;
+        terms.copy_to(all);
+        bernstein::between(all, 0.0, 1.0);
+        if !changes_once(all.iter().map(|value| value * sign), least) {
+            return None;
+        }
+        let near = newton(terms, sign);
+        let (value, slope) = (
+            value_in_double_double(coefficients, length, near),
+            terms.slope(near),
+        );
+        let at = (near - value / slope).clamp(0.0, 1.0);
+        let width = 2.0 * least / slope.abs();
+        // The comparison is false for NaN.
+        (width <= MAX_ZERO_WIDTH).then(|| Self {
+            at,
+            slope: slope.abs(),
+            until: (at + width).min(1.0),
+        })
+    }
+
+    /// Returns the zero of a function that may be shifted by this value.
+    pub(super) fn shifted_by(self, noise: f64) -> Self {
+        let until = (self.until + 2.0 * noise / self.slope).min(1.0);
+        Self { until, ..self }
+    }
+}
+
+/// Whether numbers begin above `least` and end below `-least`, with one change of sign between them whatever errors of this
+/// size they have.
+fn changes_once(values: impl Iterator<Item = f64>, least: f64) -> bool {
+    // Before the change, at numbers that may have either sign, and behind it.
+    let (mut phase, mut count) = (0, 0);
+    for value in values {
+        let next = if value > least {
+            0
+        } else if value < -least {
+            2
+        } else {
+            1
+        };
+        if next < phase || (count == 0 && next != 0) {
+            return false;
+        }
+        (phase, count) = (next, count + 1);
+    }
+    phase == 2
+}
+
+/// Returns the zero to rounding by Newton's method, kept between ends with different signs by bisection (W. H. Press et al.,
+/// *Numerical Recipes*, 3rd edition 2007, section 9.4).
+fn newton<const HALF: usize>(terms: &Terms<f64, HALF>, sign: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    let (first, last) = (terms.first(), terms.value(1.0));
+    let mut u = first / (first - last);
+    for _ in 0..NEWTON_STEPS {
+        let value = terms.value(u);
+        if value * sign > 0.0 {
+            low = u;
+        } else {
+            high = u;
+        }
+        let next = u - value / terms.slope(u);
+        let next = if next >= low && next <= high {
+            next
+        } else {
+            0.5 * (low + high)
+        };
+        let moved = (next - u).abs();
+        u = next;
+        if moved <= 8.0 * f64::EPSILON {
+            break;
+        }
+    }
+    u
+}
+
+/// Returns the value at a fraction of a step, in which only the coefficients are rounded.
+fn value_in_double_double<const HALF: usize>(
+    coefficients: &TaylorCoefficients<f64, HALF>,
+    length: f64,
+    u: f64,
+) -> f64 {
+    let argument = DoubleDouble::from(length) * DoubleDouble::from(u);
+    let higher = coefficients.higher().iter().rev();
+    let sum = higher.fold(DoubleDouble::ZERO, |sum, a| {
+        (sum + DoubleDouble::from(*a)) * argument
+    });
+    (sum + DoubleDouble::from(*coefficients.initial())).to_f64()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SimpleZero, changes_once};
+    use crate::integrate::event::terms::Terms;
+    use crate::integrate::taylor::TaylorCoefficients;
+
+    fn zero(coefficients: [f64; 5], length: f64) -> Option<SimpleZero> {
+        let mut series = TaylorCoefficients::<f64, 2>::new(coefficients[0]);
+        series.higher_mut().copy_from_slice(&coefficients[1..]);
+        let terms = Terms::new(&series, length, (f64::EPSILON, 5.0));
+        SimpleZero::of(&terms, &series, length)
+    }
+
+    #[test]
+    fn a_single_zero_is_found_to_the_last_bit() {
+        for root in [0.1, 0.3, 1.0 / 3.0, 0.5, 0.77, 0.95] {
+            // (x − 2 root) (x² + 1), over a step of 2; all further terms vanish.
+            let shift = 2.0 * root;
+            let found = zero([-shift, 1.0, -shift, 1.0, 0.0], 2.0).map(|zero| zero.at);
+            let distance = found.map(|found| (found - root).abs());
+            assert!(distance <= Some(f64::EPSILON), "{root} {found:?}");
+        }
+    }
+
+    #[test]
+    fn other_polynomials_are_left_to_the_search() {
+        // Two zeros, none, a double one, three, and one at the beginning.
+        assert_eq!(zero([0.24, -1.4, 2.0, 0.0, 0.0], 1.0), None);
+        assert_eq!(zero([1.0, 0.5, 0.0, 0.0, 0.0], 1.0), None);
+        assert_eq!(zero([0.25, -1.0, 1.0, 0.0, 0.0], 1.0), None);
+        assert_eq!(zero([-0.09375, 0.6875, -1.5, 1.0, 0.0], 1.0), None);
+        assert_eq!(zero([0.0, 1.0, 0.0, 0.0, 0.0], 1.0), None);
+    }
+
+    #[test]
+    fn uncertain_coefficients_are_allowed_at_the_change_alone() {
+        let changes = |values: &[f64]| changes_once(values.iter().copied(), 0.5);
+        assert!(changes(&[2.0, 1.0, -1.0, -3.0]));
+        assert!(changes(&[2.0, 0.1, -0.2, -3.0]));
+        assert!(!changes(&[2.0, 0.1, 1.0, -3.0]));
+        assert!(!changes(&[2.0, -1.0, 0.1, -3.0]));
+        assert!(!changes(&[0.1, -1.0, -2.0, -3.0]));
+        assert!(!changes(&[2.0, 1.0, 1.0, -0.2]));
+        assert!(!changes(&[2.0, -1.0, 1.0, -3.0]));
+        assert!(!changes(&[2.0, f64::NAN, -1.0, -3.0]));
+    }
+}

@@ -1,0 +1,165 @@
+//! The terms of the Taylor polynomial of an event function in a step, or the first few, and the sign that they prove.
+//!
+//! For 0 ≤ u ≤ 1, Σ aₖ uᵏ differs from a₀ by at most Σ |aₖ|, k ≥ 1, and lies between its least and its greatest
+//! Bernstein coefficient (G. T. Cargo & O. Shisha, *The Bernstein form of a polynomial*, J. Res. Nat. Bur. Standards
+//! **70B** (1966) 79–81).
+
+use crate::integrate::bernstein::{self, ROUNDINGS, as_number};
+use crate::integrate::taylor::TaylorCoefficients;
+use crate::limits::events::{LEADING_HALF_ORDER, MAX_COEFFICIENTS, NEAR, UNCERTAINTY};
+use crate::scalar::{Lanes, Scalar};
+
+/// The terms aₖ of a function up to the order 2·`HALF`, at the end of the step: in one motion, or in lanes.
+pub(crate) struct Terms<S, const HALF: usize> {
+    first: S,
+    /// The terms of order 1 and higher.
+    higher: [[S; 2]; HALF],
+    /// The sum of the magnitudes of the higher terms.
+    sum: S,
+    /// The machine epsilon of the coefficients.
+    epsilon: f64,
+    /// The number of all terms of the series.
+    count: f64,
+}
+
+impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
+    /// Returns the terms at the end of a step of this length, given the machine epsilon of the coefficients and the number of
+    /// coefficients of the whole series.
+    #[inline]
+    pub(crate) fn new(
+        coefficients: &TaylorCoefficients<S, HALF>,
+        length: S,
+        (epsilon, count): (f64, f64),
+    ) -> Self {
+        let mut terms = Self {
+            first: *coefficients.initial(),
+            higher: [[S::zero(); 2]; HALF],
+            sum: S::zero(),
+            epsilon: epsilon.max(f64::EPSILON),
+            count,
+        };
+        let mut power = S::one();
+        let places = terms.higher.as_flattened_mut();
+        for (place, coefficient) in places.iter_mut().zip(coefficients.higher()) {
+            power *= length;
+            *place = *coefficient * power;
+            terms.sum += place.abs();
+        }
+        terms
+    }
+
+    /// Bounds the contribution of further terms, assuming that none is larger than the last ones.
+    #[inline]
+    pub(crate) fn tail(&self) -> S {
+        let [a, b] = self.higher.last().map_or([S::zero(); 2], |last| *last);
+        S::from_f64(self.count) * Scalar::max(a.abs(), b.abs())
+    }
+
+    /// Bounds the effect of rounding on the terms.
+    #[inline]
+    pub(crate) fn rounding(&self) -> S {
+        let part = (UNCERTAINTY + ROUNDINGS * self.count) * self.epsilon;
+        S::from_f64(part) * (self.sum + self.first.abs())
+    }
+
+    /// Returns the term of order 0, the value at the beginning of the step.
+    #[inline]
+    pub(super) fn first(&self) -> S {
+        self.first
+    }
+
+    /// Returns the magnitude that a value has to exceed to have a sign: rounding errors, the contribution of further terms,
+    /// and this part of the first term.
+    #[inline]
+    pub(super) fn least(&self, kept: f64) -> S {
+        self.tail() + self.rounding() + S::from_f64(kept) * self.first.abs()
+    }
+
+    /// Returns by how much the first term exceeds all others: a positive number excludes zeros.
+    #[inline]
+    pub(crate) fn margin(&self, kept: f64) -> S {
+        self.first.abs() - (self.sum + self.least(kept))
+    }
+
+    /// Returns the value of the polynomial at a fraction of the step.
+    #[inline]
+    pub(super) fn value(&self, u: S) -> S {
+        let terms = self.higher.as_flattened().iter().rev();
+        terms.fold(S::zero(), |sum, a| (sum + *a) * u) + self.first
+    }
+
+    /// Returns by how much a value of the function may differ from the polynomial: further terms and a small part of the terms.
+    #[inline]
+    pub(super) fn allowed(&self) -> S {
+        self.tail() + S::from_f64(NEAR) * (self.sum + self.first.abs())
+    }
+
+    /// Returns by how much the polynomial at a fraction of the step differs from `value` beyond what is allowed: a positive
+    /// number shows that it is not the function.
+    #[inline]
+    pub(crate) fn difference(&self, u: S, value: S) -> S {
+        (self.value(u) - value).abs() - self.allowed()
+    }
+}
+
+impl<const HALF: usize> Terms<f64, HALF> {
+    /// Returns the sign in the whole step, if it is certain: if the enclosure of the polynomial keeps this part of the first
+    /// term away from zero.
+    pub(crate) fn sign(&self, kept: f64) -> Option<f64> {
+        if self.margin(kept) > 0.0 {
+            return Some(self.first.signum());
+        }
+        let least = self.least(kept);
+        // The comparison is false for NaN.
+        let is_beyond = |value: &f64| value * self.first.signum() > least;
+        let mut all = [0.0; MAX_COEFFICIENTS];
+        let all = all.get_mut(..=2 * HALF)?;
+        self.copy_to(all);
+        bernstein::between(all, 0.0, 1.0);
+        all.iter().all(is_beyond).then(|| self.first.signum())
+    }
+
+    /// Copies all terms.
+    pub(super) fn copy_to(&self, all: &mut [f64]) {
+        let terms = core::iter::once(&self.first).chain(self.higher.as_flattened());
+        for (place, term) in all.iter_mut().zip(terms) {
+            *place = *term;
+        }
+    }
+
+    /// Returns the derivative with respect to the fraction of the step.
+    pub(super) fn slope(&self, u: f64) -> f64 {
+        let terms = self.higher.as_flattened().iter().enumerate().rev();
+        terms.fold(0.0, |sum, (k, a)| sum * u + as_number(k + 1) * a)
+    }
+
+    /// Whether the polynomial at `u` agrees with `value`, up to further terms and a small part of the terms.
+    pub(crate) fn is_near(&self, u: f64, value: f64) -> bool {
+        self.difference(u, value) <= 0.0
+    }
+}
+
+impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
+    /// Returns the lanes in which the function has the sign of its first term in the whole step, as
+    /// [`sign`](Terms::sign) says.
+    #[inline]
+    pub(crate) fn keep_sign(&self, kept: f64) -> [bool; L] {
+        let margin = self.margin(kept);
+        if margin.0.iter().all(|margin| *margin > 0.0) {
+            return [true; L];
+        }
+        let mut all = [self.first; 1 + 2 * LEADING_HALF_ORDER];
+        for (place, term) in all.iter_mut().skip(1).zip(self.higher.as_flattened()) {
+            *place = *term;
+        }
+        bernstein::on_unit_interval(&mut all);
+        let least = self.least(kept);
+        let mut keep = [true; L];
+        for value in all {
+            for lane in 0..L {
+                keep[lane] &= value.0[lane] * self.first.0[lane].signum() > least.0[lane];
+            }
+        }
+        core::array::from_fn(|lane| margin.0[lane] > 0.0 || keep[lane])
+    }
+}

@@ -1,0 +1,57 @@
+//! The event functions without zeros in the last steps of all lanes.
+
+use super::TaylorLanes;
+use crate::integrate::bernstein::as_number;
+use crate::integrate::event::{MetConditions, OneSigned, Terms};
+use crate::integrate::taylor::Series;
+use crate::limits::events::{LEADING_HALF_ORDER, MIN_REMAINING_PART};
+use crate::linalg::LaneStates;
+use crate::scalar::Lanes;
+
+impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
+    /// Returns for each lane those of the watched event functions of which a few terms show that they have no zero in the last
+    /// step.
+    pub(crate) fn one_signed<D>(&self, dynamics: &D, watched: MetConditions) -> [OneSigned; L]
+    where
+        D: Series<Lanes<L>, State = X>,
+    {
+        let mut found = [OneSigned::default(); L];
+        if HALF <= LEADING_HALF_ORDER {
+            return found;
+        }
+        let (times, from, unit) = &self.previous;
+        let (t, end, unit) = (Lanes(*times), Lanes(self.time), Lanes(*unit));
+        let motion = self.coefficients.leading::<LEADING_HALF_ORDER>();
+        let ends = ((t, from.value()), (end, self.state.value()));
+        let length = (end - t) / unit;
+        let accuracy = (f64::EPSILON, as_number(1 + Self::ORDER));
+        let mut index = 0;
+        dynamics.events_in_step(ends.0, unit, &motion, ends.1, &mut |function, last| {
+            if watched.contains(index) {
+                let terms = Terms::new(function, length, accuracy);
+                for (found, sign) in found.iter_mut().zip(signs(&terms, last)) {
+                    found.insert(index, sign);
+                }
+            }
+            index += 1;
+        });
+        found
+    }
+}
+
+/// Returns the sign that a function has in the whole step of a lane, or 0 if it is not certain from its first terms and its
+/// value at the end.
+#[inline]
+fn signs<const L: usize>(terms: &Terms<Lanes<L>, LEADING_HALF_ORDER>, last: Lanes<L>) -> [f64; L] {
+    let keep = terms.keep_sign(MIN_REMAINING_PART);
+    let difference = terms.difference(Lanes([1.0; L]), last);
+    // If the last terms of a function vanish, a few terms tell nothing about the others.
+    let excess = terms.tail() - terms.rounding();
+    core::array::from_fn(|lane| {
+        if keep[lane] && excess.0[lane] > 0.0 && difference.0[lane] <= 0.0 {
+            last.0[lane].signum()
+        } else {
+            0.0
+        }
+    })
+}
