@@ -49,7 +49,7 @@ impl Emitter<'_> {
         let result = self.result_of_series();
         let body = self.body_of_series(&series.series);
         let value = quote!(::core::option::Option::Some({ #body }));
-        Some(self.function_of_series(&quote!(event_series), None, &value, Some(&result)))
+        Some(self.function_of_series(&quote!(event_series), true, None, &value, Some(&result)))
     }
 
     /// The method that visits the events in a step, for a model whose events have series.
@@ -57,9 +57,9 @@ impl Emitter<'_> {
         self.event_series()?;
         let (root, scalar) = (&self.declaration.root, &self.scalar);
         let (state, inputs) = (self.signatures().state(), self.signatures().inputs());
-        let (prepared, others) = (self.signatures().prepared, self.parameters_of_series());
+        let (prepared, others) = (self.signatures().prepared, self.parameters_of_series(true));
         Some(quote! {
-            fn events_in_step<const HALF: usize>(
+            fn events_in_step<const HALF: usize, const OF_MOTION: usize>(
                 &self,
                 state: #state,
                 inputs: &[#inputs],
@@ -74,20 +74,26 @@ impl Emitter<'_> {
         })
     }
 
-    /// A method that takes the series of a motion and of the inputs, whose body reads those.
+    /// A method that takes the series of a motion and of the inputs, whose body reads those. The order of its result may be
+    /// lower than the order of the motion if `is_leading`.
     pub(super) fn function_of_series(
         &self,
         name: &TokenStream,
+        is_leading: bool,
         more: Option<&TokenStream>,
         body: &TokenStream,
         result: Option<&TokenStream>,
     ) -> TokenStream {
-        let (state, others) = (self.signatures().state(), self.parameters_of_series());
+        let (state, others) = (
+            self.signatures().state(),
+            self.parameters_of_series(is_leading),
+        );
+        let of_motion = is_leading.then(|| quote!(, const OF_MOTION: usize));
         let (inputs, orders) = self.series_of_inputs(body);
         let prepared = self.prepared_parameter(body);
         let result = result.map(|ty| quote!(-> #ty));
         quote! {
-            fn #name<const HALF: usize>(&self, state: #state, #inputs #prepared #others #more) #result {
+            fn #name<const HALF: usize #of_motion>(&self, state: #state, #inputs #prepared #others #more) #result {
                 #orders
                 #body
             }
@@ -118,11 +124,16 @@ impl Emitter<'_> {
         marked_if_unused(quote!(prepared: &#prepared,), body)
     }
 
-    pub(super) fn parameters_of_series(&self) -> TokenStream {
+    pub(super) fn parameters_of_series(&self, is_leading: bool) -> TokenStream {
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
+        let half = if is_leading {
+            quote!(OF_MOTION)
+        } else {
+            quote!(HALF)
+        };
         quote! {
             unit: #scalar,
-            motion: &#root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
+            motion: &#root::TaylorCoefficients<#root::Phase<#scalar, #n>, #half>,
         }
     }
 
@@ -147,7 +158,7 @@ impl Emitter<'_> {
                 #more
                 let invariants: [#scalar; #count] = [#(#invariants),*];
                 #root::__private::event_series::<
-                    _, #n, #events, #count_of_factors, #count_of_pairs, HALF,
+                    _, #n, #events, #count_of_factors, #count_of_pairs, HALF, _,
                 >(unit, motion, values, &[#(#pairs),*], |term| {
                     #next_inputs
                     #of_terms

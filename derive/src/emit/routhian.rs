@@ -193,7 +193,7 @@ impl Emitter<'_> {
     fn routhian_series(&self, methods: &ReducedMethods, k: usize) -> Option<TokenStream> {
         let series = methods.series.as_ref()?;
         let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let (state, signature) = (self.signatures().state(), self.parameters_of_series());
+        let (state, signature) = (self.signatures().state(), self.parameters_of_series(false));
         let body = self.body_of_series(series);
         let prepared = self.prepared_parameter(&body);
         // Momenta contain no input.

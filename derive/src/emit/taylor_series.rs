@@ -113,7 +113,7 @@ impl Emitter<'_> {
         let body = self.body_of_series(&series.series);
         let visit = quote!(visit: &mut #root::BranchVisitor<'_, #scalar>);
         let visited = quote!(#root::__private::visit_branches(&{ #body }, visit););
-        Some(self.function_of_series(&quote!(branch_series), Some(&visit), &visited, None))
+        Some(self.function_of_series(&quote!(branch_series), false, Some(&visit), &visited, None))
     }
 
     fn series(&self, method: &TaylorMethod) -> TokenStream {

@@ -29,10 +29,18 @@ where
         factor = factor * width * T::from(as_number(k)) / T::from(as_number(degree + 1 - k));
         *coefficient *= factor;
     }
-    for i in 1..=degree {
-        for j in (i..=degree).rev() {
-            let lower = all[j - 1];
-            all[j] += lower;
+    add_lower(all);
+}
+
+/// Adds to each number the lower one, as often as its index says.
+#[inline]
+fn add_lower<T: Copy + AddAssign>(all: &mut [T]) {
+    for i in 1..all.len() {
+        let mut lower = all[i - 1];
+        for place in &mut all[i..] {
+            let present = *place;
+            *place += lower;
+            lower = present;
         }
     }
 }
@@ -45,12 +53,7 @@ pub(crate) fn on_unit_interval<S: Scalar, const COUNT: usize>(all: &mut [S; COUN
         factor = factor * as_number(k) / as_number(COUNT - k);
         *coefficient *= S::from_f64(factor);
     }
-    for i in 1..COUNT {
-        for j in (i..COUNT).rev() {
-            let lower = all[j - 1];
-            all[j] += lower;
-        }
-    }
+    add_lower(all);
 }
 
 /// The sign changes of a sequence.

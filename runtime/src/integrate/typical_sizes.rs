@@ -200,11 +200,11 @@ impl<S: Scalar, D: Series<S>> Series<S> for WithSizes<D, D::State> {
     }
 
     #[inline]
-    fn events_in_step<const HALF: usize>(
+    fn events_in_step<const HALF: usize, const OF_MOTION: usize>(
         &self,
         begin: (S, &Self::State),
         unit: S,
-        motion: &TaylorCoefficients<Self::State, HALF>,
+        motion: &TaylorCoefficients<Self::State, OF_MOTION>,
         end: (S, &Self::State),
         visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
     ) {

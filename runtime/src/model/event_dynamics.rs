@@ -34,12 +34,12 @@ where
     }
 
     #[inline]
-    fn event_series<const HALF: usize>(
+    fn event_series<const HALF: usize, const OF_MOTION: usize>(
         &self,
         t: S,
         x: &Self::State,
         unit: S,
-        motion: &TaylorCoefficients<Self::State, HALF>,
+        motion: &TaylorCoefficients<Self::State, OF_MOTION>,
     ) -> Option<TaylorCoefficients<Self::Values, HALF>> {
         let (model, state) = (self.model.model(), x.at_time(t));
         self.law

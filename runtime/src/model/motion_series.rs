@@ -52,13 +52,13 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
 
     /// Visits the Taylor coefficients of each event function along a motion through a state, and its value at the end of a step,
     /// as [`Series::events_in_step`] says. `end` is the state and the inputs there.
-    fn events_in_step<const HALF: usize>(
+    fn events_in_step<const HALF: usize, const OF_MOTION: usize>(
         &self,
         state: &State<S, N>,
         inputs: &[Self::Inputs],
         prepared: &Self::Prepared,
         unit: S,
-        motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+        motion: &TaylorCoefficients<Phase<S, N>, OF_MOTION>,
         end: (&State<S, N>, &Self::Inputs),
         visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
     ) {
@@ -112,11 +112,11 @@ where
     }
 
     #[inline]
-    fn events_in_step<const HALF: usize>(
+    fn events_in_step<const HALF: usize, const OF_MOTION: usize>(
         &self,
         (t, x): (S, &Self::State),
         unit: S,
-        motion: &TaylorCoefficients<Self::State, HALF>,
+        motion: &TaylorCoefficients<Self::State, OF_MOTION>,
         (end, last): (S, &Self::State),
         visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
     ) {

@@ -161,11 +161,11 @@ where
         self.reduced.switching_function(index)
     }
 
-    fn events_in_step<const HALF: usize>(
+    fn events_in_step<const HALF: usize, const OF_MOTION: usize>(
         &self,
         (t, x): (S, &Self::State),
         unit: S,
-        motion: &TaylorCoefficients<Self::State, HALF>,
+        motion: &TaylorCoefficients<Self::State, OF_MOTION>,
         (end, last): (S, &Self::State),
         visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
     ) {
@@ -199,12 +199,12 @@ where
     }
 
     #[inline]
-    fn event_series<const HALF: usize>(
+    fn event_series<const HALF: usize, const OF_MOTION: usize>(
         &self,
         t: S,
         x: &Self::State,
         unit: S,
-        motion: &TaylorCoefficients<Self::State, HALF>,
+        motion: &TaylorCoefficients<Self::State, OF_MOTION>,
     ) -> Option<TaylorCoefficients<Self::Values, HALF>> {
         SVector::of_motion(motion, |motion| {
             self.reduced.event_series(t, &x.motion(), unit, motion)

@@ -153,12 +153,12 @@ impl EventDynamics<f64> for Level {
         [x[0] - self.0]
     }
 
-    fn event_series<const HALF: usize>(
+    fn event_series<const HALF: usize, const OF_MOTION: usize>(
         &self,
         _: f64,
         x: &Self::State,
         _: f64,
-        motion: &TaylorCoefficients<Self::State, HALF>,
+        motion: &TaylorCoefficients<Self::State, OF_MOTION>,
     ) -> Option<TaylorCoefficients<[f64; 1], HALF>> {
         let mut series = TaylorCoefficients::new([x[0] - self.0]);
         for (term, motion) in series.higher_mut().iter_mut().zip(motion.higher()) {

@@ -74,12 +74,12 @@ impl<D: EventDynamics<f64>> EventDynamics<f64> for Counted<'_, D> {
         self.dynamics.event_functions(t, x)
     }
 
-    fn event_series<const HALF: usize>(
+    fn event_series<const HALF: usize, const OF_MOTION: usize>(
         &self,
         t: f64,
         x: &D::State,
         unit: f64,
-        motion: &TaylorCoefficients<D::State, HALF>,
+        motion: &TaylorCoefficients<D::State, OF_MOTION>,
     ) -> Option<TaylorCoefficients<D::Values, HALF>> {
         self.orders.borrow_mut().push(2 * HALF);
         self.dynamics.event_series(t, x, unit, motion)

@@ -35,15 +35,15 @@ pub trait EventDynamics<S: Scalar>: Dynamics<S> {
     /// Returns the values of the event functions.
     fn event_functions(&self, t: S, x: &Self::State) -> Self::Values;
 
-    /// Returns the Taylor coefficients of the event functions along a motion through (t, x), from the coefficients of
-    /// the motion in the same unit of time. The motion's coefficient of order 0 is not read. `None` if they are not
-    /// known.
-    fn event_series<const HALF: usize>(
+    /// Returns the Taylor coefficients of the event functions along a motion through (t, x), up to an order that the
+    /// coefficients of the motion have, in the same unit of time. The motion's coefficient of order 0 is not read. `None` if
+    /// they are not known.
+    fn event_series<const HALF: usize, const OF_MOTION: usize>(
         &self,
         t: S,
         x: &Self::State,
         unit: S,
-        motion: &TaylorCoefficients<Self::State, HALF>,
+        motion: &TaylorCoefficients<Self::State, OF_MOTION>,
     ) -> Option<TaylorCoefficients<Self::Values, HALF>> {
         let _ = (t, x, unit, motion);
         None
@@ -68,12 +68,12 @@ impl<S: Scalar, D: EventDynamics<S> + ?Sized> EventDynamics<S> for &D {
     }
 
     #[inline]
-    fn event_series<const HALF: usize>(
+    fn event_series<const HALF: usize, const OF_MOTION: usize>(
         &self,
         t: S,
         x: &D::State,
         unit: S,
-        motion: &TaylorCoefficients<D::State, HALF>,
+        motion: &TaylorCoefficients<D::State, OF_MOTION>,
     ) -> Option<TaylorCoefficients<D::Values, HALF>> {
         (**self).event_series(t, x, unit, motion)
     }
@@ -98,12 +98,12 @@ impl<S: Scalar, D: EventDynamics<S>> EventDynamics<S> for WithSizes<D, D::State>
     }
 
     #[inline]
-    fn event_series<const HALF: usize>(
+    fn event_series<const HALF: usize, const OF_MOTION: usize>(
         &self,
         t: S,
         x: &D::State,
         unit: S,
-        motion: &TaylorCoefficients<D::State, HALF>,
+        motion: &TaylorCoefficients<D::State, OF_MOTION>,
     ) -> Option<TaylorCoefficients<D::Values, HALF>> {
         self.dynamics.event_series(t, x, unit, motion)
     }

@@ -41,9 +41,13 @@ where
         if HALF <= LEADING_HALF_ORDER {
             return None;
         }
-        let motion = motion.leading::<LEADING_HALF_ORDER>();
-        let numbers = [t, unit].map(S::from_f64);
-        let series = (self.dynamics).event_series(numbers[0], self.from, numbers[1], &motion)?;
+        let [begin, unit_of_time] = [t, unit].map(S::from_f64);
+        let series = (self.dynamics).event_series::<LEADING_HALF_ORDER, _>(
+            begin,
+            self.from,
+            unit_of_time,
+            motion,
+        )?;
         let length = (self.end - t) / unit;
         let accuracy = (S::machine_epsilon(), as_number(1 + 2 * HALF));
         let terms = |index: usize| {

@@ -55,18 +55,21 @@ impl MetConditions {
     }
 
     /// Adds an index below 64.
+    #[inline]
     pub(crate) fn insert(&mut self, index: usize) {
         self.0 |= u32::try_from(index).map_or(0, |i| 1_u64.checked_shl(i).unwrap_or(0));
     }
 
     /// Whether the set is not empty.
     #[must_use]
+    #[inline]
     pub fn any(self) -> bool {
         self.0 != 0
     }
 
     /// Whether the set contains the condition with this index.
     #[must_use]
+    #[inline]
     pub fn contains(self, index: usize) -> bool {
         let shifted = u32::try_from(index)
             .ok()
@@ -81,12 +84,14 @@ impl MetConditions {
 
     /// Returns the indices of this set that are not in another one.
     #[must_use]
+    #[inline]
     pub(crate) fn without(self, other: Self) -> Self {
         Self(self.0 & !other.0)
     }
 
     /// Returns the union of two sets.
     #[must_use]
+    #[inline]
     pub(crate) fn or(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }

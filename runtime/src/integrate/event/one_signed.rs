@@ -11,6 +11,7 @@ pub struct OneSigned {
 
 impl OneSigned {
     /// Records the sign of the function with an index, unless it is 0. Functions beyond the first 64 are not recorded.
+    #[inline]
     pub(crate) fn insert(&mut self, index: usize, sign: f64) {
         if sign > 0.0 {
             self.positive.insert(index);
@@ -20,6 +21,7 @@ impl OneSigned {
     }
 
     /// Returns the sign of the function with an index, if it has one in the whole step.
+    #[inline]
     pub(crate) fn sign(self, index: usize) -> Option<f64> {
         if self.positive.contains(index) {
             Some(1.0)

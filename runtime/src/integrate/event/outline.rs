@@ -7,7 +7,7 @@
 use super::declared_event::DeclaredEvents;
 use super::event_dynamics::{EventDynamics, SingleNumber};
 use super::simple_zero::SimpleZero;
-use super::terms::Terms;
+use super::terms::{Signs, Terms};
 use crate::integrate::bernstein::as_number;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;
@@ -53,7 +53,8 @@ where
         motion: &TaylorCoefficients<D::State, HALF>,
     ) -> Self::Output {
         let numbers = [t, unit].map(S::from_f64);
-        let series = (self.dynamics).event_series(numbers[0], self.from, numbers[1], motion)?;
+        let series: TaylorCoefficients<_, HALF> =
+            (self.dynamics).event_series(numbers[0], self.from, numbers[1], motion)?;
         let length = (self.end - t) / unit;
         let accuracy = (S::machine_epsilon(), as_number(1 + 2 * HALF));
         let coefficients = |index: usize| {
@@ -71,9 +72,9 @@ where
             if !terms.is_near(1.0, last) {
                 return None;
             }
-            let zero = match terms.sign(0.0) {
-                Some(_) => None,
-                None => Some(SimpleZero::of(&terms, &numbers, length)?),
+            let zero = match terms.signs(0.0)? {
+                Signs::One => None,
+                Signs::Two => Some(SimpleZero::of(&terms, &numbers, length)?),
             };
             for branch in self.dynamics.branches(index) {
                 Terms::new(&coefficients(*branch)?, length, accuracy).sign(0.0)?;

@@ -102,40 +102,48 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
     }
 }
 
+/// The signs of a function in a step, if no error of a coefficient changes them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Signs {
+    /// The function has the sign of its first term in the whole step.
+    One,
+    /// The function has the sign of its first term up to the only zero in the step, and then the opposite one.
+    Two,
+}
+
 impl<const HALF: usize> Terms<f64, HALF> {
-    /// Returns the sign in the whole step, if it is certain: if the enclosure of the polynomial keeps this part of the first
-    /// term away from zero.
-    pub(crate) fn sign(&self, kept: f64) -> Option<f64> {
+    /// Returns the signs in the step, by the enclosure of the polynomial, which has to keep this part of the first term away
+    /// from zero; `None` if they are not certain.
+    pub(crate) fn signs(&self, kept: f64) -> Option<Signs> {
         if self.margin(kept) > 0.0 {
-            return Some(self.first.signum());
+            return Some(Signs::One);
         }
-        let least = self.least(kept);
-        // The comparison is false for NaN.
-        let is_beyond = |value: &f64| value * self.first.signum() > least;
+        let (least, sign) = (self.least(kept), self.first.signum());
         let mut all = [0.0; MAX_COEFFICIENTS];
         let all = all.get_mut(..=2 * HALF)?;
-        self.copy_to(all);
-        bernstein::between(all, 0.0, 1.0);
-        all.iter().all(is_beyond).then(|| self.first.signum())
-    }
-
-    /// Copies all terms.
-    pub(super) fn copy_to(&self, all: &mut [f64]) {
         let terms = core::iter::once(&self.first).chain(self.higher.as_flattened());
         for (place, term) in all.iter_mut().zip(terms) {
-            *place = *term;
+            *place = sign * term;
         }
+        bernstein::between(all, 0.0, 1.0);
+        signs(all, least)
+    }
+
+    /// Returns the sign in the whole step, if it is certain.
+    pub(crate) fn sign(&self, kept: f64) -> Option<f64> {
+        let is_one = self.signs(kept) == Some(Signs::One);
+        is_one.then(|| self.first.signum())
+    }
+
+    /// Whether the polynomial at `u` agrees with `value`, up to further terms and a small part of the terms.
+    pub(crate) fn is_near(&self, u: f64, value: f64) -> bool {
+        self.difference(u, value) <= 0.0
     }
 
     /// Returns the derivative with respect to the fraction of the step.
     pub(super) fn slope(&self, u: f64) -> f64 {
         let terms = self.higher.as_flattened().iter().enumerate().rev();
         terms.fold(0.0, |sum, (k, a)| sum * u + as_number(k + 1) * a)
-    }
-
-    /// Whether the polynomial at `u` agrees with `value`, up to further terms and a small part of the terms.
-    pub(crate) fn is_near(&self, u: f64, value: f64) -> bool {
-        self.difference(u, value) <= 0.0
     }
 }
 
@@ -161,5 +169,44 @@ impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
             }
         }
         core::array::from_fn(|lane| margin.0[lane] > 0.0 || keep[lane])
+    }
+}
+
+/// Returns the signs of numbers of which the first one exceeds `least`, if they change at most once whatever errors of this
+/// size they have.
+fn signs(values: &[f64], least: f64) -> Option<Signs> {
+    // The comparisons are false for NaN.
+    let positive = values.iter().take_while(|value| **value > least).count();
+    if positive == values.len() {
+        return Some(Signs::One);
+    }
+    let rest = values.get(positive..)?.iter().rev();
+    let negative = rest.take_while(|value| **value < -least).count();
+    let between = values.get(positive..values.len() - negative)?;
+    let are_uncertain = between.iter().all(|value| value.abs() <= least);
+    (positive > 0 && negative > 0 && are_uncertain).then_some(Signs::Two)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Signs, signs};
+
+    #[test]
+    fn uncertain_numbers_are_allowed_at_the_change_alone() {
+        let signs = |values: &[f64]| signs(values, 0.5);
+        assert_eq!(signs(&[2.0, 1.0, 3.0]), Some(Signs::One));
+        assert_eq!(signs(&[2.0, 1.0, -1.0, -3.0]), Some(Signs::Two));
+        assert_eq!(signs(&[2.0, 0.1, -0.2, -3.0]), Some(Signs::Two));
+        for uncertain in [
+            [2.0, 0.1, 1.0, -3.0],
+            [2.0, -1.0, 0.1, -3.0],
+            [0.1, -1.0, -2.0, -3.0],
+            [2.0, 1.0, 1.0, -0.2],
+            [2.0, -1.0, 1.0, -3.0],
+            [2.0, f64::NAN, -1.0, -3.0],
+            [2.0, 1.0, 1.0, f64::NAN],
+        ] {
+            assert_eq!(signs(&uncertain), None, "{uncertain:?}");
+        }
     }
 }

@@ -144,9 +144,11 @@ where
         let shifted = (offset != 0.0).then(|| motion.shifted(S::from_f64(offset)));
         let motion = shifted.as_ref().unwrap_or(motion);
         let (time, unit_of_time) = (S::from_f64(*begin), S::from_f64(unit));
-        let series = (self.dynamics).event_series(time, x, unit_of_time, motion)?;
+        let series: TaylorCoefficients<_, HALF> =
+            (self.dynamics).event_series(time, x, unit_of_time, motion)?;
         let (moved, moved_motion) = moved_by_rounding(x, motion);
-        let other = (self.dynamics).event_series(time, &moved, unit_of_time, &moved_motion)?;
+        let other: TaylorCoefficients<_, HALF> =
+            (self.dynamics).event_series(time, &moved, unit_of_time, &moved_motion)?;
         let allowed = UNCERTAINTY * S::machine_epsilon();
         let allowed = allowed.max(motion.last_terms((self.end - begin) / unit));
         let whole = self.end - begin;

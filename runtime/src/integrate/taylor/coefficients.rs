@@ -67,21 +67,6 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         }
     }
 
-    /// Returns the terms up to the order 2·`LEADING`; orders beyond this polynomial repeat its last coefficients.
-    #[inline]
-    pub(crate) fn leading<const LEADING: usize>(&self) -> TaylorCoefficients<X, LEADING> {
-        let pairs = if let Some(pairs) = self.pairs.first_chunk() {
-            pairs.clone()
-        } else {
-            let last = self.last_pair(self.pairs.last());
-            core::array::from_fn(|i| self.pairs.get(i).unwrap_or(&last).clone())
-        };
-        TaylorCoefficients {
-            initial: self.initial.clone(),
-            pairs,
-        }
-    }
-
     /// Returns the larger of the last two terms at τ, over the sum of the magnitudes of all terms, in the worst
     /// component.
     pub(crate) fn last_terms<S: Scalar>(&self, tau: f64) -> f64

@@ -52,16 +52,16 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         SwitchingFunction::default()
     }
 
-    /// Visits each function of [`EventDynamics`](crate::EventDynamics) in a step: its Taylor coefficients along the motion
-    /// from `begin`, (t, x), up to the order of the coefficients `motion`, and its value at the end of the step.
+    /// Visits each function of [`EventDynamics`](crate::EventDynamics) in a step: its first Taylor coefficients along
+    /// the motion from `begin`, (t, x), with the coefficients `motion`, and its value at the end of the step.
     ///
     /// An [`Ensemble`](crate::Ensemble) thereby finds the lanes in which no event can occur, in all lanes at once. Without
     /// this method, the step of each lane is examined by itself.
-    fn events_in_step<const HALF: usize>(
+    fn events_in_step<const HALF: usize, const OF_MOTION: usize>(
         &self,
         begin: (S, &Self::State),
         unit: S,
-        motion: &TaylorCoefficients<Self::State, HALF>,
+        motion: &TaylorCoefficients<Self::State, OF_MOTION>,
         end: (S, &Self::State),
         visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
     ) {
@@ -97,11 +97,11 @@ impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for &D {
     }
 
     #[inline]
-    fn events_in_step<const HALF: usize>(
+    fn events_in_step<const HALF: usize, const OF_MOTION: usize>(
         &self,
         begin: (S, &Self::State),
         unit: S,
-        motion: &TaylorCoefficients<Self::State, HALF>,
+        motion: &TaylorCoefficients<Self::State, OF_MOTION>,
         end: (S, &Self::State),
         visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
     ) {

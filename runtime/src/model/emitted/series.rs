@@ -220,9 +220,10 @@ pub fn event_series<
     const FACTORS: usize,
     const PAIRS: usize,
     const HALF: usize,
+    const OF_MOTION: usize,
 >(
     unit: S,
-    motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+    motion: &TaylorCoefficients<Phase<S, N>, OF_MOTION>,
     values: [S; EVENTS],
     pairs: &[[usize; 2]; PAIRS],
     term: impl FnMut(&Term<S, N, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
@@ -245,10 +246,11 @@ fn series_by<
     const FACTORS: usize,
     const PAIRS: usize,
     const HALF: usize,
+    const OF_MOTION: usize,
 >(
     mut convolutions: impl OnlineConvolutions<S, FACTORS, PAIRS>,
     unit: S,
-    motion: &TaylorCoefficients<Phase<S, N>, HALF>,
+    motion: &TaylorCoefficients<Phase<S, N>, OF_MOTION>,
     values: [S; EVENTS],
     pairs: &[[usize; 2]; PAIRS],
     mut term: impl FnMut(&Term<S, N, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
@@ -292,19 +294,18 @@ pub fn visit_branches<S: Scalar, const B: usize, const HALF: usize>(
 
 /// Visits the series of the event functions of a model, and their values at the end of a step.
 #[inline]
-pub fn visit_events<M, S, const N: usize, const HALF: usize>(
+pub fn visit_events<M, S, const N: usize, const HALF: usize, const OF_MOTION: usize>(
     model: &M,
     (state, inputs, prepared): (&State<S, N>, &[M::Inputs], &M::Prepared),
-    (unit, motion): (S, &TaylorCoefficients<Phase<S, N>, HALF>),
+    (unit, motion): (S, &TaylorCoefficients<Phase<S, N>, OF_MOTION>),
     (end, inputs_at_end): (&State<S, N>, &M::Inputs),
     visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
 ) where
     M: Events<N, S>,
     S: Scalar,
 {
-    let Some(series) = model.event_series(state, inputs, prepared, unit, motion) else {
-        return;
-    };
+    let series = model.event_series::<HALF, _>(state, inputs, prepared, unit, motion);
+    let Some(series) = series else { return };
     let last = model.event_functions(end, inputs_at_end, prepared);
     for (index, last) in last.as_ref().iter().enumerate() {
         let of_event = |values: &M::EventValues| values.as_ref().get(index).copied();

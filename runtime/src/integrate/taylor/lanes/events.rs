@@ -21,12 +21,12 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
         let (times, from, unit) = &self.previous;
         let (t, end, unit) = (Lanes(*times), Lanes(self.time), Lanes(*unit));
-        let motion = self.coefficients.leading::<LEADING_HALF_ORDER>();
+        let motion = &self.coefficients;
         let ends = ((t, from.value()), (end, self.state.value()));
         let length = (end - t) / unit;
         let accuracy = (f64::EPSILON, as_number(1 + Self::ORDER));
         let mut index = 0;
-        dynamics.events_in_step(ends.0, unit, &motion, ends.1, &mut |function, last| {
+        dynamics.events_in_step(ends.0, unit, motion, ends.1, &mut |function, last| {
             if watched.contains(index) {
                 let terms = Terms::new(function, length, accuracy);
                 for (found, sign) in found.iter_mut().zip(signs(&terms, last)) {
