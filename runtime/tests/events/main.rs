@@ -17,6 +17,7 @@ mod event_derivatives;
 mod events;
 mod hostile_events;
 mod hostile_motions;
+mod in_lanes;
 mod projected_steps;
 mod reactions;
 mod rounding;

@@ -114,7 +114,7 @@ pub(super) enum Signs {
 impl<const HALF: usize> Terms<f64, HALF> {
     /// Returns the signs in the step, by the enclosure of the polynomial, which has to keep this part of the first term away
     /// from zero; `None` if they are not certain.
-    pub(crate) fn signs(&self, kept: f64) -> Option<Signs> {
+    pub(super) fn signs(&self, kept: f64) -> Option<Signs> {
         if self.margin(kept) > 0.0 {
             return Some(Signs::One);
         }
