@@ -90,11 +90,8 @@ impl Case {
 /// The times of an event of every member, in 4 lanes and in one.
 macro_rules! times {
     ($cases:expr, $event:expr $(, $crossing:ident)?) => {{
-        let problem = |case: &Case| {
-            Problem::new(&case.model, case.start).on($event)$(.$crossing())?.record()
-        };
         let mut times = vec![Vec::new(); $cases.len()];
-        let problems = $cases.iter().map(problem);
+        let problems = $cases.iter().map(|case: &Case| Problem::new(&case.model, case.start).on($event)$(.$crossing())?.record());
         Ensemble::new(problems)
             .lanes::<4>()
             .solve_each(END, Taylor::order_16(), |index, found| {
@@ -107,7 +104,7 @@ macro_rules! times {
             });
         for (case, together) in $cases.iter().zip(&times).step_by(7) {
             let mut alone = Vec::new();
-            let one = Ensemble::new([problem(case)]).lanes::<1>();
+            let one = Ensemble::new([Problem::new(&case.model, case.start).on($event)$(.$crossing())?.record()]).lanes::<1>();
             one.solve_each(END, Taylor::order_16(), |_, found| {
                 alone = found
                     .unwrap()
@@ -154,17 +151,11 @@ fn events_watched_together_occur_where_they_do_alone() {
     let cases = cases(24);
     let above = times!(cases, Oscillator::ABOVE, falling);
     let turns = times!(cases, Oscillator::TURN);
-    let problem = |case: &Case| {
-        let both = Problem::new(&case.model, case.start)
-            .on(Oscillator::ABOVE)
-            .falling()
-            .record();
-        both.on(Oscillator::TURN)
-            .record()
-            .on(Oscillator::NEVER)
-            .record()
-    };
-    let problems = cases.iter().map(problem);
+    let problems = cases.iter().map(|case| {
+        let above = Problem::new(&case.model, case.start).on(Oscillator::ABOVE);
+        let both = above.falling().record().on(Oscillator::TURN).record();
+        both.on(Oscillator::NEVER).record()
+    });
     Ensemble::new(problems)
         .lanes::<4>()
         .solve_each(END, Taylor::order_16(), |index, found| {
