@@ -81,14 +81,42 @@ impl<const K: usize> DeclaredEvents<K> {
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        let mut signs = courses.map(|course| course.sign);
-        let root = Root {
-            at: zero.at,
-            before: signs[event],
-            behind: -signs[event],
-            until: zero.until,
+        let before = courses[event].sign;
+        let (t, values) = self.located(step, (event, before), zero, last)?;
+        let agrees = |other: usize| {
+            let (value, course) = (values[other], &courses[other]);
+            let keeps_sign = value * course.sign > 0.0;
+            (other == event && value.abs() <= course.allowed) || (other != event && keeps_sign)
         };
-        signs[event] = root.behind;
+        if !(0..K).all(agrees) {
+            return None;
+        }
+        let mut signs = courses.map(|course| course.sign);
+        signs[event] = -before;
+        memory.pass_zero(signs, event, (t, step.end()));
+        if !self.event(event).crossing().between(before, -before) {
+            return Some(None);
+        }
+        memory.at_event = values;
+        memory.until = step.after(t);
+        let events = MetConditions::of((0..K).map(|other| other == event));
+        Some(Some(Occurring { t, events }))
+    }
+
+    /// Returns the first time at which the function of an event has reached its zero, to rounding, and the values of all functions there;
+    /// `None` if they contradict the polynomial.
+    fn located<S, D, T>(
+        &mut self,
+        step: &mut LastStep<'_, S, D, T>,
+        (event, before): (usize, f64),
+        zero: SimpleZero,
+        last: [f64; K],
+    ) -> Option<(f64, [f64; K])>
+    where
+        S: SingleNumber,
+        D: EventDynamics<S> + ?Sized,
+        T: Advance<S, D>,
+    {
         let window = Window {
             begin: step.begin(),
             end: step.end(),
@@ -96,31 +124,31 @@ impl<const K: usize> DeclaredEvents<K> {
             last,
             is_known: true,
         };
-        let t = self.time_of(event, root, step, window)?;
-        let there = step.at(t);
-        let values = self.values(step.dynamics(), t, &there.x);
-        let agree = (0..K).all(|other| {
-            let (value, course) = (values[other], &courses[other]);
-            if other == event {
-                value.abs() <= course.allowed
-            } else {
-                value * course.sign > 0.0
-            }
-        });
-        if !agree {
+        let mut evaluated = |this: &mut Self, t: f64| {
+            let there = step.at(t);
+            (t, this.values(step.dynamics(), t, &there.x))
+        };
+        let (mut at, mut found) = (zero.at, evaluated(self, window.time(zero.at)));
+        // The polynomial lacks further terms, and its coefficients are rounded: a step of Newton's method with the function.
+        let shift = before * found.1[event] / zero.slope;
+        if shift.is_nan() || shift.abs() > zero.until - zero.at {
             return None;
         }
-        let is_event = self
-            .event(event)
-            .crossing()
-            .between(root.before, root.behind);
-        memory.pass_zero(signs, event, (t, step.end()));
-        if !is_event {
-            return Some(None);
+        if shift.abs() > f64::EPSILON {
+            at = (at + shift).clamp(0.0, 1.0);
+            found = evaluated(self, window.time(at));
         }
-        memory.at_event = values;
-        memory.until = step.after(t);
-        let events = MetConditions::of((0..K).map(|other| other == event));
-        Some(Some(Occurring { t, events }))
+        if before * found.1[event] > 0.0 {
+            let root = Root {
+                at,
+                before,
+                behind: -before,
+                until: zero.until,
+            };
+            let t = self.time_of(event, root, step, window)?;
+            let there = step.at(t);
+            found = (t, self.values(step.dynamics(), t, &there.x));
+        }
+        Some(found)
     }
 }
