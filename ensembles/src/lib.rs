@@ -53,6 +53,7 @@ mod column;
 mod metadata;
 mod points;
 mod grid;
+mod normal;
 mod parameter;
 mod sample;
 mod motion;
