@@ -392,21 +392,6 @@ fn truncated_files() {
     assert_eq!(bytes(folder.path()), before);
 }
 
-/// A folder on a file system without space: the error names the file.
-#[cfg(target_os = "linux")]
-#[test]
-fn full_disks() {
-    let table = study!(1, 9.81).table(COLUMNS, row!()).unwrap();
-    let complaint = table
-        .write_parquet("/proc/a.parquet")
-        .unwrap_err()
-        .to_string();
-    assert!(
-        complaint.starts_with("/proc/a.parquet could not be written: "),
-        "{complaint}"
-    );
-}
-
 #[cfg(feature = "csv")]
 #[test]
 fn tables_as_text() {
