@@ -13,6 +13,10 @@ pub(crate) type Found<X, K> = Result<Solution<f64, X, K>, Partial<Solution<f64, 
 
 /// The members of a study: points, the problem of each, their ends and the method. A bound of functions that are
 /// generic over studies.
+#[diagnostic::on_unimplemented(
+    message = "it is not known how the members of `Study<{Self}>` are integrated",
+    note = "`Study::new` makes the members of a study; a function that is generic over studies needs the bound `Members`"
+)]
 pub trait Members: Sync {
     /// The points.
     type Points: Points;
