@@ -57,6 +57,7 @@ mod normal;
 mod parameter;
 mod sample;
 mod motion;
+mod end;
 mod members;
 mod chunks;
 mod collector;

@@ -49,7 +49,7 @@ use crate::workers::{Sink, Work, lock};
 ///
 /// Points are a range of indices, a `Vec`, a [`Grid`](crate::Grid) or a [`Sample`](crate::Sample). The problem of a point
 /// has the events, samples and limits of any [`Problem`](lagrangian::Problem). The end is a time, or a function of the
-/// index.
+/// point.
 ///
 /// Members are integrated on all threads of the current pool of `rayon`, and by [`Taylor`](lagrangian::Taylor) in
 /// [`lanes`](Self::lanes) on each. A member does not depend on the others, on the number of threads or on the chunk in
