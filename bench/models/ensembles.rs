@@ -6,6 +6,7 @@ use lagrangian::{EquationsOfMotion, InLanes, Partial};
 use lagrangian_bench::{
     Integrated, Integration, Question, Throughput, answer, answer_questions, fewest_seconds,
 };
+use lagrangian_ensembles::Study;
 
 type Start = State<f64, DEGREES>;
 type End = Phase<f64, DEGREES>;
@@ -32,7 +33,8 @@ impl Ends {
     }
 }
 
-/// Integrates an ensemble as a user would: without events, with one that is recorded, or with one that never occurs.
+/// Integrates an ensemble as a user would: without events, with one that is recorded, with one that never occurs, or
+/// without events by a study on two threads.
 fn ends<'a, const LANES: usize, const HALF: usize>(
     method: Taylor<HALF>,
     model: &'a Model,
@@ -57,6 +59,16 @@ where
         Some("absent event") => {
             let problems = starts.iter().map(|start| problem(start).on(Model::NEVER).record());
             Ensemble::new(problems).lanes::<LANES>().solve_each(end, method, |index, found| ends.put(index, found));
+        }
+        Some("two threads") => {
+            let problem = |start| Problem::new(model, start);
+            let study = Study::new(starts, problem, end, method).lanes::<LANES>().threads(2);
+            for motion in study.solve().map_err(|error| error.to_string())? {
+                match motion {
+                    Ok(motion) => ends.put(motion.index, Ok(motion.solution)),
+                    Err(failure) => ends.put(failure.index, Err(failure.partial)),
+                }
+            }
         }
         Some(other) => return Err(format!("there is no `{other}`")),
     }

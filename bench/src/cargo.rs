@@ -61,7 +61,17 @@ pub(crate) fn build(
         calls,
         Calls::Measure | Calls::MeasureWithRounding | Calls::Taylor | Calls::Dop853
     );
-    let package = package(folders, &name, &main, &[], timed)?;
+    let package = match calls {
+        Calls::Ensembles => {
+            let ensembles = path_in(folders, "ensembles");
+            let dependencies = format!(
+                "{}lagrangian-ensembles = {{ path = {ensembles:?} }}\n",
+                dependencies(folders)
+            );
+            written(folders, &name, &main, &dependencies, timed)?
+        }
+        _ => package(folders, &name, &main, &[], timed)?,
+    };
     let start = Instant::now();
     cargo_build(folders, &package, flags, None)?;
     let seconds = start.elapsed().as_secs_f64();
@@ -223,11 +233,7 @@ pub(crate) fn build_peer(
         fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))
     };
     let main = read(name)?;
-    let path = |part| folders.workspace.join(part).to_string_lossy().into_owned();
-    let [runtime, bench] = ["runtime", "bench"].map(path);
-    let dependencies = format!(
-        "lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n{SOLVERS}"
-    );
+    let dependencies = dependencies(folders) + SOLVERS;
     let package = written(folders, name, &main, &dependencies, false)?;
     for module in modules {
         let path = package.join("src").join(module).with_extension("rs");
@@ -249,17 +255,30 @@ fn package(
     features: &[&str],
     timed: bool,
 ) -> Result<PathBuf, String> {
-    let path = |part| folders.workspace.join(part).to_string_lossy().into_owned();
-    let [runtime, bench, derive] = ["runtime", "bench", "derive"].map(path);
+    let derive = path_in(folders, "derive");
     let derive = if features.is_empty() {
         String::new()
     } else {
         format!("lagrangian-derive = {{ path = {derive:?}, features = {features:?} }}\n")
     };
-    let dependencies = format!(
-        "lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n{derive}"
-    );
-    written(folders, name, main, &dependencies, timed)
+    written(
+        folders,
+        name,
+        main,
+        &(dependencies(folders) + &derive),
+        timed,
+    )
+}
+
+/// What every package depends on.
+fn dependencies(folders: &Folders) -> String {
+    let [runtime, bench] = ["runtime", "bench"].map(|part| path_in(folders, part));
+    format!("lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n")
+}
+
+/// The path of a package of the workspace.
+fn path_in(folders: &Folders, part: &str) -> String {
+    folders.workspace.join(part).to_string_lossy().into_owned()
 }
 
 /// Writes a package that stands alone and depends on this checkout, with the versions of its lock.

@@ -34,12 +34,24 @@ impl Contestant {
         self.ask(&Question::Integrate(integration.clone()))
     }
 
+    /// Sends a question and waits for the answer.
     pub(crate) fn ask<T: DeserializeOwned>(&mut self, question: &Question) -> Result<T, String> {
+        self.send(question)?;
+        self.receive()
+    }
+
+    /// Sends a question; [`receive`](Self::receive) waits for the answer. Several contestants work at the same time if
+    /// all are sent their questions first.
+    pub(crate) fn send(&mut self, question: &Question) -> Result<(), String> {
         let line = serde_json::to_string(question).map_err(|error| error.to_string())?;
         let questions = self.questions.as_mut().ok_or("no pipe")?;
         writeln!(questions, "{line}")
             .and_then(|()| questions.flush())
-            .map_err(|error| format!("a contestant has ended: {error}"))?;
+            .map_err(|error| format!("a contestant has ended: {error}"))
+    }
+
+    /// Waits for the answer to the question that was sent.
+    pub(crate) fn receive<T: DeserializeOwned>(&mut self) -> Result<T, String> {
         let mut answer = String::new();
         self.answers
             .read_line(&mut answer)

@@ -19,21 +19,20 @@
 //! of our methods is compared with the best of heyoka's.
 //!
 //! Then our best one is measured against itself: with a declared event that occurs again and again and is recorded, and with one that
-//! never occurs. The clock tells how many motions one process completes in a second (`Question::Throughput`), which other
-//! processes beside it can be compared with.
+//! never occurs. At last the clock tells how many motions a study on two threads completes in a second, in turn with two
+//! processes of one core each that integrate the same members at the same time ([`threads`]).
 
 mod errors;
 mod starts;
 mod table;
+mod threads;
 mod tolerance;
 
 use std::path::Path;
 use std::process::Command;
 
-use lagrangian_bench::{Question, Throughput};
-
 use crate::arguments::Arguments;
-use crate::cargo::{build, build_peer};
+use crate::cargo::{Built, build, build_peer};
 use crate::contest::{self, Entry, Rounds};
 use crate::contestant::Contestant;
 use crate::declaration::Calls;
@@ -76,9 +75,6 @@ const HEYOKA: [&str; 8] = [
 
 const ODE_SOLVERS: &str = "ode_solvers";
 
-/// For so many seconds the motions of one process are counted.
-const COUNTED: f64 = 2.0;
-
 /// Whose a contestant is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
@@ -108,6 +104,8 @@ struct Tuned {
 /// An ensemble of a model, and those who integrate it.
 struct Sheet {
     model: Model,
+    /// Our program.
+    built: Built,
     contestants: Vec<Contestant>,
     sides: Vec<Side>,
     starts: Vec<Vec<f64>>,
@@ -132,7 +130,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         sheet.confirm_reference()?;
         let best = sheet.beside_peers(&mut verdicts)?;
         sheet.events(&best, &mut verdicts)?;
-        sheet.by_the_clock(&best)?;
+        sheet.by_the_clock(&best, &mut verdicts)?;
     }
     judge(&verdicts)
 }
@@ -146,7 +144,8 @@ impl Sheet {
     ) -> Result<Self, String> {
         let name = model.to_string();
         let starts = starts::of(model)?;
-        let mut ours = build(folders, model, Calls::Ensembles, Flags::Native)?.start()?;
+        let built = build(folders, model, Calls::Ensembles, Flags::Native)?;
+        let mut ours = built.start()?;
         let reference = Entry::new(0, "Taylor, 4 lanes", &starts, END);
         let reference = ours.integrate(&reference.integration)?.states;
         let (mut contestants, mut sides) = (vec![ours], vec![Side::Ours]);
@@ -160,6 +159,7 @@ impl Sheet {
         }
         Ok(Self {
             model,
+            built,
             contestants,
             sides,
             starts,
@@ -281,18 +281,6 @@ impl Sheet {
                 limit,
             });
         }
-        Ok(())
-    }
-
-    /// How many motions our best method completes in a second in one process, by the clock.
-    fn by_the_clock(&mut self, best: &Tuned) -> Result<(), String> {
-        let entry = Entry::new(best.side, &best.method, &self.starts, END);
-        let question = Question::Throughput(Throughput {
-            integration: entry.with_tolerance(best.tolerance).integration,
-            seconds: COUNTED,
-        });
-        let motions: f64 = self.contestants[best.side].ask(&question)?;
-        println!("  one process completes {motions:.0} motions a second by the clock");
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::limits::{MAX_CHUNKS, MIN_CHUNK};
+use crate::limits::{CHUNKS, MAX_CHUNK, MIN_CHUNK};
 
 /// The partition of the members of a study into ranges of one length. It depends on neither threads nor machines, so
 /// that sums over chunks do not either.
@@ -14,12 +14,12 @@ pub(crate) struct Chunks {
 }
 
 impl Chunks {
-    /// Divides `members` into chunks of a length, by default at most 1024 chunks.
+    /// Divides `members` into chunks of a length, by default into 1024 chunks, unless these are too short or too long.
     pub(crate) fn new(members: usize, length: Option<usize>) -> Self {
-        let length = length.unwrap_or_else(|| members.div_ceil(MAX_CHUNKS).max(MIN_CHUNK));
+        let length = length.unwrap_or_else(|| members.div_ceil(CHUNKS).clamp(MIN_CHUNK, MAX_CHUNK));
         Self {
             members,
-            length: length.max(1),
+            length: length.clamp(1, members.max(1)),
         }
     }
 
@@ -41,7 +41,7 @@ impl Chunks {
     /// Returns the indices of the members of a chunk.
     pub(crate) fn range(self, chunk: usize) -> Range<usize> {
         let start = chunk * self.length;
-        start..self.members.min(start + self.length)
+        start..self.members.min(start.saturating_add(self.length))
     }
 }
 
@@ -54,13 +54,38 @@ pub(crate) trait Source: Sync {
     fn leave(&self) {}
 }
 
+/// All chunks of a study, from which workers take one after the other.
+#[derive(Debug)]
+pub(crate) struct AllChunks {
+    count: usize,
+    next: AtomicUsize,
+}
+
+impl AllChunks {
+    pub(crate) fn new(count: usize) -> Self {
+        Self {
+            count,
+            next: AtomicUsize::new(0),
+        }
+    }
+}
+
+impl Source for AllChunks {
+    fn take(&self) -> Option<(usize, usize)> {
+        let chunk = self.next.fetch_add(1, Ordering::Relaxed);
+        (chunk < self.count).then_some((chunk, chunk))
+    }
+}
+
 /// A list of chunks from which workers take one after the other.
+#[cfg(feature = "parquet")]
 #[derive(Debug)]
 pub(crate) struct Queue {
     chunks: Vec<usize>,
     next: AtomicUsize,
 }
 
+#[cfg(feature = "parquet")]
 impl Queue {
     pub(crate) fn new(chunks: impl IntoIterator<Item = usize>) -> Self {
         Self {
@@ -70,12 +95,12 @@ impl Queue {
     }
 
     /// Returns the numbers of all chunks, in their order.
-    #[cfg(feature = "parquet")]
     pub(crate) fn chunks(&self) -> &[usize] {
         &self.chunks
     }
 }
 
+#[cfg(feature = "parquet")]
 impl Source for Queue {
     fn take(&self) -> Option<(usize, usize)> {
         let place = self.next.fetch_add(1, Ordering::Relaxed);

@@ -143,20 +143,20 @@ impl<M: Members> Study<'_, M> {
         let run = match &folder.ranks {
             Some(ranks) if ranks.is_first() => {
                 let serve = |_, is_stopped: &AtomicBool| ranks.hand_out(&queue, is_stopped);
-                self.run((&queue, count), pool, &sink, |()| (), serve)
+                self.run((&queue, count), pool, &sink, &(), serve)
             }
             Some(ranks) => {
                 let (source, requests) = Requests::new();
                 let serve =
                     |workers, is_stopped: &AtomicBool| ranks.ask(&requests, workers, is_stopped);
-                self.run((&source, count), pool, &sink, |()| (), serve)
+                self.run((&source, count), pool, &sink, &(), serve)
             }
-            None => self.run((&queue, count), pool, &sink, |()| (), |_, _| ()),
+            None => self.run((&queue, count), pool, &sink, &(), |_, _| ()),
         };
         #[cfg(feature = "mpi")]
         let run = agree(folder.ranks.as_ref(), run, path);
         #[cfg(not(feature = "mpi"))]
-        let run = self.run((&queue, count), pool, &sink, |()| (), |_, _| ());
+        let run = self.run((&queue, count), pool, &sink, &(), |_, _| ());
         run?;
         Results::find([path])
     }

@@ -3,8 +3,11 @@
 /// The least number of members in a chunk by default: lanes run empty at the end of a chunk when nothing follows.
 pub(crate) const MIN_CHUNK: usize = 64;
 
-/// The greatest number of chunks by default.
-pub(crate) const MAX_CHUNKS: usize = 1024;
+/// The greatest number of members in a chunk by default: what a thread holds in memory grows with it.
+pub(crate) const MAX_CHUNK: usize = 10_000;
+
+/// The number of chunks by default, where their length is between the two.
+pub(crate) const CHUNKS: usize = 1024;
 
 /// The greatest dimension of Sobol's sequence: the direction numbers of Joe and Kuo (2008) that are compiled in.
 pub(crate) const MAX_SOBOL_DIMENSION: usize = 1000;

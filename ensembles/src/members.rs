@@ -2,9 +2,10 @@
 
 use std::fmt::Debug;
 
-use lagrangian::problem::{Ends, EnsembleIntegrator, Keep, Observer, Reactions, Watched};
+use lagrangian::problem::{EnsembleIntegrator, Keep, Observer, Reactions, Watched};
 use lagrangian::{At, Dynamics, Partial, Problem, Solution, VectorSpace};
 
+use crate::end::End;
 use crate::error::Error;
 use crate::points::Points;
 
@@ -13,6 +14,10 @@ pub(crate) type Found<X, K> = Result<Solution<f64, X, K>, Partial<Solution<f64, 
 
 /// The members of a study: points, the problem of each, their ends and the method. A bound of functions that are
 /// generic over studies.
+#[diagnostic::on_unimplemented(
+    message = "it is not known how the members of `Study<{Self}>` are integrated",
+    note = "`Study::new` makes the members of a study; a function that is generic over studies needs the bound `Members`"
+)]
 pub trait Members: Sync {
     /// The points.
     type Points: Points;
@@ -66,7 +71,7 @@ impl<P, F, E, I, D, K, C, R, O, const L: usize> Members for Integrated<P, F, E, 
 where
     P: Points,
     F: Fn(P::Point) -> Problem<f64, D, K, C, R, O> + Sync,
-    E: Ends + Sync,
+    E: End<P::Point> + Sync,
     I: EnsembleIntegrator<f64, D, L> + Debug + Sync,
     D: Dynamics<f64, State: Send>,
     C: Watched<f64, D>,
@@ -88,8 +93,8 @@ where
         report: impl FnMut(usize, Found<D::State, K::Kept>),
     ) {
         let members = indices.map(|index| {
-            let problem = (self.problem)(self.points.point(index));
-            (problem, self.end.of(index))
+            let point = || self.points.point(index);
+            ((self.problem)(point()), self.end.of(point))
         });
         EnsembleIntegrator::<f64, D, L>::solve_each(&self.method, members, report);
     }
@@ -102,10 +107,11 @@ where
     }
 
     fn numbers(&self, index: usize) -> Vec<f64> {
-        let problem = (self.problem)(self.points.point(index));
+        let point = || self.points.point(index);
+        let problem = (self.problem)(point());
         let At { t, x } = problem.initial_state();
         let rates = problem.dynamics().derivative(*t, x);
         let numbers = x.components().chain(rates.components());
-        numbers.chain([*t, self.end.of(index)]).collect()
+        numbers.chain([*t, self.end.of(point)]).collect()
     }
 }

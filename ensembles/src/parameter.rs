@@ -3,10 +3,11 @@
 use std::fmt;
 use std::sync::Arc;
 
-use statrs::distribution::{ContinuousCDF, Normal};
+use statrs::distribution::ContinuousCDF;
 
 use crate::column::Column;
 use crate::error::Error;
+use crate::normal;
 
 /// An uncertain parameter of a [`Sample`](crate::Sample): its name, its unit and its distribution.
 #[derive(Clone, Debug)]
@@ -37,7 +38,8 @@ impl Parameter {
         Self::of(name, Distribution::Normal(mean, standard_deviation))
     }
 
-    /// Creates a parameter with any continuous distribution of the crate [`statrs`].
+    /// Creates a parameter with any continuous distribution of the crate [`statrs`]. Its quantiles may differ in their last
+    /// digits from one platform to another, where those of uniform and normal distributions do not.
     ///
     /// ```
     /// use lagrangian_ensembles::{Parameter, statrs::distribution::LogNormal};
@@ -73,7 +75,7 @@ impl Parameter {
     pub fn quantile(&self, probability: f64) -> f64 {
         match &self.distribution {
             Distribution::Uniform(low, high) => low * (1.0 - probability) + high * probability,
-            Distribution::Normal(..) => self.at_score(standard_score(probability)),
+            Distribution::Normal(..) => self.at_score(normal::quantile(probability)),
             Distribution::Other(..) if !(0.0..=1.0).contains(&probability) => f64::NAN,
             Distribution::Other(quantile, _) => quantile(probability),
         }
@@ -84,7 +86,7 @@ impl Parameter {
         match self.distribution {
             Distribution::Normal(mean, deviation) => mean + deviation * score,
             _ if score.is_nan() => f64::NAN,
-            _ => self.quantile(Normal::standard().cdf(score)),
+            _ => self.quantile(normal::probability(score)),
         }
     }
 
@@ -107,16 +109,6 @@ impl Parameter {
             _ => return Ok(()),
         };
         Err(Error::Points(complaint))
-    }
-}
-
-/// Returns the quantile of the standard normal distribution.
-pub(crate) fn standard_score(probability: f64) -> f64 {
-    let is_probability = (0.0..=1.0).contains(&probability);
-    if is_probability {
-        Normal::standard().inverse_cdf(probability)
-    } else {
-        f64::NAN
     }
 }
 

@@ -11,6 +11,7 @@ use crate::manifest::{MANIFEST, Manifest};
 use crate::parquet::{self, Writer};
 use crate::summary::Summary;
 use crate::table::Table;
+use crate::tree::Tree;
 
 /// The results of a study in one or several folders.
 #[derive(Clone, Debug)]
@@ -127,11 +128,11 @@ impl Results {
     /// If a file cannot be read.
     pub fn summary(&self) -> Result<Summary, Error> {
         let columns = self.manifest.columns();
-        let mut all = Summary::new(&columns);
+        let tree = Tree::new(Summary::merged);
         for chunk in self.files.keys() {
-            all.merge(self.read(*chunk, &columns)?.summary());
+            tree.add(*chunk, self.read(*chunk, &columns)?.summary());
         }
-        Ok(all)
+        Ok(tree.finish().unwrap_or_else(|| Summary::new(&columns)))
     }
 
     /// Reads the rows of a finished chunk.

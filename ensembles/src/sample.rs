@@ -8,7 +8,8 @@ use lagrangian::nalgebra::{Cholesky, DMatrix, SMatrix, SVector};
 
 use crate::column::Column;
 use crate::error::Error;
-use crate::parameter::{Parameter, standard_score};
+use crate::normal;
+use crate::parameter::Parameter;
 use crate::points::Points;
 use design::{Design, Prepared};
 
@@ -169,7 +170,7 @@ impl<const D: usize> Points for Sample<D> {
             }
             return probabilities;
         };
-        let scores = probabilities.map(standard_score);
+        let scores = probabilities.map(normal::quantile);
         for ((row, value), parameter) in probabilities.iter_mut().enumerate().zip(parameters) {
             let products = scores.iter().enumerate().take(row + 1);
             let score = factor.as_ref().map_or(f64::NAN, |factor| {

@@ -7,7 +7,8 @@ use std::sync::atomic::AtomicBool;
 use lagrangian::problem::Flow;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::chunks::{Chunks, Queue, Source};
+use crate::chunks::{AllChunks, Chunks, Source};
+use crate::collector::{Collector, InOrder};
 use crate::column::Column;
 use crate::error::Error;
 use crate::members::{Integrated, Members};
@@ -18,6 +19,7 @@ use crate::rows::Rows;
 use crate::sinks::{Motions, Summaries, Tables};
 use crate::summary::Summary;
 use crate::table::{self, Table};
+use crate::tree::Tree;
 use crate::workers::{Sink, Work, lock};
 
 /// Many motions: one problem for each point, until an end, by a method.
@@ -47,7 +49,7 @@ use crate::workers::{Sink, Work, lock};
 ///
 /// Points are a range of indices, a `Vec`, a [`Grid`](crate::Grid) or a [`Sample`](crate::Sample). The problem of a point
 /// has the events, samples and limits of any [`Problem`](lagrangian::Problem). The end is a time, or a function of the
-/// index.
+/// point.
 ///
 /// Members are integrated on all threads of the current pool of `rayon`, and by [`Taylor`](lagrangian::Taylor) in
 /// [`lanes`](Self::lanes) on each. A member does not depend on the others, on the number of threads or on the chunk in
@@ -138,7 +140,7 @@ impl<'a, M: Members> Study<'a, M> {
     }
 
     /// Sets the number of members of a chunk: what a thread or a machine takes at a time, and a file contains. By
-    /// default there are at most 1024 chunks of at least 64 members. Statistics are summed chunk by chunk, and thus
+    /// default there are 1024 chunks, or fewer of 64 members, or more of 10⁴. Statistics are summed chunk by chunk, and thus
     /// depend on this number in their last digits.
     pub fn chunk(mut self, members: usize) -> Self {
         self.chunk = Some(members);
@@ -200,7 +202,7 @@ impl<'a, M: Members> Study<'a, M> {
     > {
         self.members.check()?;
         let mut motions = Vec::new();
-        self.run_all(&Motions, |part| motions.extend(part))?;
+        self.run_all(&Motions, &InOrder::new(|part: Vec<_>| motions.extend(part)))?;
         Ok(motions)
     }
 
@@ -220,7 +222,7 @@ impl<'a, M: Members> Study<'a, M> {
         let metadata = metadata::all(points.count(), points.description(), &self.metadata);
         let mut table = Table::new(columns.clone()).with_metadata(metadata);
         let sink = Tables::<_, N> { columns, rows };
-        self.run_all(&sink, |part: Table| table.append(part))?;
+        self.run_all(&sink, &InOrder::new(|part| table.append(part)))?;
         Ok(table)
     }
 
@@ -237,10 +239,11 @@ impl<'a, M: Members> Study<'a, M> {
         rows: impl Fn(&Motion<<M::Points as Points>::Point, M::State, M::Kept>) -> B + Sync,
     ) -> Result<Summary, Error> {
         let columns = self.columns(columns)?;
-        let mut summary = Summary::new(&columns);
+        let none = Summary::new(&columns);
         let sink = Summaries(Tables::<_, N> { columns, rows });
-        self.run_all(&sink, |part: Summary| summary.merge(part))?;
-        Ok(summary)
+        let tree = Tree::new(Summary::merged);
+        self.run_all(&sink, &tree)?;
+        Ok(tree.finish().unwrap_or(none))
     }
 
     /// Returns the columns of the points and those of the rows, or an error if the study is invalid.
@@ -264,12 +267,12 @@ impl<'a, M: Members> Study<'a, M> {
     fn run_all<K: Sink<M>>(
         &self,
         sink: &K,
-        deliver: impl FnMut(K::Part) + Send,
+        collector: &impl Collector<K::Part>,
     ) -> Result<(), Error> {
-        let queue = Queue::new(0..self.chunks().count());
+        let all = AllChunks::new(self.chunks().count());
         let pool = self.threads.map(pool_of).transpose()?;
         let members = self.members.points().count();
-        self.run((&queue, members), pool.as_ref(), sink, deliver, |_, _| ())
+        self.run((&all, members), pool.as_ref(), sink, collector, |_, _| ())
     }
 
     /// Returns a pool of its own, with one thread for each core unless their number was set.
@@ -285,7 +288,7 @@ impl<'a, M: Members> Study<'a, M> {
         (source, members): (&Q, usize),
         pool: Option<&ThreadPool>,
         sink: &K,
-        deliver: impl FnMut(K::Part) + Send,
+        collector: &impl Collector<K::Part>,
         serve: impl FnOnce(usize, &AtomicBool),
     ) -> Result<(), Error> {
         if let Some(observed) = &self.observer {
@@ -302,7 +305,7 @@ impl<'a, M: Members> Study<'a, M> {
             observer: &|has_failed| self.observe(has_failed),
             pool,
         };
-        work.run(deliver, serve)
+        work.run(collector, serve)
     }
 
     /// Tells the observer of a member that has ended.

@@ -15,9 +15,9 @@ use crate::table::{FailedMember, Table};
 ///
 /// Values that are NaN are missing: they count for no statistic of their column. Infinite values count for extremes and
 /// histograms, and make the mean and the variance infinite or NaN; quantiles are of finite values. Covariances are of the rows without
-/// missing values. Sums are formed chunk by chunk and merged in the order of the chunks (Chan, Golub, `LeVeque`, "Updating
-/// formulae and a pairwise algorithm for computing sample variances", 1979), so that their bits do not depend on the
-/// number of threads.
+/// missing values. Sums are formed chunk by chunk and merged pairwise, in a binary tree of the numbers of the chunks (Chan,
+/// Golub, `LeVeque`, "Updating formulae and a pairwise algorithm for computing sample variances", 1979), so that their bits
+/// do not depend on the number of threads.
 #[derive(Clone, Debug)]
 pub struct Summary {
     columns: Vec<ColumnSummary>,
@@ -79,9 +79,9 @@ impl Summary {
         self.first_failures.extend(failures.cloned());
     }
 
-    /// Adds the statistics of the chunks behind those of this summary.
-    pub(crate) fn merge(&mut self, other: Self) {
-        for (column, other) in self.columns.iter_mut().zip(&other.columns) {
+    /// Merges the statistics of members with those of members that come after them.
+    pub(crate) fn merged(mut self, other: Self) -> Self {
+        for (column, other) in self.columns.iter_mut().zip(other.columns) {
             column.merge(other);
         }
         self.joint.merge(&other.joint);
@@ -90,6 +90,7 @@ impl Summary {
         let room = MAX_KEPT_FAILURES - self.first_failures.len().min(MAX_KEPT_FAILURES);
         self.first_failures
             .extend(other.first_failures.into_iter().take(room));
+        self
     }
 
     /// Returns the statistics of a column, `None` if there is no column of this name.
@@ -174,7 +175,7 @@ impl ColumnSummary {
         }
     }
 
-    fn merge(&mut self, other: &Self) {
+    fn merge(&mut self, other: Self) {
         self.moments.merge(&other.moments);
         self.missing += other.missing;
         if let Some(min) = other.min
@@ -188,7 +189,7 @@ impl ColumnSummary {
             self.max = Some(max);
         }
         let digest = mem::replace(&mut self.digest, TDigest::new_with_size(MAX_CENTROIDS));
-        self.digest = TDigest::merge_digests(vec![digest, other.digest.clone()]);
+        self.digest = TDigest::merge_digests(vec![digest, other.digest]);
         if let (Some(histogram), Some(other)) = (&mut self.histogram, &other.histogram) {
             histogram.merge(other);
         }

@@ -1,8 +1,7 @@
-//! Workers: threads that take chunks, integrate their members, and deliver what is kept of them in the order of the
-//! chunks.
+//! Workers: threads that take chunks, integrate their members, and pass on what is kept of them.
 
 use std::cell::RefCell;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 use std::iter;
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,6 +11,7 @@ use std::thread;
 use rayon::{Scope, ThreadPool};
 
 use crate::chunks::{Chunks, Source};
+use crate::collector::Collector;
 use crate::error::Error;
 use crate::members::{Found, Members};
 
@@ -52,21 +52,17 @@ pub(crate) struct Work<'a, M, Q, K> {
 }
 
 impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
-    /// Integrates all members, and passes what is kept of the chunks to `deliver`, in the order of their places.
-    /// Meanwhile calls `serve`, on this thread, with the number of workers and the flag that stops them.
-    pub(crate) fn run(
+    /// Integrates all members, and passes what is kept of each chunk to the collector, on the thread that has integrated
+    /// the chunk. Meanwhile calls `serve`, on this thread, with the number of workers and the flag that stops them.
+    pub(crate) fn run<C: Collector<K::Part>>(
         &self,
-        deliver: impl FnMut(K::Part) + Send,
+        collector: &C,
         serve: impl FnOnce(usize, &AtomicBool),
     ) -> Result<(), Error> {
         let shared = Shared {
             is_stopped: AtomicBool::new(false),
             error: Mutex::new(None),
-            in_order: Mutex::new(InOrder {
-                next: 0,
-                waiting: BTreeMap::new(),
-                deliver,
-            }),
+            collector,
         };
         match self.pool {
             None => rayon::in_place_scope(|scope| {
@@ -85,9 +81,9 @@ impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
         }
     }
 
-    fn start<'s, F: FnMut(K::Part) + Send>(
+    fn start<'s, C: Collector<K::Part>>(
         &'s self,
-        shared: &'s Shared<K::Part, F>,
+        shared: &'s Shared<'s, C>,
         scope: &Scope<'s>,
         threads: usize,
     ) {
@@ -97,7 +93,7 @@ impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
     }
 
     /// The work of one thread.
-    fn work<F: FnMut(K::Part)>(&self, shared: &Shared<K::Part, F>) {
+    fn work<C: Collector<K::Part>>(&self, shared: &Shared<'_, C>) {
         let _leaving = Leaving {
             source: self.source,
             is_stopped: &shared.is_stopped,
@@ -131,15 +127,15 @@ impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
     }
 
     /// Keeps a chunk whose members have ended.
-    fn finish<F: FnMut(K::Part)>(&self, chunk: OpenChunk<K::Entry>, shared: &Shared<K::Part, F>) {
-        let are_complete = chunk.entries.iter().all(Option::is_some);
+    fn finish<C: Collector<K::Part>>(&self, chunk: OpenChunk<K::Entry>, shared: &Shared<'_, C>) {
+        let are_complete = chunk.is_complete();
         let entries = chunk.entries.into_iter().flatten().collect();
         let entries = Entries {
             entries,
             are_complete,
         };
         match self.sink.part(chunk.number, entries) {
-            Ok(part) => lock(&shared.in_order).add(chunk.place, part),
+            Ok(part) => shared.collector.collect(chunk.place, chunk.number, part),
             Err(error) => {
                 shared.is_stopped.store(true, Ordering::Relaxed);
                 lock(&shared.error).get_or_insert(error);
@@ -149,28 +145,11 @@ impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
 }
 
 /// What the threads share.
-struct Shared<P, F> {
+struct Shared<'a, C> {
     is_stopped: AtomicBool,
     /// The first error.
     error: Mutex<Option<Error>>,
-    in_order: Mutex<InOrder<P, F>>,
-}
-
-/// Delivers the parts in the order of their places; parts whose turn has not come are waiting.
-struct InOrder<P, F> {
-    next: usize,
-    waiting: BTreeMap<usize, P>,
-    deliver: F,
-}
-
-impl<P, F: FnMut(P)> InOrder<P, F> {
-    fn add(&mut self, place: usize, part: P) {
-        self.waiting.insert(place, part);
-        while let Some(part) = self.waiting.remove(&self.next) {
-            (self.deliver)(part);
-            self.next += 1;
-        }
-    }
+    collector: &'a C,
 }
 
 /// The chunks of a thread whose members have not all ended. The lanes of a chunk that ends are refilled from the next
@@ -197,8 +176,15 @@ struct OpenChunk<E> {
     range: Range<usize>,
     /// The position of the first member among all members that the thread has begun.
     position: usize,
+    /// One for each member that has been begun: a chunk of any length takes no memory before.
     entries: Vec<Option<E>>,
     ended: usize,
+}
+
+impl<E> OpenChunk<E> {
+    fn is_complete(&self) -> bool {
+        self.ended == self.range.len()
+    }
 }
 
 impl<E> OpenChunks<E> {
@@ -208,18 +194,20 @@ impl<E> OpenChunks<E> {
         take: impl FnOnce() -> Option<(usize, usize, Range<usize>)>,
     ) -> Option<usize> {
         // The last chunk may have ended before an earlier one.
-        let is_begun = |chunk: &OpenChunk<E>| chunk.position + chunk.range.len() <= self.begun;
+        let is_begun = |chunk: &OpenChunk<E>| chunk.entries.len() == chunk.range.len();
         if self.chunks.back().is_none_or(is_begun) {
             let (place, number, range) = take()?;
             self.chunks.push_back(OpenChunk {
                 place,
                 number,
                 position: self.begun,
-                entries: range.clone().map(|_| None).collect(),
+                entries: Vec::new(),
                 range,
                 ended: 0,
             });
         }
+        let chunk = self.chunks.back_mut()?;
+        chunk.entries.push(None);
         let position = self.begun;
         self.begun += 1;
         Some(self.index(position))
@@ -244,7 +232,8 @@ impl<E> OpenChunks<E> {
         let chunk = &mut self.chunks[place];
         chunk.entries[position - chunk.position] = Some(entry);
         chunk.ended += 1;
-        (chunk.ended == chunk.entries.len())
+        chunk
+            .is_complete()
             .then(|| self.chunks.remove(place))
             .flatten()
     }

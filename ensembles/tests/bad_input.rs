@@ -137,10 +137,11 @@ fn keys_of_metadata() {
             .table(["end"], |motion| [motion.t]);
         table.unwrap_err().to_string()
     };
-    assert_eq!(
-        complaint("units"),
-        "the metadata cannot have the key `units`, which every file has already"
-    );
+    for key in ["lagrangian", "members", "points", "units", "ARROW:schema"] {
+        let expected =
+            format!("the metadata cannot have the key `{key}`, which every file has already");
+        assert_eq!(complaint(key), expected);
+    }
     assert_eq!(complaint("by"), "the metadata have the key `by` twice");
 }
 
@@ -217,6 +218,29 @@ fn cancelled_studies() {
         assert!(seen.iter().copied().eq(1..=seen.len()), "{seen:?}");
         assert_eq!(motions.len(), seen.len());
         assert!((100..200).contains(&motions.len()), "{}", motions.len());
+    }
+}
+
+/// Memory is taken for members that have begun, and not for those of a whole chunk or for all chunks.
+#[test]
+fn studies_of_more_members_than_fit_into_memory() {
+    for chunk in [None, Some(usize::MAX), Some(1)] {
+        let study = Study::new(0..usize::MAX, |_| start(1.0), 1.0, Taylor::new());
+        let study = study.threads(2).each_member(|progress| {
+            if progress.ended < 100 {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
+            }
+        });
+        let study = match chunk {
+            Some(chunk) => study.chunk(chunk),
+            None => study,
+        };
+        let table = study.table(["end"], |motion| [motion.q[0]]).unwrap();
+        assert!((100..200).contains(&table.finished()), "{chunk:?}");
+        let summary = study.summary(["end"], |motion| [motion.q[0]]).unwrap();
+        assert!((100..200).contains(&summary.members()), "{chunk:?}");
     }
 }
 

@@ -11,9 +11,7 @@ use std::thread;
 use std::time::Duration;
 
 use lagrangian::prelude::*;
-use lagrangian_ensembles::{
-    Axis, Column, Error, Folder, Grid, Parameter, Results, Sample, Shard, Study,
-};
+use lagrangian_ensembles::{Axis, Error, Folder, Grid, Parameter, Results, Sample, Shard, Study};
 use tempfile::TempDir;
 
 #[derive(Lagrangian, Clone, Debug)]
@@ -113,6 +111,26 @@ fn a_folder_of_other_points() {
     let mut others = points;
     others[17] += 1e-9;
     let complaint = write(others).unwrap_err().to_string();
+    assert!(
+        complaint.contains("its fingerprint of parameters, initial states and ends is "),
+        "{complaint}"
+    );
+}
+
+/// Ends are functions, of which no description tells.
+#[test]
+fn a_folder_of_other_ends() {
+    let folder = folder();
+    let write = |longer: f64| {
+        let problem = |theta| Problem::new(Pendulum { g: 9.81 }, State::new(0.0, theta, [0.0]));
+        let starts = Grid::new([Axis::linear("theta", 0.1, 0.2, 9)]);
+        let end = |[theta]: [f64; 1]| theta + longer;
+        let study = Study::new(starts, problem, end, Taylor::new());
+        study.write(folder.path(), ["end"], |motion| [motion.t])
+    };
+    let ends = write(1.0).unwrap().table().unwrap();
+    assert!((ends.column("end").unwrap()[8] - 1.2).abs() < 1e-15);
+    let complaint = write(1.1).unwrap_err().to_string();
     assert!(
         complaint.contains("its fingerprint of parameters, initial states and ends is "),
         "{complaint}"
@@ -390,48 +408,4 @@ fn truncated_files() {
         .write(folder.path(), COLUMNS, row!())
         .unwrap();
     assert_eq!(bytes(folder.path()), before);
-}
-
-/// A folder on a file system without space: the error names the file.
-#[cfg(target_os = "linux")]
-#[test]
-fn full_disks() {
-    let table = study!(1, 9.81).table(COLUMNS, row!()).unwrap();
-    let complaint = table
-        .write_parquet("/proc/a.parquet")
-        .unwrap_err()
-        .to_string();
-    assert!(
-        complaint.starts_with("/proc/a.parquet could not be written: "),
-        "{complaint}"
-    );
-}
-
-#[cfg(feature = "csv")]
-#[test]
-fn tables_as_text() {
-    let starts = Grid::new([Axis::listed("theta", [0.5, f64::NAN]).unit("rad")]);
-    let problem =
-        |[theta]: [f64; 1]| Problem::new(Pendulum { g: 9.81 }, State::new(0.0, [theta], [0.0]));
-    let study = Study::new(starts, problem, 0.0, Taylor::new());
-    let column = Column::new("end, of all").unit("rad");
-    let table = study.table([column], |motion| [motion.q[0]]).unwrap();
-    let folder = folder();
-    let path = folder.path().join("a.csv");
-    table.write_csv(&path).unwrap();
-    let text = fs::read_to_string(path).unwrap();
-    let mut lines = text.lines();
-    assert_eq!(
-        lines.next(),
-        Some("member,theta [rad],\"end, of all [rad]\",error")
-    );
-    assert_eq!(lines.next(), Some("0,0.5,0.5,"));
-    assert!(
-        lines
-            .next()
-            .unwrap()
-            .starts_with("1,,,member 1 (theta = NaN rad): "),
-        "{text}"
-    );
-    assert_eq!(lines.next(), None);
 }

@@ -7,7 +7,7 @@ use std::fmt::Debug;
 
 use lagrangian::prelude::*;
 use lagrangian::rigid_body::InertiaTensor;
-use lagrangian_ensembles::{Members, Study};
+use lagrangian_ensembles::{Axis, Grid, Members, Study};
 use lagrangian_models::{CartPole, DoublePendulum, GeneralTop, SphericalPendulum, SymmetricTop};
 
 /// The number of members of each model; all five with `--ignored` have 10⁴.
@@ -204,6 +204,24 @@ fn slow_members_do_not_hold_up_others() {
             let motion = motion.as_ref().unwrap();
             assert_eq!((motion.index, motion.t), (index, end(index)));
         }
+    }
+}
+
+/// A member ends where its point says.
+#[test]
+fn ends_are_functions_of_the_points() {
+    let problem = |[l, _]: [f64; 2]| {
+        let model = SphericalPendulum { m: 1.0, l, g: 9.81 };
+        Problem::new(model, State::new(0.0, [1.0, 0.0], [0.0, 1.0]))
+    };
+    let points = Grid::new([
+        Axis::linear("l", 0.5, 1.5, 3),
+        Axis::listed("end", [0.5, 0.25]),
+    ]);
+    let study = Study::new(points, problem, |[l, end]: [f64; 2]| l * end, Taylor::new());
+    for motion in study.solve().unwrap() {
+        let motion = motion.unwrap();
+        assert_eq!(motion.t, motion.point[0] * motion.point[1]);
     }
 }
 

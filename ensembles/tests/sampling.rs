@@ -88,6 +88,85 @@ fn axes_of_high_dimensions_are_stratified() {
     assert_eq!(columns.len(), 200);
 }
 
+/// The digits of a number of Sobol's sequence.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn digits(number: f64) -> u64 {
+    (number * 2.0_f64.powi(52)) as u64
+}
+
+/// Without the digital shift, which is member 0, the numbers are those of Joe and Kuo, in the order of Antonov and Saleev:
+/// `scipy.stats.qmc.Sobol(5, scramble=False, bits=52).random(1024)` of `SciPy` 1.17.1, members 0 to 7, 1000 and 1023. The first
+/// three columns are also in the output of `sobol.cc`, which Joe and Kuo publish with their direction numbers.
+#[test]
+fn a_sobol_sequence_has_the_numbers_of_joe_and_kuo() {
+    let expected = [
+        (0, [0.0, 0.0, 0.0, 0.0, 0.0]),
+        (1, [0.5, 0.5, 0.5, 0.5, 0.5]),
+        (2, [0.75, 0.25, 0.25, 0.25, 0.75]),
+        (3, [0.25, 0.75, 0.75, 0.75, 0.25]),
+        (4, [0.375, 0.375, 0.625, 0.875, 0.375]),
+        (5, [0.875, 0.875, 0.125, 0.375, 0.875]),
+        (6, [0.625, 0.125, 0.875, 0.625, 0.625]),
+        (7, [0.125, 0.625, 0.375, 0.125, 0.125]),
+        (
+            1000,
+            [
+                0.219_726_562_5,
+                0.096_679_687_5,
+                0.518_554_687_5,
+                0.676_757_812_5,
+                0.280_273_437_5,
+            ],
+        ),
+        (
+            1023,
+            [
+                0.000_976_562_5,
+                0.752_929_687_5,
+                0.612_304_687_5,
+                0.145_507_812_5,
+                0.186_523_437_5,
+            ],
+        ),
+    ];
+    let sample = Sample::new(1024, ["a", "b", "c", "d", "e"].map(unit))
+        .sobol()
+        .seed(5);
+    let shift = sample.point(0).map(digits);
+    assert!(shift.iter().all(|digits| *digits != 0));
+    for (member, expected) in expected {
+        let found = sample.point(member).map(digits);
+        let found: [u64; 5] = std::array::from_fn(|axis| found[axis] ^ shift[axis]);
+        assert_eq!(found, expected.map(digits), "member {member}");
+    }
+}
+
+/// Without the shift, the numbers are those of `scipy.stats.qmc.Halton(3, scramble=False).random(9)` of `SciPy` 1.17.1, from
+/// the second one: its first is zero.
+#[test]
+#[allow(clippy::unreadable_literal)] // As they are printed.
+fn a_halton_sequence_has_the_numbers_of_another_implementation() {
+    let expected = [
+        [0.5, 0.3333333333333333, 0.2],
+        [0.25, 0.6666666666666666, 0.4],
+        [0.75, 0.1111111111111111, 0.6000000000000001],
+        [0.125, 0.4444444444444444, 0.8],
+        [0.625, 0.7777777777777777, 0.04],
+        [0.375, 0.2222222222222222, 0.24000000000000002],
+        [0.875, 0.5555555555555556, 0.44],
+        [0.0625, 0.8888888888888888, 0.6400000000000001],
+    ];
+    let sample = Sample::new(8, ["a", "b", "c"].map(unit)).halton().seed(5);
+    let points = points(&sample);
+    for (point, numbers) in points.iter().zip(&expected) {
+        for axis in 0..3 {
+            let found = point[axis] - points[0][axis];
+            let difference = found - (numbers[axis] - expected[0][axis]);
+            assert!((difference - difference.round()).abs() < 1e-15, "{point:?}");
+        }
+    }
+}
+
 /// Differences of members are differences of radical inverses, modulo 1.
 #[test]
 fn a_halton_sequence_is_shifted_radical_inverses() {
@@ -142,6 +221,31 @@ fn values_stay_as_they_are() {
         [0.876_394_122_505_368_7, 0.682_740_861_531_275_9],
     ];
     assert_eq!(points(&sample), expected);
+    let expected = [
+        [0.800_828_554_554_949_3, 0.360_127_902_976_593_97],
+        [0.283_970_720_281_395_1, 0.683_637_788_667_342_7],
+        [0.625_464_707_501_789_6, 0.227_580_287_177_091_97],
+    ];
+    assert_eq!(points(&sample.clone().latin_hypercube()), expected);
+    let expected = [
+        [0.371_529_862_961_158_2, 0.931_656_328_884_557_5],
+        [0.871_529_862_961_158_2, 0.431_656_328_884_557_5],
+        [0.621_529_862_961_158_2, 0.681_656_328_884_557_5],
+    ];
+    assert_eq!(points(&sample.clone().sobol()), expected);
+    let expected = [
+        [0.871_529_862_961_158_2, 0.264_989_662_217_890_9],
+        [0.621_529_862_961_158_2, 0.598_322_995_551_224_1],
+        [0.121_529_862_961_158_31, 0.042_767_439_995_668_566],
+    ];
+    assert_eq!(points(&sample.halton()), expected);
+    let normal = Sample::new(3, [Parameter::normal("a", 1.0, 2.0)]).seed(1);
+    let expected = [
+        [0.506_163_074_203_195_4],
+        [3.089_339_292_517_687_2],
+        [3.314_296_703_160_296],
+    ];
+    assert_eq!(points(&normal), expected);
 }
 
 #[test]
@@ -189,18 +293,27 @@ fn correlated_parameters_keep_their_distributions() {
     assert!(covariance > 0.15, "{covariance}");
 }
 
-/// Quantiles against those of tables of the normal distribution.
+/// Quantiles against `scipy.special.ndtri` of `SciPy` 1.17.1, in each part of the approximation.
 #[test]
+#[allow(clippy::unreadable_literal)] // As they are printed.
 fn normal_quantiles() {
-    let parameter = Parameter::normal("a", 10.0, 2.0);
+    let parameter = Parameter::normal("a", 0.0, 2.0);
     for (probability, score) in [
         (0.5, 0.0),
-        (0.975, 1.959_963_984_540_054),
-        (0.001, -3.090_232_306_167_813_5),
+        (0.3, -0.5244005127080409),
+        (0.975, 1.959963984540054),
+        (0.001, -3.090232306167813),
+        (1e-10, -6.361340902404056),
+        (f64::EPSILON / 2.0, -8.209536151601387),
+        (1.0 - f64::EPSILON / 2.0, 8.209536151601387),
+        (1e-300, -37.0470962993612),
     ] {
-        let error = parameter.quantile(probability) - (10.0 + 2.0 * score);
-        assert!(error.abs() < 1e-13, "{probability}: {error}");
+        let found = parameter.quantile(probability);
+        let error = found - 2.0 * score;
+        assert!(error.abs() <= 1e-15 * found.abs(), "{probability}: {error}");
     }
+    assert_eq!(parameter.quantile(0.0), f64::NEG_INFINITY);
+    assert_eq!(parameter.quantile(1.0), f64::INFINITY);
 }
 
 #[test]
