@@ -34,11 +34,19 @@ pub(super) fn log2(x: f64) -> f64 {
 /// [`log2`] in each lane.
 #[inline]
 pub(super) fn log2_of_each<const L: usize>(x: [f64; L]) -> [f64; L] {
-    if x.iter().fold(true, |all, x| all & x.is_normal()) {
+    if are_normal(&x) {
         x.map(log2_of_normal)
     } else {
         x.map(log2)
     }
+}
+
+/// Whether all numbers are positive and normal.
+#[inline]
+pub(super) fn are_normal<const L: usize>(x: &[f64; L]) -> bool {
+    x.iter().fold(true, |all, x| {
+        all & (*x >= f64::MIN_POSITIVE) & (*x <= f64::MAX)
+    })
 }
 
 #[inline]

@@ -11,27 +11,29 @@ use crate::scalar::Lanes;
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Returns the singular configuration within reach of the steps of these lengths towards `ends`, as
-    /// [`TaylorStepper`](crate::TaylorStepper) does.
+    /// [`TaylorStepper`](crate::TaylorStepper) does; `None` if the method does not pass them.
     pub(super) fn singular_configurations<D>(
         &self,
         dynamics: &D,
         steps: &[f64; L],
         ends: &[f64; L],
-    ) -> [SingularConfiguration; L]
+    ) -> Option<[SingularConfiguration; L]>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
         if !self.method.passes_singularities {
-            return [SingularConfiguration::NONE; L];
+            return None;
         }
         let signed =
             core::array::from_fn(|lane| steps[lane].copysign(ends[lane] - self.time[lane]));
-        SingularConfiguration::find((&signed, self.method.min_part::<Lanes<L>>()), |after| {
+        let steps = (&signed, self.method.min_part::<Lanes<L>>());
+        let found = SingularConfiguration::find(steps, |after| {
             let times = core::array::from_fn(|lane| self.time[lane] + after[lane]);
             let there = self.at(&times).state.into_value();
             let sines = dynamics.constraint_sine(Lanes(times), &there);
             sines.map_or([f64::NAN; L], |sines| sines.0)
-        })
+        });
+        Some(found)
     }
 
     /// Returns the reduced states at which the derivatives of the polynomials are compared with the equations, on the manifold
