@@ -44,9 +44,14 @@ pub(super) fn log2_of_each<const L: usize>(x: [f64; L]) -> [f64; L] {
 /// Whether all numbers are positive and normal.
 #[inline]
 pub(super) fn are_normal<const L: usize>(x: &[f64; L]) -> bool {
-    x.iter().fold(true, |all, x| {
-        all & (*x >= f64::MIN_POSITIVE) & (*x <= f64::MAX)
-    })
+    x.iter().fold(true, |all, x| all & is_normal(*x))
+}
+
+/// Whether a number is positive and normal. In contrast to [`f64::is_normal`], the numbers of all lanes are compared at
+/// once.
+#[inline]
+pub(super) fn is_normal(x: f64) -> bool {
+    (f64::MIN_POSITIVE..=f64::MAX).contains(&x)
 }
 
 #[inline]

@@ -22,6 +22,7 @@ use super::interpolant::difference;
 use super::singular_configuration::SingularConfiguration;
 use super::step_size::near_normal;
 use super::{Series, Taylor};
+use crate::integrate::binary_logarithm::is_normal;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Statistics;
@@ -232,7 +233,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
         let passed = expansion.passed.as_ref();
         self.finish(dynamics, &mut attempt, passed, &mut reached.state);
-        self.accept(&attempt, &reached.state);
+        self.accept(&attempt, reached.state);
     }
 
     /// Determines the times at which the steps of the pending lanes end, and returns the values of the polynomials
@@ -277,9 +278,10 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 
     /// Completes a step of the lanes that move.
-    fn accept(&mut self, attempt: &Attempt<X, L>, state: &Compensated<X>) {
-        self.previous = (self.time, self.state.clone(), self.unit);
-        self.state.clone_from(state);
+    fn accept(&mut self, attempt: &Attempt<X, L>, state: Compensated<X>) {
+        (self.previous.0, self.previous.2) = (self.time, self.unit);
+        core::mem::swap(&mut self.previous.1, &mut self.state);
+        self.state = state;
         let mut moving = attempt.moving;
         for (statistics, moving) in self.statistics.iter_mut().zip(moving) {
             statistics.steps += u64::from(moving);
@@ -300,13 +302,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.length = update(&self.length, length.0);
         self.time_scale = update(&self.time_scale, time_scale.0);
         self.time = update(&self.time, *targets);
-        self.unit = core::array::from_fn(|lane| {
-            if moving[lane] & lengths[lane].is_normal() {
+        let unit = core::array::from_fn(|lane| {
+            if is_normal(lengths[lane]) {
                 near_normal(lengths[lane])
             } else {
                 self.unit[lane]
             }
         });
+        self.unit = update(&self.unit, unit);
         for (count, moving) in self.short_passages.iter_mut().zip(moving) {
             *count = if moving { 0 } else { *count };
         }

@@ -316,6 +316,13 @@ fn exceeds<X: LaneStates<L>, const L: usize>(
         over + over.abs()
     });
     let excess = excess.fold(Lanes::from_f64(0.0), |sum, excess| sum + excess);
+    if excess
+        .0
+        .iter()
+        .fold(true, |all, excess| all && *excess <= 0.0)
+    {
+        return [false; L];
+    }
     core::array::from_fn(|lane| asked[lane] && (excess.0[lane].is_nan() || excess.0[lane] > 0.0))
 }
 

@@ -40,7 +40,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             }
             // The proposal is 0 if a coefficient over its tolerance is not finite.
             let found: [bool; L] =
-                core::array::from_fn(|lane| waiting[lane] & (proposed[lane] > 0.0));
+                core::array::from_fn(|lane| waiting[lane] && proposed[lane] > 0.0);
             proposals.step = core::array::from_fn(|lane| {
                 if found[lane] {
                     proposed[lane] * self.unit[lane]
@@ -48,7 +48,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
                     proposals.step[lane]
                 }
             });
-            waiting = core::array::from_fn(|lane| waiting[lane] & !found[lane]);
+            waiting = core::array::from_fn(|lane| waiting[lane] && !found[lane]);
             if !any(&waiting) {
                 return proposals;
             }
@@ -144,14 +144,17 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let tau = Lanes::from_fn(|lane| {
-            let length = if self.length[lane] > 0.0 {
-                self.length[lane].min(2.0 * self.unit[lane])
+        let unit = Lanes(self.unit);
+        let first = Lanes(self.time_scale) * Lanes::from_f64(FIRST_UNIT);
+        let next = Scalar::min(Lanes(self.length), unit + unit);
+        let length = Lanes::from_fn(|lane| {
+            if self.length[lane] > 0.0 {
+                next.0[lane]
             } else {
-                FIRST_UNIT * self.time_scale[lane]
-            };
-            length / self.unit[lane]
+                first.0[lane]
+            }
         });
+        let tau = length / unit;
         let reached = reached(self.state.value(), &self.coefficients, tau);
         let mut allowed = dynamics.allowed_error(&reached, &self.tolerance(Lanes(self.length)));
         let here = (Lanes(self.time), self.state.value());
