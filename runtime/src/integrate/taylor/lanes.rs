@@ -302,14 +302,15 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.length = update(&self.length, length.0);
         self.time_scale = update(&self.time_scale, time_scale.0);
         self.time = update(&self.time, *targets);
-        let unit = core::array::from_fn(|lane| {
+        let near = lengths.map(near_normal);
+        let unit = |lane: usize| {
             if is_normal(lengths[lane]) {
-                near_normal(lengths[lane])
+                near[lane]
             } else {
                 self.unit[lane]
             }
-        });
-        self.unit = update(&self.unit, unit);
+        };
+        self.unit = update(&self.unit, core::array::from_fn(unit));
         for (count, moving) in self.short_passages.iter_mut().zip(moving) {
             *count = if moving { 0 } else { *count };
         }

@@ -74,10 +74,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     ) -> [bool; L] {
         // The terms of half the order are almost negligible there.
         let middle = middle * power(tau.abs(), HALF);
-        core::array::from_fn(|lane| {
+        let is_uncertain = |lane: usize| {
             let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
-            asked[lane] && (is_long || middle.0[lane] < NEGLIGIBLE_TERM)
-        })
+            is_long || middle.0[lane] < NEGLIGIBLE_TERM
+        };
+        if !(0..L).fold(false, |any, lane| any | is_uncertain(lane)) {
+            return [false; L];
+        }
+        core::array::from_fn(|lane| asked[lane] && is_uncertain(lane))
     }
 
     /// Checks times within steps of lengths `h`, in the lanes that are asked for.
