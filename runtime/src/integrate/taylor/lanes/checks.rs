@@ -74,14 +74,11 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     ) -> [bool; L] {
         // The terms of half the order are almost negligible there.
         let middle = middle * power(tau.abs(), HALF);
-        let is_uncertain = |lane: usize| {
+        let is_uncertain = core::array::from_fn(|lane| {
             let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
             is_long || middle.0[lane] < NEGLIGIBLE_TERM
-        };
-        if !(0..L).fold(false, |any, lane| any | is_uncertain(lane)) {
-            return [false; L];
-        }
-        core::array::from_fn(|lane| asked[lane] && is_uncertain(lane))
+        });
+        both(&is_uncertain, asked)
     }
 
     /// Checks times within steps of lengths `h`, in the lanes that are asked for.
@@ -320,14 +317,18 @@ fn exceeds<X: LaneStates<L>, const L: usize>(
         over + over.abs()
     });
     let excess = excess.fold(Lanes::from_f64(0.0), |sum, excess| sum + excess);
-    if excess
-        .0
-        .iter()
-        .fold(true, |all, excess| all && *excess <= 0.0)
-    {
-        return [false; L];
+    let exceeds = excess.0.map(|excess| excess.is_nan() || excess > 0.0);
+    both(&exceeds, asked)
+}
+
+/// Returns the lanes for which two masks are true; the first one hardly ever is.
+#[inline]
+fn both<const L: usize>(rare: &[bool; L], asked: &[bool; L]) -> [bool; L] {
+    if any(rare) {
+        core::array::from_fn(|lane| rare[lane] && asked[lane])
+    } else {
+        [false; L]
     }
-    core::array::from_fn(|lane| asked[lane] && (excess.0[lane].is_nan() || excess.0[lane] > 0.0))
 }
 
 /// Returns the first component of a lane that exceeds its allowed value or is NaN.
