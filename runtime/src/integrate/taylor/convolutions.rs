@@ -25,22 +25,18 @@ pub(crate) struct Convolutions<S, const FACTORS: usize, const PAIRS: usize, cons
     terms: [[[S; 2]; HALF]; FACTORS],
     /// The known parts of the sums of orders n + 1 to n + 4, where n is the multiple of 4 below the present order.
     sums: [[S; ORDERS]; PAIRS],
-    /// The number of pairs before the repetitions of one that fill the last block.
-    different: usize,
     order: usize,
 }
 
 impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     Convolutions<S, FACTORS, PAIRS, HALF>
 {
-    /// Creates the convolutions of order 1 for these pairs of factors, which are empty sums.
+    /// Creates the convolutions of order 1, which are empty sums.
     #[inline]
-    pub(crate) fn new(pairs: &[[usize; 2]; PAIRS]) -> Self {
-        let repeated = pairs.windows(2).rev().take_while(|pair| pair[0] == pair[1]);
+    pub(crate) fn new() -> Self {
         Self {
             terms: [[[S::zero(); 2]; HALF]; FACTORS],
             sums: [[S::zero(); ORDERS]; PAIRS],
-            different: PAIRS - repeated.count(),
             order: 1,
         }
     }
@@ -54,7 +50,7 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
         change: impl Fn(&mut [S; ORDERS], &[S], &[S]),
     ) {
         let known = known.min(2 * HALF);
-        for (sums, pair) in self.sums.iter_mut().zip(pairs).take(self.different) {
+        for (sums, pair) in self.sums.iter_mut().zip(pairs).take(different(pairs)) {
             let [x, y] = pair.map(|factor| &self.terms[factor].as_flattened()[..known]);
             change(sums, x, y);
         }
@@ -138,6 +134,17 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
         }
         sums
     }
+}
+
+/// Returns the number of pairs before the repetitions of one that fill the last block. It is not stored, so that the
+/// compiler knows it.
+#[inline]
+fn different<const PAIRS: usize>(pairs: &[[usize; 2]; PAIRS]) -> usize {
+    let mut count = PAIRS;
+    while count > 1 && pairs[count - 1] == pairs[count - 2] {
+        count -= 1;
+    }
+    count
 }
 
 /// Returns the [`convolution`] of the first `COUNT` terms.
