@@ -5,6 +5,7 @@
 //! series is computed as often as the lane that needs most requires.
 
 mod arrivals;
+mod attempt;
 mod checks;
 mod expansion;
 mod last_step;
@@ -15,11 +16,10 @@ mod rejection;
 mod start;
 mod verdicts;
 
-use arrivals::Arrivals;
+use attempt::{Attempt, Expansion};
 
 use super::coefficients::{TaylorCoefficients, number};
 use super::interpolant::difference;
-use super::singular_configuration::SingularConfiguration;
 use super::step_size::near_normal;
 use super::{Series, Taylor};
 use crate::integrate::binary_logarithm::is_normal;
@@ -204,25 +204,13 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let Proposals { step, middle } = self.expand(dynamics, &from, &mut moving);
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
         let mut lengths = step.map(|step| step.min(longest));
-        let passed = self.singular_configurations(dynamics, &lengths, ends);
-        if let Some(passed) = &passed {
-            for lane in lanes(&moving) {
-                lengths[lane] = passed[lane].lengthened(lengths[lane]).min(longest);
-            }
-        }
+        let passed = self.singular_configurations(dynamics, (&moving, ends), &mut lengths);
         let expansion = Expansion {
             from,
             middle,
             passed,
         };
-        let mut attempt = Attempt {
-            moving,
-            pending: moving,
-            lengths,
-            targets: self.time,
-            component: [None; L],
-            arrivals: None,
-        };
+        let mut attempt = Attempt::new(moving, lengths, self.time);
         let mut reached = self.aim(dynamics, &mut attempt, ends);
         while let Some(verdicts) = self.check(dynamics, &attempt, (&expansion, &reached)) {
             self.judge(dynamics, &mut attempt, (&expansion, &verdicts), ends);
@@ -356,39 +344,6 @@ struct Proposals<const L: usize> {
     step: [f64; L],
     /// The larger of the two terms of about half the order, over their tolerances.
     middle: Lanes<L>,
-}
-
-/// What is known of the motions at the beginning of a step, besides the polynomials.
-struct Expansion<X, const L: usize> {
-    /// The reduced states about which they are expanded.
-    from: X,
-    /// The larger of the two terms of about half the order, over their tolerances.
-    middle: Lanes<L>,
-    /// The singular configurations of constraints within reach; `None` if none are passed.
-    passed: Option<[SingularConfiguration; L]>,
-}
-
-impl<X, const L: usize> Expansion<X, L> {
-    fn passed(&self, lane: usize) -> SingularConfiguration {
-        let passed = self.passed.as_ref();
-        passed.map_or(SingularConfiguration::NONE, |passed| passed[lane])
-    }
-}
-
-/// The steps that are tried in all lanes.
-struct Attempt<X, const L: usize> {
-    /// The lanes that take a step.
-    moving: [bool; L],
-    /// Those of them whose steps are not accepted yet.
-    pending: [bool; L],
-    /// The lengths of the steps, unless they land on the ends of the motions.
-    lengths: [f64; L],
-    /// The times at which the steps end.
-    targets: [f64; L],
-    /// The components in which longer steps differed from the motions.
-    component: [Option<usize>; L],
-    /// The arrivals of lanes whose steps end at discontinuity surfaces.
-    arrivals: Option<Arrivals<X, L>>,
 }
 
 /// Returns the lanes for which a mask is true.

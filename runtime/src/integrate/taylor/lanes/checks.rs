@@ -1,7 +1,8 @@
 //! Checks that the motions agree with their series at the end of a step and within it.
 
+use super::attempt::{Attempt, Expansion};
 use super::verdicts::{Verdict, Verdicts};
-use super::{Attempt, Expansion, Reached, TaylorLanes, any, lanes, non_finite, number};
+use super::{Reached, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::{BranchCrossings, SearchedStep};
 use crate::integrate::taylor::residual::{Allowance, Point};

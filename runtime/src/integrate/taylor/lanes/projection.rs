@@ -1,6 +1,7 @@
 //! Projection of the ends of steps of motions in lanes onto the manifold of the dynamics.
 
-use super::{Attempt, TaylorLanes};
+use super::TaylorLanes;
+use super::attempt::Attempt;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::projected::{Projected, corrected};
 use crate::integrate::projection::Projection;

@@ -1,7 +1,8 @@
 //! Steps of lanes that are not accepted, and lanes that take no step.
 
+use super::attempt::{Attempt, Expansion};
 use super::verdicts::Verdict;
-use super::{Attempt, Expansion, TaylorLanes, lanes};
+use super::{TaylorLanes, lanes};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
 use crate::linalg::LaneStates;
