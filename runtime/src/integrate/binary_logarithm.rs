@@ -34,11 +34,25 @@ pub(super) fn log2(x: f64) -> f64 {
 /// [`log2`] in each lane.
 #[inline]
 pub(super) fn log2_of_each<const L: usize>(x: [f64; L]) -> [f64; L] {
-    if x.iter().fold(true, |all, x| all & x.is_normal()) {
+    if are_normal(&x) {
         x.map(log2_of_normal)
     } else {
         x.map(log2)
     }
+}
+
+/// Whether all numbers are positive and normal.
+#[inline]
+pub(super) fn are_normal<const L: usize>(x: &[f64; L]) -> bool {
+    x.iter().fold(true, |all, x| all & is_normal(*x))
+}
+
+/// Whether a number is positive and normal. This is a single comparison without a branch, which the compiler makes in all
+/// lanes at once.
+#[inline]
+pub(super) fn is_normal(x: f64) -> bool {
+    const LEAST: u64 = f64::MIN_POSITIVE.to_bits();
+    x.to_bits().wrapping_sub(LEAST) <= f64::MAX.to_bits() - LEAST
 }
 
 #[inline]

@@ -155,6 +155,6 @@ pub(crate) fn largest_ratios<X: LaneStates<L>, const L: usize>(
     let zero = Lanes::from_f64(0.0);
     let ratios = vector.zip_map(weights, |component, weight| component.abs() * weight);
     // Adds 0, or NaN if the component is not finite.
-    let finite = vector.fold(zero, |sum, component| sum + component * zero);
-    ratios.fold(zero, Scalar::max) + finite
+    let finite = vector.fold(zero, |sum, component| component.mul_add(zero, sum));
+    ratios.fold(zero, |most, ratio| ratio.larger(most)) + finite
 }

@@ -84,6 +84,13 @@ impl<const L: usize> Lanes<L> {
         Self::from_fn(|lane| function(self.0[lane], other.0[lane]))
     }
 
+    /// Returns the larger number in each lane; the one of `other` if one of them is NaN. This is a single instruction of a
+    /// processor, in contrast to [`Scalar::max`].
+    #[inline]
+    pub(crate) fn larger(self, other: Self) -> Self {
+        self.both(other, |x, y| if x > y { x } else { y })
+    }
+
     /// Reduces all lanes by `keep`, in halves, which are vectors. Returns NaN if a lane is NaN, and `none` if there are
     /// no lanes.
     #[inline]

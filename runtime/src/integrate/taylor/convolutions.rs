@@ -1,5 +1,9 @@
 //! The sums of products in recurrences for Taylor coefficients.
 
+// If they are not inlined, as in programs with several models, the sums of single pairs return through memory, and a step of the
+// symmetric top takes 1.1 times as many instructions.
+#![allow(clippy::inline_always)]
+
 use super::recurrences::convolution;
 use crate::scalar::Scalar;
 
@@ -25,22 +29,18 @@ pub(crate) struct Convolutions<S, const FACTORS: usize, const PAIRS: usize, cons
     terms: [[[S; 2]; HALF]; FACTORS],
     /// The known parts of the sums of orders n + 1 to n + 4, where n is the multiple of 4 below the present order.
     sums: [[S; ORDERS]; PAIRS],
-    /// The number of pairs before the repetitions of one that fill the last block.
-    different: usize,
     order: usize,
 }
 
 impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     Convolutions<S, FACTORS, PAIRS, HALF>
 {
-    /// Creates the convolutions of order 1 for these pairs of factors, which are empty sums.
+    /// Creates the convolutions of order 1, which are empty sums.
     #[inline]
-    pub(crate) fn new(pairs: &[[usize; 2]; PAIRS]) -> Self {
-        let repeated = pairs.windows(2).rev().take_while(|pair| pair[0] == pair[1]);
+    pub(crate) fn new() -> Self {
         Self {
             terms: [[[S::zero(); 2]; HALF]; FACTORS],
             sums: [[S::zero(); ORDERS]; PAIRS],
-            different: PAIRS - repeated.count(),
             order: 1,
         }
     }
@@ -54,7 +54,7 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
         change: impl Fn(&mut [S; ORDERS], &[S], &[S]),
     ) {
         let known = known.min(2 * HALF);
-        for (sums, pair) in self.sums.iter_mut().zip(pairs).take(self.different) {
+        for (sums, pair) in self.sums.iter_mut().zip(pairs).take(different(pairs)) {
             let [x, y] = pair.map(|factor| &self.terms[factor].as_flattened()[..known]);
             change(sums, x, y);
         }
@@ -76,9 +76,15 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
         let place = known % ORDERS;
         match place {
             0 => self.each(pairs, known, |sums, x, y| *sums = products(x, y)),
-            _ if known < ORDERS => {
-                self.each(pairs, known, |sums, x, y| sums[place] = convolution(x, y));
-            }
+            1 if known < ORDERS => self.each(pairs, 1, |sums, x, y| {
+                sums[1] = of_few::<S, 1>(x, y);
+            }),
+            2 if known < ORDERS => self.each(pairs, 2, |sums, x, y| {
+                sums[2] = of_few::<S, 2>(x, y);
+            }),
+            3 if known < ORDERS => self.each(pairs, 3, |sums, x, y| {
+                sums[3] = of_few::<S, 3>(x, y);
+            }),
             1 => self.each(pairs, known, |sums, x, y| {
                 sums[1] = with_last::<S, 1>(x, y, sums[1]);
             }),
@@ -134,31 +140,55 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     }
 }
 
+/// Returns the number of pairs before the repetitions of one that fill the last block. It is not stored, so that the
+/// compiler knows it.
+#[inline]
+fn different<const PAIRS: usize>(pairs: &[[usize; 2]; PAIRS]) -> usize {
+    let mut count = PAIRS;
+    while count > 1 && pairs[count - 1] == pairs[count - 2] {
+        count -= 1;
+    }
+    count
+}
+
+/// Returns the [`convolution`] of the first `COUNT` terms.
+#[inline(always)]
+fn of_few<S: Scalar, const COUNT: usize>(x: &[S], y: &[S]) -> S {
+    let (Some(x), Some(y)) = (x.first_chunk(), y.first_chunk()) else {
+        return convolution(x, y);
+    };
+    let _: [&[S; COUNT]; 2] = [x, y];
+    (0..COUNT).fold(S::zero(), |sum, i| x[i].mul_add(y[COUNT - 1 - i], sum))
+}
+
 /// Returns the sums of the products whose orders add up to n + 1, …, n + 4, over the n known terms, where n is a
 /// multiple of 4.
-#[inline]
+#[inline(always)]
 fn products<S: Scalar>(x: &[S], y: &[S]) -> [S; ORDERS] {
     let mut sums = [S::zero(); ORDERS];
-    let (Some((x_first, x)), Some((_, before))) = (x.split_first_chunk(), y.split_last()) else {
+    let (Some((x_first, x)), Some(y_last)) = (x.split_first_chunk(), y.last_chunk()) else {
         return sums;
     };
-    let x_first: &[S; ORDERS] = x_first;
-    let known = y.len();
-    for (i, x) in x_first.iter().enumerate() {
-        for (sum, y) in sums.iter_mut().zip(&y[known - 1 - i..]) {
-            *sum = x.mul_add(*y, *sum);
+    let _: [&[S; ORDERS]; 2] = [x_first, y_last];
+    for i in 0..ORDERS {
+        for (sum, y) in sums.iter_mut().zip(&y_last[ORDERS - 1 - i..]) {
+            *sum = x_first[i].mul_add(*y, *sum);
         }
     }
-    let windows = before.windows(ORDERS + 1).rev().step_by(2);
     // There are two sums for each order, so that neither has to wait for the other.
     let mut others = [S::zero(); ORDERS];
-    for ([x_i, x_j], y) in x.as_chunks::<2>().0.iter().zip(windows) {
-        for (sum, y) in sums.iter_mut().zip(&y[1..]) {
-            *sum = x_i.mul_add(*y, *sum);
+    let mut before = y;
+    for x in x.as_chunks::<ORDERS>().0 {
+        let Some(y) = before.last_chunk::<{ 2 * ORDERS }>() else {
+            break;
+        };
+        for (i, x) in x.iter().enumerate() {
+            let sums = if i % 2 == 0 { &mut sums } else { &mut others };
+            for (sum, y) in sums.iter_mut().zip(&y[ORDERS - 1 - i..]) {
+                *sum = x.mul_add(*y, *sum);
+            }
         }
-        for (sum, y) in others.iter_mut().zip(y) {
-            *sum = x_j.mul_add(*y, *sum);
-        }
+        before = &before[..before.len() - ORDERS];
     }
     for (sum, other) in sums.iter_mut().zip(others) {
         *sum += other;
@@ -167,7 +197,7 @@ fn products<S: Scalar>(x: &[S], y: &[S]) -> [S; ORDERS] {
 }
 
 /// Adds the products that contain one of the last terms to a sum.
-#[inline]
+#[inline(always)]
 fn with_last<S: Scalar, const LAST: usize>(x: &[S], y: &[S], sum: S) -> S {
     let ends = (
         x.first_chunk(),

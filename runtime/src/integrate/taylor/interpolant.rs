@@ -88,6 +88,7 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Interpolant<S, X>
 
 /// Returns the exact difference of two numbers as a sum of two numbers (Knuth, *The Art of Computer Programming* **2**,
 /// 3rd edition (1997), section 4.2.2, theorem B).
+#[inline]
 pub(super) fn difference<S: Scalar>(x: S, y: S) -> [S; 2] {
     let high = x - y;
     let part = high - x;

@@ -5,6 +5,7 @@
 //! series is computed as often as the lane that needs most requires.
 
 mod arrivals;
+mod attempt;
 mod checks;
 mod events;
 mod expansion;
@@ -12,20 +13,23 @@ mod last_step;
 mod passage;
 mod passing;
 mod projection;
+mod rejection;
+mod start;
+mod verdicts;
 
-use arrivals::Arrivals;
+use attempt::{Attempt, Expansion};
 
 use super::coefficients::{TaylorCoefficients, number};
 use super::interpolant::difference;
-use super::step_size::unit_near;
+use super::step_size::near_normal;
 use super::{Series, Taylor};
+use crate::integrate::binary_logarithm::is_normal;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::stepper::Statistics;
-use crate::integrate::tolerance::{Tolerance, largest_ratios, time_scale};
 use crate::limits::taylor::{FIRST_UNIT, LANDING, MIN_STEP};
 use crate::linalg::LaneStates;
-use crate::scalar::Lanes;
+use crate::scalar::{Lanes, Scalar};
 
 /// The stepper of a [`Taylor`] method for `L` motions at once, each with its own time, step size and end.
 ///
@@ -197,87 +201,107 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         if !any(&moving) {
             return;
         }
+        let from = self.state.reduced(dynamics);
+        let Proposals { step, middle } = self.expand(dynamics, &from, &mut moving);
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
-        let Proposals { step, middle } = self.expand(dynamics, &mut moving);
-        let mut proposed = step.map(|step| step.min(longest));
-        let passed = self.singular_configurations(dynamics, &proposed, ends);
-        for lane in lanes(&moving) {
-            proposed[lane] = passed[lane].lengthened(proposed[lane]).min(longest);
+        let mut lengths = step.map(|step| step.min(longest));
+        let passed = self.singular_configurations(dynamics, (&moving, ends), &mut lengths);
+        let expansion = Expansion {
+            from,
+            middle,
+            passed,
+        };
+        let mut attempt = Attempt::new(moving, lengths, self.time);
+        let mut reached = self.aim(dynamics, &mut attempt, ends);
+        while let Some(verdicts) = self.check(dynamics, &attempt, (&expansion, &reached)) {
+            self.judge(dynamics, &mut attempt, (&expansion, &verdicts), ends);
+            if !any(&attempt.pending) {
+                break;
+            }
+            reached = self.aim(dynamics, &mut attempt, ends);
         }
-        let mut targets = self.time;
-        let mut pending = moving;
-        let mut component = [None; L];
-        // The arrivals of lanes whose steps end at discontinuity surfaces.
-        let mut arrivals = None;
-        loop {
-            for lane in lanes(&pending) {
-                let target = self.target(lane, proposed[lane], ends[lane]);
-                targets[lane] = target.unwrap_or_else(|| {
-                    self.too_small(dynamics, lane, proposed[lane], component[lane]);
-                    (moving[lane], pending[lane]) = (false, false);
-                    self.time[lane]
-                });
-            }
-            let reached = self.at(&targets);
-            let verdicts = self.check(dynamics, &targets, (&reached, middle, &passed), &pending);
-            for lane in lanes(&pending) {
-                let judged = (lane, verdicts[lane], middle);
-                let times = (targets[lane], ends[lane]);
-                let rejection = self.rejection(dynamics, judged, times, &mut arrivals);
-                let Some((part, beyond)) = rejection else {
-                    pending[lane] = false;
-                    continue;
-                };
-                component[lane] = beyond.or(component[lane]);
-                self.statistics[lane].rejected += 1;
-                let length = (targets[lane] - self.time[lane]).abs();
-                proposed[lane] = match part {
-                    Some(part) => part * length,
-                    None => passed[lane].shortened(length),
-                };
-            }
-            if !any(&pending) {
-                let ends = (&targets, arrivals.as_ref(), &passed);
-                let state = self.ends(dynamics, &mut moving, ends, reached.state);
-                self.accept(&moving, (&targets, &proposed), state, arrivals.as_ref());
-                return;
-            }
-        }
+        let passed = expansion.passed.as_ref();
+        self.finish(dynamics, &mut attempt, passed, &mut reached.state);
+        self.accept(&attempt, reached.state);
     }
 
-    /// Returns the end of a proposed step of a lane on the way to `end`; `None` if the step is too small.
-    fn target(&self, lane: usize, proposed: f64, end: f64) -> Option<f64> {
-        let time = self.time[lane];
-        let least = (MIN_STEP * f64::EPSILON * time.abs()).max(f64::MIN_POSITIVE);
-        let remaining = end - time;
-        if LANDING * proposed >= remaining.abs() {
-            return Some(end);
+    /// Determines the times at which the steps of the pending lanes end, and returns the values of the polynomials
+    /// there. Lanes whose steps are too small stop.
+    fn aim<D>(
+        &mut self,
+        dynamics: &D,
+        attempt: &mut Attempt<X, L>,
+        ends: &[f64; L],
+    ) -> Reached<X, L>
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let Attempt {
+            pending, lengths, ..
+        } = &*attempt;
+        let time = &self.time;
+        let lands = |lane: usize| LANDING * lengths[lane] >= (ends[lane] - time[lane]).abs();
+        let targets = core::array::from_fn(|lane| {
+            let step = lengths[lane].copysign(ends[lane] - time[lane]);
+            let target = if lands(lane) {
+                ends[lane]
+            } else {
+                time[lane] + step
+            };
+            if pending[lane] {
+                target
+            } else {
+                attempt.targets[lane]
+            }
+        });
+        let is_too_small: [bool; L] = core::array::from_fn(|lane| {
+            let least = (MIN_STEP * f64::EPSILON * time[lane].abs()).max(f64::MIN_POSITIVE);
+            let is_large = lengths[lane] > least;
+            pending[lane] & !(lands(lane) | is_large)
+        });
+        attempt.targets = targets;
+        if any(&is_too_small) {
+            self.stop_short(dynamics, attempt, &is_too_small);
         }
-        (proposed > least).then(|| time + proposed.copysign(remaining))
+        self.at(&attempt.targets)
     }
 
     /// Completes a step of the lanes that move.
-    fn accept(
-        &mut self,
-        moving: &[bool; L],
-        (targets, proposed): (&[f64; L], &[f64; L]),
-        state: Compensated<X>,
-        arrivals: Option<&Arrivals<X, L>>,
-    ) {
-        let previous = core::mem::replace(&mut self.state, state);
-        self.previous = (self.time, previous, self.unit);
-        for lane in lanes(moving) {
-            self.statistics[lane].steps += 1;
-            if arrivals.is_some_and(|arrivals| self.arrive(lane, arrivals)) {
-                continue;
+    fn accept(&mut self, attempt: &Attempt<X, L>, state: Compensated<X>) {
+        (self.previous.0, self.previous.2) = (self.time, self.unit);
+        core::mem::swap(&mut self.previous.1, &mut self.state);
+        self.state = state;
+        let mut moving = attempt.moving;
+        for (statistics, moving) in self.statistics.iter_mut().zip(moving) {
+            statistics.steps += u64::from(moving);
+        }
+        if let Some(arrivals) = &attempt.arrivals {
+            for lane in lanes(&attempt.moving) {
+                moving[lane] = !self.arrive(lane, arrivals);
             }
-            self.length[lane] = (targets[lane] - self.time[lane]).abs();
-            self.time_scale[lane] = self.time_scale[lane].max(self.length[lane]);
-            self.time[lane] = targets[lane];
-            self.short_passages[lane] = 0;
-            if proposed[lane].is_normal() {
-                self.unit[lane] = unit_near(proposed[lane]);
+        }
+        let Attempt {
+            targets, lengths, ..
+        } = attempt;
+        let update = |old: &[f64; L], new: [f64; L]| {
+            core::array::from_fn(|lane| if moving[lane] { new[lane] } else { old[lane] })
+        };
+        let length = (Lanes(*targets) - Lanes(self.time)).abs();
+        let time_scale = Scalar::max(Lanes(self.time_scale), length);
+        self.length = update(&self.length, length.0);
+        self.time_scale = update(&self.time_scale, time_scale.0);
+        self.time = update(&self.time, *targets);
+        let near = lengths.map(near_normal);
+        let unit = |lane: usize| {
+            if is_normal(lengths[lane]) {
+                near[lane]
+            } else {
+                self.unit[lane]
             }
+        };
+        self.unit = update(&self.unit, core::array::from_fn(unit));
+        for (count, moving) in self.short_passages.iter_mut().zip(moving) {
+            *count = if moving { 0 } else { *count };
         }
     }
 
@@ -286,89 +310,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        core::array::from_fn(|lane| {
-            let remaining = ends[lane] - self.time[lane];
-            if self.errors[lane].is_none() && !remaining.is_finite() {
-                let time = ends[lane];
-                self.fail(lane, IntegrationError::NonFiniteTime { time });
-            }
-            if remaining.abs() > 0.0 {
-                self.stop_sliding(dynamics, lane);
-            }
-            self.errors[lane].is_none() && remaining.abs() > 0.0
-        })
-    }
-
-    /// Checks new lanes, and chooses their first units of time.
-    fn begin<D>(&mut self, dynamics: &D)
-    where
-        D: Series<Lanes<L>, State = X> + ?Sized,
-    {
-        if !any(&self.is_new) {
-            return;
+        let remaining = Lanes(*ends) - Lanes(self.time);
+        let can_move =
+            |all, lane: usize| all & self.errors[lane].is_none() & self.sliding[lane].is_none();
+        if remaining.is_finite() && (0..L).fold(true, can_move) {
+            return remaining.0.map(|remaining| remaining.abs() > 0.0);
         }
-        let derivative = self.derivative(dynamics);
-        let tolerance = self.method.tolerance::<Lanes<L>>();
-        let state = self.state.value();
-        let rates = tolerance.rates(dynamics, state, &derivative);
-        let allowed = dynamics.allowed_error(state, &tolerance.over(Lanes([1.0; L])));
-        let largest = tolerance.relative.max(tolerance.absolute);
-        let ratios = largest_ratios(&derivative, &Tolerance::weights(&allowed));
-        for lane in lanes(&core::mem::replace(&mut self.is_new, [false; L])) {
-            self.statistics[lane].evaluations += 1;
-            if let Some(error) = self.setting_error(dynamics, lane, &derivative) {
-                self.fail(lane, error);
-            }
-            let time = match rates {
-                Some(rates) => time_scale(rates.map(|rates| rates.0[lane])),
-                None => 1.0 / (ratios.0[lane] * largest),
-            };
-            let usable = Some(time).filter(|time| time.is_normal());
-            self.time_scale[lane] = usable.unwrap_or(1.0 / FIRST_UNIT);
-            self.unit[lane] = unit_near(FIRST_UNIT * self.time_scale[lane]);
-            self.check_start(dynamics, lane);
-        }
-    }
-
-    fn derivative<D>(&self, dynamics: &D) -> X
-    where
-        D: Series<Lanes<L>, State = X> + ?Sized,
-    {
-        let value = self.state.value();
-        dynamics.derivative(Lanes(self.time), &dynamics.reduced(value, &value.zeroed()))
-    }
-
-    /// Returns an error in the settings of the method, the time, the state or its derivative in a lane, if there is
-    /// one.
-    fn setting_error<D>(
-        &self,
-        dynamics: &D,
-        lane: usize,
-        derivative: &X,
-    ) -> Option<IntegrationError>
-    where
-        D: Series<Lanes<L>, State = X> + ?Sized,
-    {
-        let time = self.time[lane];
-        if let Err(error) = self.method.check() {
-            return Some(error);
-        }
-        if !time.is_finite() {
-            return Some(IntegrationError::NonFiniteTime { time });
-        }
-        if let Some((index, value)) = non_finite(self.state.value(), lane) {
-            let component = dynamics.component_name(index);
-            return Some(IntegrationError::NonFiniteState {
-                time,
-                component,
-                value,
-            });
-        }
-        non_finite(derivative, lane).map(|(index, value)| IntegrationError::NonFiniteDerivative {
-            time,
-            component: dynamics.component_name(index),
-            value,
-        })
+        self.stop_some(dynamics, ends);
+        core::array::from_fn(|lane| self.errors[lane].is_none() && remaining.0[lane].abs() > 0.0)
     }
 
     /// Evaluates the polynomials at a time in each lane.
@@ -405,7 +354,7 @@ fn lanes<const L: usize>(mask: &[bool; L]) -> impl Iterator<Item = usize> + use<
 }
 
 fn any<const L: usize>(mask: &[bool; L]) -> bool {
-    mask.contains(&true)
+    mask.iter().fold(false, |any, lane| any | lane)
 }
 
 /// Returns the index and the value of the first component in a lane that is not finite.

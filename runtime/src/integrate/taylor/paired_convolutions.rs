@@ -333,7 +333,7 @@ mod tests {
         check::<PAIRS, HALF>(PairedConvolutions::<f64, PAIRS, LANES, HALF, _>::new(
             arrange,
         ));
-        check::<PAIRS, HALF>(Convolutions::<f64, 5, PAIRS, HALF>::new(&pairs_of()));
+        check::<PAIRS, HALF>(Convolutions::<f64, 5, PAIRS, HALF>::new());
     }
 
     #[test]
@@ -364,7 +364,7 @@ mod tests {
             with_repeated(PairedConvolutions::<f64, 4, 4, 6, _>::new(arranged(
                 REPEATED
             ))),
-            with_repeated(Convolutions::<f64, 5, 4, 6>::new(&REPEATED))
+            with_repeated(Convolutions::<f64, 5, 4, 6>::new())
         );
     }
 }

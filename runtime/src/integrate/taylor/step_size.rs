@@ -66,12 +66,16 @@ const DIVISIBLE: f64 = 45_045.0 / 32_768.0;
 /// **48** (2008) 231–243, on the rounding of the coefficients of a method). Terms of higher orders are too small to
 /// matter.
 pub(super) fn unit_near(x: f64) -> f64 {
-    let power = if x.is_normal() {
-        f64::from_bits(x.to_bits() & EXPONENT).clamp(MIN_UNIT, 1.0 / MIN_UNIT)
-    } else {
-        libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500))
-    };
-    DIVISIBLE * power
+    if x.is_normal() {
+        return near_normal(x);
+    }
+    DIVISIBLE * libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500))
+}
+
+/// [`unit_near`] of a normal number.
+#[inline]
+pub(super) fn near_normal(x: f64) -> f64 {
+    DIVISIBLE * f64::from_bits(x.to_bits() & EXPONENT).clamp(MIN_UNIT, 1.0 / MIN_UNIT)
 }
 
 /// Returns the largest ratio of a component to its tolerance.

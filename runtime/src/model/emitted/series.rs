@@ -145,7 +145,7 @@ fn expand<
         let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF, _>::new(arrange);
         orders_of(unit, first, higher, pairs, convolutions, velocities, term);
     } else {
-        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
+        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
         orders_of(unit, first, higher, pairs, convolutions, velocities, term);
     }
 }
@@ -232,7 +232,7 @@ pub fn event_series<
         let convolutions = FewConvolutions::<S, FACTORS, HALF>::new();
         series_by(convolutions, unit, motion, values, pairs, term)
     } else {
-        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new(pairs);
+        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
         series_by(convolutions, unit, motion, values, pairs, term)
     }
 }

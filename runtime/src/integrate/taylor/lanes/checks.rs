@@ -1,10 +1,11 @@
 //! Checks that the motions agree with their series at the end of a step and within it.
 
+use super::attempt::{Attempt, Expansion};
+use super::verdicts::{Verdict, Verdicts};
 use super::{Reached, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::taylor::Series;
-use crate::integrate::taylor::branch_crossings::{BranchCrossings, Crossing, SearchedStep};
+use crate::integrate::taylor::branch_crossings::{BranchCrossings, SearchedStep};
 use crate::integrate::taylor::residual::{Allowance, Point};
-use crate::integrate::taylor::singular_configuration::SingularConfiguration;
 use crate::integrate::taylor::step_size::power;
 use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{
@@ -14,88 +15,54 @@ use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
 
 /// For each lane the component that disagrees with the series, if there is one.
-type Beyond<const L: usize> = [Option<usize>; L];
-
-/// The result of the check that the polynomial of a lane is the motion within a step.
-#[derive(Clone, Copy)]
-pub(super) enum Verdict {
-    Agrees,
-    /// The polynomial differs from the motion in this component.
-    Differs(usize),
-    /// The polynomial is known only in this fraction of the step, in which the series of all switching functions
-    /// converge.
-    Converges(f64),
-    /// The polynomial differs from the motion after a sign change of a switching function.
-    Crosses(Crossing),
-}
+pub(super) type Beyond<const L: usize> = [Option<usize>; L];
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// Checks a step to `targets` in the lanes that are `pending`, as [`TaylorStepper`](crate::TaylorStepper) does.
+    /// Checks the steps in the pending lanes, as [`TaylorStepper`](crate::TaylorStepper) does. Returns `None` if all of
+    /// them agree with the motions.
     pub(super) fn check<D>(
         &mut self,
         dynamics: &D,
-        targets: &[f64; L],
-        (reached, middle, passed): (&Reached<X, L>, Lanes<L>, &[SingularConfiguration; L]),
-        pending: &[bool; L],
-    ) -> [Verdict; L]
+        Attempt {
+            targets, pending, ..
+        }: &Attempt<X, L>,
+        (expansion, reached): (&Expansion<X, L>, &Reached<X, L>),
+    ) -> Option<[Verdict; L]>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let time = self.time;
-        let h = Lanes(*targets) - Lanes(time);
-        let mut verdicts = [Verdict::Agrees; L];
-        // Lanes without a verdict.
-        let mut open = *pending;
-        let state = reached.state.value();
-        // A sum of zeros, or NaN if a component is not finite.
-        let zero = state.fold(Lanes::from_f64(0.0), |sum, component| {
-            component.mul_add(Lanes::from_f64(0.0), sum)
-        });
-        for lane in lanes(pending).filter(|&lane| !zero.0[lane].is_finite()) {
-            if let Some((index, _)) = non_finite(state, lane) {
-                (verdicts[lane], open[lane]) = (Verdict::Differs(index), false);
-            }
-        }
-        let crossings = self.crossings(dynamics, h, reached.tau, &open);
+        let h = Lanes(*targets) - Lanes(self.time);
+        let mut verdicts = Verdicts::of(pending);
+        verdicts.need_finite(reached.state.value());
+        let asked = (reached.tau, &verdicts.open);
+        let crossings = self.crossings(dynamics, (&expansion.from, h), asked);
         if let Some(crossings) = &crossings {
-            for lane in lanes(&open) {
-                if crossings[lane].converging < 1.0 {
-                    verdicts[lane] = Verdict::Converges(crossings[lane].converging);
-                    open[lane] = false;
-                }
-            }
-            self.check_crossings(dynamics, h, crossings, (&mut verdicts, &mut open));
+            self.check_crossings(dynamics, h, crossings, &mut verdicts);
         }
-        if !any(&open) {
-            return verdicts;
+        if !any(&verdicts.open) {
+            return Some(verdicts.of_lanes);
         }
         let mut allowance = self.allowance(h.abs());
-        allowance.roundings *=
-            Lanes::from_fn(|lane| passed[lane].growth(h.0[lane].abs(), Self::ORDER));
-        let found = self.check_at(dynamics, (Lanes(*targets), reached), &allowance, &open);
-        for lane in lanes(&open) {
-            if let Some(component) = found[lane] {
-                open[lane] = false;
-                let at_end = crossings.as_ref().and_then(|of| of[lane].at_end);
-                verdicts[lane] = match at_end {
-                    Some(function) => Verdict::Crosses(Crossing { at: 1.0, function }),
-                    None => Verdict::Differs(component),
-                };
-            }
+        if let Some(passed) = &expansion.passed {
+            let growth = |lane: usize| passed[lane].growth(h.0[lane].abs(), Self::ORDER);
+            allowance.roundings *= Lanes::from_fn(growth);
         }
-        let mut inner = self.is_uncertain_within(h, (reached.tau, middle), &open);
+        let at_end = (Lanes(*targets), reached);
+        if let Some(found) = self.check_at(dynamics, at_end, &allowance, &verdicts.open) {
+            verdicts.put_ends(&found, crossings.as_ref());
+        }
+        let arguments = (reached.tau, expansion.middle);
+        let mut inner = self.is_uncertain_within(h, arguments, &verdicts.open);
         if let Some(crossings) = &crossings {
-            for lane in lanes(&open) {
+            for lane in lanes(&verdicts.open) {
                 inner[lane] |= crossings[lane].has_noise;
             }
         }
-        let found = self.check_within(dynamics, (h, &allowance), inner);
-        for lane in lanes(&open) {
-            if let Some(component) = found[lane] {
-                verdicts[lane] = Verdict::Differs(component);
-            }
+        if any(&inner) {
+            let found = self.check_within(dynamics, (h, &allowance), inner);
+            verdicts.put_differences(&found);
         }
-        verdicts
+        verdicts.has_failed.then_some(verdicts.of_lanes)
     }
 
     /// Returns those of the `asked` lanes whose steps of lengths `h` are so long, or of such a low degree, that the
@@ -108,13 +75,15 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     ) -> [bool; L] {
         // The terms of half the order are almost negligible there.
         let middle = middle * power(tau.abs(), HALF);
-        core::array::from_fn(|lane| {
+        let is_uncertain = core::array::from_fn(|lane| {
             let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
-            asked[lane] && (is_long || middle.0[lane] < NEGLIGIBLE_TERM)
-        })
+            is_long || middle.0[lane] < NEGLIGIBLE_TERM
+        });
+        both(&is_uncertain, asked)
     }
 
     /// Checks times within steps of lengths `h`, in the lanes that are asked for.
+    #[inline(never)]
     pub(super) fn check_within<D>(
         &mut self,
         dynamics: &D,
@@ -131,7 +100,10 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             }
             let part = Lanes::from_f64(f64::from(i) / f64::from(INNER_CHECKS + 1));
             let t = Lanes(self.time) + h * part;
-            let found = self.check_at(dynamics, (t, &self.at(&t.0)), allowance, &asked);
+            let Some(found) = self.check_at(dynamics, (t, &self.at(&t.0)), allowance, &asked)
+            else {
+                continue;
+            };
             for lane in 0..L {
                 if asked[lane] && found[lane].is_some() {
                     (beyond[lane], asked[lane]) = (found[lane], false);
@@ -141,14 +113,13 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         beyond
     }
 
-    /// Returns the sign changes of switching functions in the steps of the lanes that are asked for; `None` if there are no
-    /// switching functions.
+    /// Returns the sign changes of switching functions in the steps of lengths `h` of the lanes that are asked for; `None`
+    /// if there are no switching functions.
     fn crossings<D>(
         &self,
         dynamics: &D,
-        h: Lanes<L>,
-        tau: Lanes<L>,
-        asked: &[bool; L],
+        (from, h): (&X, Lanes<L>),
+        (tau, asked): (Lanes<L>, &[bool; L]),
     ) -> Option<[BranchCrossings; L]>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
@@ -165,8 +136,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         };
         let mut crossings: Option<[BranchCrossings; L]> = None;
         let motion = &self.coefficients;
-        let from = self.state.reduced(dynamics);
-        dynamics.branches(t, &from, unit, motion, &mut |function| {
+        dynamics.branches(t, from, unit, motion, &mut |function| {
             let crossings = crossings.get_or_insert_with(none);
             let mut coefficients = [Lanes::from_f64(0.0); MAX_COEFFICIENTS];
             let mut count = 0;
@@ -188,48 +158,56 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         crossings
     }
 
-    /// Checks the times after each sign change of a switching function, in the lanes that are open. Lanes in which a
-    /// check fails are closed.
+    /// Checks that the series of the switching functions converge, and the times after each of their sign changes, in the
+    /// lanes without a verdict.
+    #[inline(never)]
     fn check_crossings<D>(
         &mut self,
         dynamics: &D,
         h: Lanes<L>,
         crossings: &[BranchCrossings; L],
-        (verdicts, open): (&mut [Verdict; L], &mut [bool; L]),
+        verdicts: &mut Verdicts<L>,
     ) where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
+        for lane in lanes(&verdicts.open) {
+            if crossings[lane].converging < 1.0 {
+                verdicts.put(lane, Verdict::Converges(crossings[lane].converging));
+            }
+        }
         let mut behind = crossings.each_ref().map(BranchCrossings::with_times_behind);
         loop {
             let next: [_; L] = core::array::from_fn(|lane| {
-                let behind = behind.get_mut(lane).filter(|_| open[lane]);
+                let behind = behind.get_mut(lane).filter(|_| verdicts.open[lane]);
                 behind.and_then(Iterator::next)
             });
             if next.iter().all(Option::is_none) {
                 return;
             }
-            for lane in lanes(open) {
+            for lane in lanes(&verdicts.open) {
                 let inner = next[lane].filter(|(crossing, _)| {
                     dynamics.switching_function(crossing.function).is_inner
                 });
                 if let Some((crossing, _)) = inner {
-                    verdicts[lane] = Verdict::Crosses(crossing);
-                    open[lane] = false;
+                    verdicts.put(lane, Verdict::Crosses(crossing));
                 }
             }
             let allowance = self.allowance(h.abs()).behind_crossings();
             for which in 0..2 {
                 let parts = next.map(|next| next.map(|(_, times)| times[which]));
-                let asked = core::array::from_fn(|lane| open[lane] && parts[lane].is_some());
+                let asked =
+                    core::array::from_fn(|lane| verdicts.open[lane] && parts[lane].is_some());
                 if !any(&asked) {
                     break;
                 }
                 let t = Lanes(self.time) + h * Lanes(parts.map(|part| part.unwrap_or(0.0)));
-                let found = self.check_at(dynamics, (t, &self.at(&t.0)), &allowance, &asked);
+                let reached = self.at(&t.0);
+                let Some(found) = self.check_at(dynamics, (t, &reached), &allowance, &asked) else {
+                    continue;
+                };
                 for lane in lanes(&asked) {
                     if let (Some(_), Some((crossing, _))) = (found[lane], next[lane]) {
-                        verdicts[lane] = Verdict::Crosses(crossing);
-                        open[lane] = false;
+                        verdicts.put(lane, Verdict::Crosses(crossing));
                     }
                 }
             }
@@ -246,14 +224,15 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// Checks one time in each lane. A difference is accepted if rounding or the tolerance explains it.
+    /// Checks one time in each lane. A difference is accepted if rounding or the tolerance explains it. Returns `None` if
+    /// the polynomials agree with the motions in all lanes that are asked for.
     pub(super) fn check_at<D>(
         &mut self,
         dynamics: &D,
         (t, reached): (Lanes<L>, &Reached<X, L>),
         allowance: &Allowance<Lanes<L>>,
-        pending: &[bool; L],
-    ) -> Beyond<L>
+        asked: &[bool; L],
+    ) -> Option<Beyond<L>>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
@@ -264,31 +243,70 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             slope: reached.slope.map(|component| component * unit),
         };
         let derivative = dynamics.derivative(t, &point.state);
-        let [residual, mut allowed] = allowance.residual(dynamics, &point, &derivative);
-        for lane in lanes(pending) {
-            self.statistics[lane].evaluations += 1;
+        let [residual, allowed] = allowance.residual(dynamics, &point, &derivative);
+        for (statistics, asked) in self.statistics.iter_mut().zip(asked) {
+            statistics.evaluations += u64::from(*asked);
         }
-        let mut failing = exceeds(&residual, &allowed, pending);
+        let failing = exceeds(&residual, &allowed, asked);
+        if !any(&failing) {
+            return None;
+        }
+        let beyond = Difference {
+            point,
+            derivative,
+            residual,
+            allowed,
+        };
+        let beyond = self.explain(dynamics, beyond, allowance, failing)?;
+        let state = reached.state.value();
+        Some(core::array::from_fn(|lane| {
+            let non_finite = non_finite(state, lane).map(|(index, _)| index);
+            Some(non_finite.unwrap_or(beyond[lane]?))
+        }))
+    }
+
+    /// Returns the components of the failing lanes in which neither the condition of the derivative nor a singular
+    /// configuration explains the difference.
+    #[cold]
+    fn explain<D>(
+        &mut self,
+        dynamics: &D,
+        difference: Difference<X, L>,
+        allowance: &Allowance<Lanes<L>>,
+        mut failing: [bool; L],
+    ) -> Option<Beyond<L>>
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let Difference {
+            point,
+            derivative,
+            residual,
+            mut allowed,
+        } = difference;
+        allowance.allow_condition(dynamics, &point, &derivative, &mut allowed);
+        for lane in lanes(&failing) {
+            self.statistics[lane].evaluations += 2;
+        }
+        failing = exceeds(&residual, &allowed, &failing);
         if any(&failing) {
-            allowance.allow_condition(dynamics, &point, &derivative, &mut allowed);
-            for lane in lanes(&failing) {
-                self.statistics[lane].evaluations += 2;
-            }
-            failing = exceeds(&residual, &allowed, &failing);
+            self.excuse(dynamics, (point.t, &point.state), &mut failing);
         }
-        if any(&failing) {
-            self.excuse(dynamics, (t, &point.state), &mut failing);
-        }
-        core::array::from_fn(|lane| {
-            failing[lane].then(|| match non_finite(reached.state.value(), lane) {
-                Some((index, _)) => index,
-                None => first_beyond(&residual, &allowed, lane),
-            })
-        })
+        let component = |lane: usize| first_beyond(&residual, &allowed, lane);
+        any(&failing).then(|| core::array::from_fn(|lane| failing[lane].then(|| component(lane))))
     }
 }
 
+/// A difference between the derivatives of the polynomials and the motions that the tolerance does not explain.
+struct Difference<X, const L: usize> {
+    point: Point<Lanes<L>, X>,
+    derivative: X,
+    residual: X,
+    allowed: X,
+}
+
 /// Returns those of the `asked` lanes in which a component exceeds its allowed value or is not finite.
+#[inline]
 fn exceeds<X: LaneStates<L>, const L: usize>(
     residual: &X,
     allowed: &X,
@@ -300,7 +318,18 @@ fn exceeds<X: LaneStates<L>, const L: usize>(
         over + over.abs()
     });
     let excess = excess.fold(Lanes::from_f64(0.0), |sum, excess| sum + excess);
-    core::array::from_fn(|lane| asked[lane] && (excess.0[lane].is_nan() || excess.0[lane] > 0.0))
+    let exceeds = excess.0.map(|excess| excess.is_nan() || excess > 0.0);
+    both(&exceeds, asked)
+}
+
+/// Returns the lanes for which two masks are true; the first one hardly ever is.
+#[inline]
+fn both<const L: usize>(rare: &[bool; L], asked: &[bool; L]) -> [bool; L] {
+    if any(rare) {
+        core::array::from_fn(|lane| rare[lane] && asked[lane])
+    } else {
+        [false; L]
+    }
 }
 
 /// Returns the first component of a lane that exceeds its allowed value or is NaN.

@@ -1,7 +1,7 @@
 //! The polynomials of motions in lanes, and the step sizes that they propose.
 
 use super::{Proposals, TaylorLanes, any, lanes, non_finite, number};
-use crate::integrate::binary_logarithm::{exp2_of_each, log2_of_each};
+use crate::integrate::binary_logarithm::{are_normal, exp2_of_each, log2, log2_of_each};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::projected::allow_least;
 use crate::integrate::taylor::Series;
@@ -14,11 +14,15 @@ use crate::scalar::{Lanes, Scalar};
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Computes the polynomials about the present times, in units in which their coefficients are finite, and the step
     /// sizes that they propose.
-    pub(super) fn expand<D>(&mut self, dynamics: &D, moving: &mut [bool; L]) -> Proposals<L>
+    pub(super) fn expand<D>(
+        &mut self,
+        dynamics: &D,
+        from: &X,
+        moving: &mut [bool; L],
+    ) -> Proposals<L>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let from = self.state.reduced(dynamics);
         let mut waiting = *moving;
         let mut proposals = Proposals {
             step: [0.0; L],
@@ -27,22 +31,29 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let mut change = UNIT_CHANGE;
         for _ in 0..UNIT_CHANGES {
             let (t, unit) = (Lanes(self.time), Lanes(self.unit));
-            dynamics.series(t, &from, unit, &mut self.coefficients);
+            dynamics.series(t, from, unit, &mut self.coefficients);
             let weights = Tolerance::weights(&self.allowed(dynamics));
             let proposed = self.proposed(&weights);
             proposals.middle = self.middle(&weights);
-            for lane in lanes(&waiting) {
-                self.statistics[lane].evaluations += 1;
-                // The proposal is 0 if a coefficient over its tolerance is not finite.
-                if proposed[lane] > 0.0 {
-                    proposals.step[lane] = proposed[lane] * self.unit[lane];
-                    waiting[lane] = false;
-                } else {
-                    self.unit[lane] *= change;
-                }
+            for (statistics, waiting) in self.statistics.iter_mut().zip(waiting) {
+                statistics.evaluations += u64::from(waiting);
             }
+            // The proposal is 0 if a coefficient over its tolerance is not finite.
+            let found: [bool; L] =
+                core::array::from_fn(|lane| waiting[lane] && proposed[lane] > 0.0);
+            proposals.step = core::array::from_fn(|lane| {
+                if found[lane] {
+                    proposed[lane] * self.unit[lane]
+                } else {
+                    proposals.step[lane]
+                }
+            });
+            waiting = core::array::from_fn(|lane| waiting[lane] && !found[lane]);
             if !any(&waiting) {
                 return proposals;
+            }
+            for lane in lanes(&waiting) {
+                self.unit[lane] *= change;
             }
             change *= change;
         }
@@ -75,23 +86,39 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
 
     /// Returns the steps at which the last two terms meet the tolerance, in units of time; 0 if the terms are not
     /// finite. If they are zero, the terms before them are used, as in [`TaylorStepper`](super::TaylorStepper).
+    #[inline]
     fn proposed(&self, weights: &X) -> [f64; L] {
+        if let [.., before, last] = self.coefficients.higher()
+            && HALF > 1
+        {
+            let before = largest_ratios(before, weights).0;
+            let last = largest_ratios(last, weights).0;
+            if are_normal(&before) & are_normal(&last) {
+                let (before, last) = (log2_of_each(before), log2_of_each(last));
+                let order = number(Self::ORDER);
+                return exp2_of_each(core::array::from_fn(|lane| {
+                    (-last[lane] / order).min(-before[lane] / (order - 1.0))
+                }));
+            }
+        }
+        self.proposed_by_some(weights)
+    }
+
+    /// [`proposed`](Self::proposed) if not all of the last two terms are positive and finite.
+    #[cold]
+    fn proposed_by_some(&self, weights: &X) -> [f64; L] {
         let higher = self.coefficients.higher();
         let mut logarithm = [f64::INFINITY; L];
         for (position, coefficient) in higher.iter().rev().enumerate().take(HALF) {
-            let ratios = largest_ratios(coefficient, weights);
+            let ratios = largest_ratios(coefficient, weights).0;
             let order = number(Self::ORDER - position);
             let mut found = true;
-            let logarithms = log2_of_each(ratios.0);
-            for (logarithm, (ratio, of_ratio)) in logarithm
-                .iter_mut()
-                .zip(ratios.0.into_iter().zip(logarithms))
-            {
+            for (logarithm, ratio) in logarithm.iter_mut().zip(ratios) {
                 let zero_until_now = position < 2 || *logarithm >= f64::INFINITY;
                 if ratio.is_nan() {
                     *logarithm = f64::NEG_INFINITY;
                 } else if ratio > 0.0 && zero_until_now {
-                    *logarithm = logarithm.min(-of_ratio / order);
+                    *logarithm = logarithm.min(-log2(ratio) / order);
                 }
                 found &= *logarithm < f64::INFINITY;
             }
@@ -103,11 +130,13 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 
     /// Returns the larger of the two terms of about half the order, over their tolerances.
+    #[inline]
     fn middle(&self, weights: &X) -> Lanes<L> {
-        let middle = self.coefficients.higher().iter().take(HALF).rev().take(2);
-        middle.fold(Lanes([0.0; L]), |most, term| {
-            Scalar::max(most, largest_ratios(term, weights))
-        })
+        let mut most = Lanes([0.0; L]);
+        for term in self.coefficients.higher().iter().take(HALF).rev().take(2) {
+            most = Scalar::max(most, largest_ratios(term, weights));
+        }
+        most
     }
 
     /// Returns the allowed errors for the sizes that the components reach within a step like the last one.
@@ -115,14 +144,17 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let tau = Lanes::from_fn(|lane| {
-            let length = if self.length[lane] > 0.0 {
-                self.length[lane].min(2.0 * self.unit[lane])
+        let unit = Lanes(self.unit);
+        let first = Lanes(self.time_scale) * Lanes::from_f64(FIRST_UNIT);
+        let next = Scalar::min(Lanes(self.length), unit + unit);
+        let length = Lanes::from_fn(|lane| {
+            if self.length[lane] > 0.0 {
+                next.0[lane]
             } else {
-                FIRST_UNIT * self.time_scale[lane]
-            };
-            length / self.unit[lane]
+                first.0[lane]
+            }
         });
+        let tau = length / unit;
         let reached = reached(self.state.value(), &self.coefficients, tau);
         let mut allowed = dynamics.allowed_error(&reached, &self.tolerance(Lanes(self.length)));
         let here = (Lanes(self.time), self.state.value());

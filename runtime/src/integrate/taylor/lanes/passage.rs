@@ -2,7 +2,7 @@
 
 use super::TaylorLanes;
 use super::arrivals::Arrivals;
-use super::checks::Verdict;
+use super::verdicts::Verdict;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::Crossing;
@@ -138,8 +138,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let t = Lanes(self.time) + step * Lanes([before; L]);
         let reached = self.at(&t.0);
         let allowance = self.allowance(step);
-        let beyond = self.check_at(dynamics, (t, &reached), &allowance, &only);
-        if beyond[lane].is_some() {
+        if let Some(beyond) = self.check_at(dynamics, (t, &reached), &allowance, &only) {
             return beyond[lane];
         }
         let cut = t - Lanes(self.time);

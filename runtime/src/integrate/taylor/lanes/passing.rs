@@ -10,28 +10,35 @@ use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// Returns the singular configuration within reach of the steps of these lengths towards `ends`, as
-    /// [`TaylorStepper`](crate::TaylorStepper) does.
+    /// Returns the singular configurations within reach of the steps of these lengths towards `ends`, and lengthens the
+    /// steps of the moving lanes so that they pass, as [`TaylorStepper`](crate::TaylorStepper) does; `None` if the method
+    /// does not pass them.
     pub(super) fn singular_configurations<D>(
         &self,
         dynamics: &D,
-        steps: &[f64; L],
-        ends: &[f64; L],
-    ) -> [SingularConfiguration; L]
+        (moving, ends): (&[bool; L], &[f64; L]),
+        lengths: &mut [f64; L],
+    ) -> Option<[SingularConfiguration; L]>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
         if !self.method.passes_singularities {
-            return [SingularConfiguration::NONE; L];
+            return None;
         }
         let signed =
-            core::array::from_fn(|lane| steps[lane].copysign(ends[lane] - self.time[lane]));
-        SingularConfiguration::find((&signed, self.method.min_part::<Lanes<L>>()), |after| {
+            core::array::from_fn(|lane| lengths[lane].copysign(ends[lane] - self.time[lane]));
+        let steps = (&signed, self.method.min_part::<Lanes<L>>());
+        let passed = SingularConfiguration::find(steps, |after| {
             let times = core::array::from_fn(|lane| self.time[lane] + after[lane]);
             let there = self.at(&times).state.into_value();
             let sines = dynamics.constraint_sine(Lanes(times), &there);
             sines.map_or([f64::NAN; L], |sines| sines.0)
-        })
+        });
+        let longest = self.method.max_step.unwrap_or(f64::INFINITY);
+        for lane in lanes(moving) {
+            lengths[lane] = passed[lane].lengthened(lengths[lane]).min(longest);
+        }
+        Some(passed)
     }
 
     /// Returns the reduced states at which the derivatives of the polynomials are compared with the equations, on the manifold

@@ -1,7 +1,7 @@
 //! Projection of the ends of steps of motions in lanes onto the manifold of the dynamics.
 
 use super::TaylorLanes;
-use super::arrivals::Arrivals;
+use super::attempt::Attempt;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::projected::{Projected, corrected};
 use crate::integrate::projection::Projection;
@@ -13,43 +13,40 @@ use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// Returns the states at the ends of the steps of the moving lanes, projected onto the manifold of the dynamics if
-    /// they have one.
-    pub(super) fn ends<D>(
+    /// Completes the states at the ends of the steps: lanes that do not move keep theirs, and the others are projected
+    /// onto the manifold of the dynamics if they have one.
+    pub(super) fn finish<D>(
         &mut self,
         dynamics: &D,
-        moving: &mut [bool; L],
-        (targets, arrivals, passed): (
-            &[f64; L],
-            Option<&Arrivals<X, L>>,
-            &[SingularConfiguration; L],
-        ),
-        mut state: Compensated<X>,
-    ) -> Compensated<X>
-    where
+        attempt: &mut Attempt<X, L>,
+        passed: Option<&[SingularConfiguration; L]>,
+        state: &mut Compensated<X>,
+    ) where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
+        let Attempt {
+            moving,
+            targets,
+            arrivals,
+            ..
+        } = attempt;
         for lane in (0..L).filter(|&lane| !moving[lane]) {
             state.copy_lane(lane, &self.state);
         }
-        if let Some(arrivals) = arrivals {
-            arrivals.copy_to(&mut state);
-        }
-        let times = core::array::from_fn(|lane| {
-            let arrival = arrivals.and_then(|arrivals| arrivals.time(lane));
-            let target = if moving[lane] {
+        let mut times = core::array::from_fn(|lane| {
+            if moving[lane] {
                 targets[lane]
             } else {
                 self.time[lane]
-            };
-            arrival.unwrap_or(target)
-        });
-        match dynamics.project(Lanes(times), state.value()) {
-            Some(projection) => {
-                let ends = (Lanes(times), &state, passed);
-                self.project(dynamics, moving, ends, &projection)
             }
-            None => state,
+        });
+        if let Some(arrivals) = arrivals {
+            arrivals.copy_to(state);
+            times = core::array::from_fn(|lane| arrivals.time(lane).unwrap_or(times[lane]));
+        }
+        if let Some(projection) = dynamics.project(Lanes(times), state.value()) {
+            let ends = (Lanes(times), &*state, passed);
+            *state = self.project(dynamics, moving, ends, &projection);
         }
     }
 
@@ -59,7 +56,11 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         &mut self,
         dynamics: &D,
         moving: &mut [bool; L],
-        (t, state, passed): (Lanes<L>, &Compensated<X>, &[SingularConfiguration; L]),
+        (t, state, passed): (
+            Lanes<L>,
+            &Compensated<X>,
+            Option<&[SingularConfiguration; L]>,
+        ),
         projection: &Projection<Lanes<L>, X>,
     ) -> Compensated<X>
     where
@@ -82,7 +83,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let checked: [_; L] = core::array::from_fn(|lane| {
             step.lane = Some(lane);
             let found = (projection, end.value());
-            let is_limited = passed[lane].limits_corrections();
+            let is_limited = passed.is_none_or(|passed| passed[lane].limits_corrections());
             moving[lane].then(|| step.check(found, &correction, &allowed, is_limited))
         });
         for (lane, checked) in checked.into_iter().enumerate() {

@@ -1,0 +1,54 @@
+//! The steps that are tried in lanes.
+
+use super::arrivals::Arrivals;
+use crate::integrate::taylor::singular_configuration::SingularConfiguration;
+use crate::scalar::Lanes;
+
+/// What is known of the motions at the beginning of a step, besides the coefficients of their polynomials.
+pub(super) struct Expansion<X, const L: usize> {
+    /// The reduced states about which the polynomials are expanded.
+    pub(super) from: X,
+    /// The larger of the two terms of about half the order, over their tolerances.
+    pub(super) middle: Lanes<L>,
+    /// The singular configurations of constraints within reach; `None` if none are passed.
+    pub(super) passed: Option<[SingularConfiguration; L]>,
+}
+
+impl<X, const L: usize> Expansion<X, L> {
+    /// Returns the singular configuration within reach of the step of a lane.
+    pub(super) fn passed(&self, lane: usize) -> SingularConfiguration {
+        let passed = self.passed.as_ref();
+        passed.map_or(SingularConfiguration::NONE, |passed| passed[lane])
+    }
+}
+
+/// The steps that are tried in all lanes.
+pub(super) struct Attempt<X, const L: usize> {
+    /// The lanes that take a step.
+    pub(super) moving: [bool; L],
+    /// Those of them whose steps are not accepted yet.
+    pub(super) pending: [bool; L],
+    /// The lengths of the steps, unless they land on the ends of the motions.
+    pub(super) lengths: [f64; L],
+    /// The times at which the steps end.
+    pub(super) targets: [f64; L],
+    /// The components in which longer steps differed from the motions.
+    pub(super) component: [Option<usize>; L],
+    /// The arrivals of lanes whose steps end at discontinuity surfaces.
+    pub(super) arrivals: Option<Arrivals<X, L>>,
+}
+
+impl<X, const L: usize> Attempt<X, L> {
+    /// The steps of these lengths from these times, before their ends are known.
+    #[inline]
+    pub(super) fn new(moving: [bool; L], lengths: [f64; L], times: [f64; L]) -> Self {
+        Self {
+            moving,
+            pending: moving,
+            lengths,
+            targets: times,
+            component: [None; L],
+            arrivals: None,
+        }
+    }
+}
