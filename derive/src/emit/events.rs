@@ -61,15 +61,13 @@ impl Emitter<'_> {
         Some(quote! {
             fn events_in_step<const HALF: usize, const OF_MOTION: usize>(
                 &self,
-                state: #state,
-                inputs: &[#inputs],
+                begin: (#state, &[#inputs]),
                 prepared: &#prepared,
                 #others
                 end: (#state, &#inputs),
                 visit: &mut dyn FnMut(&#root::TaylorCoefficients<#scalar, HALF>, #scalar),
             ) {
-                let begin = (state, inputs, prepared);
-                #root::__private::visit_events(self, begin, (unit, motion), end, visit);
+                #root::__private::visit_events(self, begin, prepared, (unit, motion), end, visit);
             }
         })
     }

@@ -51,18 +51,17 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     }
 
     /// Visits the Taylor coefficients of each event function along a motion through a state, and its value at the end of a step,
-    /// as [`Series::events_in_step`] says. `end` is the state and the inputs there.
+    /// as [`Series::events_in_step`] says. `begin` is the state and the series of the inputs, `end` the state and the inputs at the end.
     fn events_in_step<const HALF: usize, const OF_MOTION: usize>(
         &self,
-        state: &State<S, N>,
-        inputs: &[Self::Inputs],
+        begin: (&State<S, N>, &[Self::Inputs]),
         prepared: &Self::Prepared,
         unit: S,
         motion: &TaylorCoefficients<Phase<S, N>, OF_MOTION>,
         end: (&State<S, N>, &Self::Inputs),
         visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
     ) {
-        let _ = (state, inputs, prepared, unit, motion, end, visit);
+        let _ = (begin, prepared, unit, motion, end, visit);
     }
 }
 
@@ -126,7 +125,8 @@ where
         self.law
             .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, _| {
                 L::States::of_motion(motion, |motion| {
-                    model.events_in_step(&state, inputs, &self.prepared, unit, motion, end, visit);
+                    let begin = (&state, inputs);
+                    model.events_in_step(begin, &self.prepared, unit, motion, end, visit);
                 });
             });
     }

@@ -162,13 +162,10 @@ impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
         }
         bernstein::on_unit_interval(&mut all);
         let least = self.least(kept);
-        let mut keep = [true; L];
-        for value in all {
-            for lane in 0..L {
-                keep[lane] &= value.0[lane] * self.first.0[lane].signum() > least.0[lane];
-            }
-        }
-        core::array::from_fn(|lane| margin.0[lane] > 0.0 || keep[lane])
+        core::array::from_fn(|lane| {
+            let (sign, least) = (self.first.0[lane].signum(), least.0[lane]);
+            margin.0[lane] > 0.0 || all.iter().all(|value| value.0[lane] * sign > least)
+        })
     }
 }
 

@@ -296,7 +296,8 @@ pub fn visit_branches<S: Scalar, const B: usize, const HALF: usize>(
 #[inline]
 pub fn visit_events<M, S, const N: usize, const HALF: usize, const OF_MOTION: usize>(
     model: &M,
-    (state, inputs, prepared): (&State<S, N>, &[M::Inputs], &M::Prepared),
+    (state, inputs): (&State<S, N>, &[M::Inputs]),
+    prepared: &M::Prepared,
     (unit, motion): (S, &TaylorCoefficients<Phase<S, N>, OF_MOTION>),
     (end, inputs_at_end): (&State<S, N>, &M::Inputs),
     visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
