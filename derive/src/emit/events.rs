@@ -65,7 +65,7 @@ impl Emitter<'_> {
                 prepared: &#prepared,
                 #others
                 end: (#state, &#inputs),
-                visit: &mut dyn FnMut(&#root::TaylorCoefficients<#scalar, HALF>, #scalar),
+                visit: &mut dyn ::core::ops::FnMut(&#root::TaylorCoefficients<#scalar, HALF>, #scalar),
             ) {
                 #root::__private::visit_events(self, begin, prepared, (unit, motion), end, visit);
             }
