@@ -172,6 +172,9 @@ pub(crate) mod events {
     /// The largest number of steps of Newton's method; bisection alone needs 53.
     pub(crate) const NEWTON_STEPS: u32 = 64;
 
+    /// The step of Newton's method, as a part of a step of the integration, after which the zero is exact to rounding: √ε.
+    pub(crate) const LAST_NEWTON_STEP: f64 = 1.5e-8;
+
     /// The errors of the coefficients of an event's polynomial, in machine epsilons. Values below their effect are
     /// zero, and an extremum of that size is a double root.
     pub(crate) const UNCERTAINTY: f64 = 8.0;

@@ -74,7 +74,7 @@ where
             }
             let zero = match terms.signs(0.0)? {
                 Signs::One => None,
-                Signs::Two => Some(SimpleZero::of(&terms, &numbers, length)?),
+                Signs::Two => Some(SimpleZero::of(&terms)?),
             };
             for branch in self.dynamics.branches(index) {
                 Terms::new(&coefficients(*branch)?, length, accuracy).sign(0.0)?;

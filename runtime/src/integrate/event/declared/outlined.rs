@@ -134,9 +134,10 @@ impl<const K: usize> DeclaredEvents<K> {
         if shift.is_nan() || shift.abs() > zero.until - zero.at {
             return None;
         }
-        if shift.abs() > f64::EPSILON {
-            at = (at + shift).clamp(0.0, 1.0);
-            found = evaluated(self, window.time(at));
+        at = (at + shift).clamp(0.0, 1.0);
+        let time = window.time(at);
+        if time - found.0 != 0.0 {
+            found = evaluated(self, time);
         }
         if before * found.1[event] > 0.0 {
             let root = Root {

@@ -22,7 +22,12 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         (step.time, step.unit) = (time[lane], unit[lane]);
         step.from = from.lane(lane);
         if with_polynomial {
-            step.coefficients = self.coefficients.map(|states| states.lane(lane));
+            // In place, because a polynomial of the lane that is returned is copied twice.
+            *step.coefficients.initial_mut() = self.coefficients.initial().lane(lane);
+            let places = step.coefficients.higher_mut().iter_mut();
+            for (place, states) in places.zip(self.coefficients.higher()) {
+                *place = states.lane(lane);
+            }
         }
     }
 }
