@@ -170,10 +170,14 @@ pub(crate) mod events {
     pub(crate) const MAX_ZERO_WIDTH: f64 = 1e-6;
 
     /// The largest number of steps of Newton's method; bisection alone needs 53.
-    pub(crate) const NEWTON_STEPS: u32 = 64;
+    pub(crate) const MAX_NEWTON_STEPS: u32 = 64;
 
     /// The step of Newton's method, as a part of a step of the integration, after which the zero is exact to rounding: √ε.
     pub(crate) const LAST_NEWTON_STEP: f64 = 1.5e-8;
+
+    /// The number of rounding errors that the value of an event function at its zero may have; a larger value is searched for the
+    /// zero. By judgement.
+    pub(crate) const ROUNDINGS_AT_ZERO: f64 = 32.0;
 
     /// The errors of the coefficients of an event's polynomial, in machine epsilons. Values below their effect are
     /// zero, and an extremum of that size is a double root.

@@ -169,3 +169,114 @@ fn events_watched_together_occur_where_they_do_alone() {
             }
         });
 }
+
+/// What a member finds, in full: its events, samples, end, and how it ended.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Findings {
+    events: Vec<(usize, f64, f64)>,
+    samples: Vec<f64>,
+    last: [f64; 3],
+    ending: String,
+}
+
+macro_rules! findings {
+    ($found:expr) => {{
+        let found = $found.unwrap();
+        Findings {
+            events: found
+                .events()
+                .iter()
+                .map(|event| (event.event, event.state.t, event.state.v[0]))
+                .collect(),
+            samples: found.samples().iter().map(|sample| sample.q[0]).collect(),
+            last: [found.last.t, found.last.q[0], found.last.v[0]],
+            ending: format!("{:?} {:?}", found.reason, found.met),
+        }
+    }};
+}
+
+/// Asserts that members find in 4 lanes what each of them finds alone, and what `Dop853` finds up to its errors.
+macro_rules! finds_the_same {
+    ($cases:expr, $end:expr, |$case:ident| $problem:expr) => {{
+        let mut together = vec![Findings::default(); $cases.len()];
+        let problems = $cases.iter().map(|$case: &Case| $problem.save(Every(0.7)));
+        Ensemble::new(problems)
+            .lanes::<4>()
+            .solve_each($end, Taylor::new(), |index, found| {
+                together[index] = findings!(found)
+            });
+        for ($case, together) in $cases.iter().zip(&together) {
+            let one = Ensemble::new([$problem.save(Every(0.7))]).lanes::<1>();
+            one.solve_each($end, Taylor::new(), |_, found| {
+                assert_eq!(&findings!(found), together)
+            });
+            let explicit = findings!(
+                $problem.save(Every(0.7)).solve(
+                    $end,
+                    Dop853::new()
+                        .relative_tolerance(1e-13)
+                        .absolute_tolerance(1e-13)
+                )
+            );
+            assert_eq!(explicit.ending, together.ending);
+            assert_eq!(
+                explicit.events.len(),
+                together.events.len(),
+                "{explicit:?} {together:?}"
+            );
+            for (one, other) in explicit.events.iter().zip(&together.events) {
+                let distance = (one.1 - other.1).abs();
+                assert!(one.0 == other.0 && distance <= 1e-9, "{one:?} {other:?}");
+            }
+        }
+    }};
+}
+
+/// Levels far enough below the amplitude that `Dop853` locates every event.
+fn distinct_cases() -> Vec<Case> {
+    let mut all = cases(60);
+    all.retain(|case| {
+        case.model.level < 0.9 * case.amplitude && case.start.q[0] < case.model.level
+    });
+    all
+}
+
+#[test]
+fn members_find_in_lanes_what_they_find_alone() {
+    let cases = distinct_cases();
+    assert!(cases.len() > 10);
+    finds_the_same!(cases, 15.0, |case| {
+        let problem = Problem::new(&case.model, case.start);
+        problem.on(Oscillator::ABOVE).rising().record()
+    });
+    // Backwards in time.
+    finds_the_same!(cases, -15.0, |case| {
+        let problem = Problem::new(&case.model, case.start);
+        problem.on(Oscillator::ABOVE).record()
+    });
+    // A wall that reflects, and another list that watches the velocity.
+    finds_the_same!(cases, 15.0, |case| {
+        let problem = Problem::new(&case.model, case.start);
+        let wall = problem
+            .on(Oscillator::ABOVE)
+            .rising()
+            .then(|x| x.v[0] = -0.9 * x.v[0]);
+        wall.on(Oscillator::TURN).rising().record()
+    });
+    // An end at an event.
+    finds_the_same!(cases, 15.0, |case| {
+        let problem = Problem::new(&case.model, case.start);
+        let record = problem.on(Oscillator::TURN).record();
+        record.on(Oscillator::ABOVE).falling().stop()
+    });
+    // An end at a limit of steps, after another event function that is sampled.
+    finds_the_same!(cases, 15.0, |case| {
+        let problem = Problem::new(&case.model, case.start).max_steps(1000);
+        let level = case.model.level;
+        problem
+            .on(Oscillator::NEVER)
+            .record()
+            .when(move |x| x.q[0] + level)
+            .record()
+    });
+}

@@ -262,7 +262,7 @@ where
     for (lane, begun) in busy(members) {
         targets[lane] = begun.target;
         min_pivot = min_pivot.max(begun.member.min_pivot());
-        watched = watched.or(begun.member.watched_functions());
+        watched = watched.or(begun.member.deciding_functions());
     }
     loop {
         let Some((_, any)) = busy(members).next() else {

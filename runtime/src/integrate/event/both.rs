@@ -128,10 +128,14 @@ where
         step: [f64; 2],
         one_signed: OneSigned,
     ) -> bool {
-        let (first, second) = (&mut memory.first, &mut memory.second);
         // A list that has passed over the step finds nothing when the step is examined for the other one.
-        self.0.passes_over(first, dynamics, step, one_signed)
-            && self.1.passes_over(second, dynamics, step, one_signed)
+        let first = self
+            .0
+            .passes_over(&mut memory.first, dynamics, step, one_signed);
+        let second = self
+            .1
+            .passes_over(&mut memory.second, dynamics, step, one_signed);
+        first && second
     }
 
     /// Returns the events that come first. Events of both lists within the resolution of time occur together, at the

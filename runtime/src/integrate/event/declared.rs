@@ -122,13 +122,16 @@ where
     ) -> bool {
         let mut signs = [0.0; K];
         for (sign, (index, _)) in signs.iter_mut().zip(&self.events) {
-            let mut branches = dynamics.branches(*index).iter();
-            let of_event = one_signed.sign(*index);
-            let has_corner = branches.any(|branch| one_signed.sign(*branch).is_none());
-            let Some(of_event) = of_event.filter(|_| !has_corner) else {
-                memory.not_excluded = begin;
+            let Some(of_event) = one_signed.sign(*index) else {
+                if one_signed.may_have_zero(*index) {
+                    memory.not_excluded = begin;
+                }
                 return false;
             };
+            let mut branches = dynamics.branches(*index).iter();
+            if branches.any(|branch| one_signed.sign(*branch).is_none()) {
+                return false;
+            }
             *sign = of_event;
         }
         memory.is_plain_at(begin) && memory.keep_signs(signs, end)
@@ -151,7 +154,7 @@ impl<const K: usize> DeclaredEvents<K> {
         if !memory.is_plain_at(begin) || memory.not_excluded - begin == 0.0 {
             return false;
         }
-        // Without the ends there is no polynomial either, and no reason to interpolate.
+        // Without the ends there is no polynomial either, and no reason to evaluate the functions.
         let Some([from, to]) = step.ends() else {
             return false;
         };

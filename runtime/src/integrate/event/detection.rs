@@ -67,8 +67,8 @@ pub trait Detection<S: Scalar, D: Dynamics<S> + ?Sized>: Sized {
         MetConditions::default()
     }
 
-    /// Notes that the last step has ended at this time, and which event functions of the dynamics have no zero in it. Returns
-    /// false if the step has to be examined, by [`next`](Self::next) and [`holding`](Self::holding).
+    /// Notes that a step between these times was taken, in which these functions have one sign. Returns false if the step has to
+    /// be examined, by [`next`](Self::next) and [`holding`](Self::holding); lists that have passed over it then find nothing.
     fn passes_over(
         &mut self,
         memory: &mut Self::Memory,

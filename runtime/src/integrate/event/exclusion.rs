@@ -5,7 +5,7 @@
 
 use super::declared_event::DeclaredEvents;
 use super::event_dynamics::{EventDynamics, SingleNumber};
-use super::terms::Terms;
+use super::terms::{Terms, of_function};
 use crate::integrate::bernstein::as_number;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;
@@ -50,21 +50,17 @@ where
         )?;
         let length = (self.end - t) / unit;
         let accuracy = (S::machine_epsilon(), as_number(1 + 2 * HALF));
-        let terms = |index: usize| {
-            series.initial().as_ref().get(index)?;
-            let number =
-                |values: &D::Values| values.as_ref().get(index).map(|value| value.smallest());
-            let numbers = series.map(|values| number(values).unwrap_or(f64::NAN));
-            Some(Terms::new(&numbers, length, accuracy))
-        };
+        let terms =
+            |index: usize| Some(Terms::new(&of_function(&series, index)?, length, accuracy));
         let mut signs = [0.0; K];
         for ((sign, (index, _)), last) in signs.iter_mut().zip(self.events.events).zip(self.last) {
             let of_event = terms(index)?;
+            *sign = of_event.sign(MIN_REMAINING_PART)?;
             // If the last terms of a function vanish, a few terms tell nothing about the others.
-            if of_event.tail() <= of_event.rounding() || !of_event.is_near(1.0, last) {
+            let is_cut = of_event.tail() > of_event.rounding();
+            if !(is_cut && of_event.is_near(1.0, last) && *sign * last > 0.0) {
                 return None;
             }
-            *sign = of_event.sign(MIN_REMAINING_PART)?;
             for branch in self.dynamics.branches(index) {
                 terms(*branch)?.sign(MIN_REMAINING_PART)?;
             }

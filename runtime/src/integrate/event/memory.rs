@@ -32,7 +32,7 @@ pub struct Memory<V> {
     pub(super) at_event: V,
     /// For polynomials: the beginning of the present part of the step; its end if no event is left in it.
     pub(super) window: f64,
-    /// The beginning of the step of which first terms are known not to exclude events; NaN if there is none.
+    /// The beginning of the step from which the first terms of the functions do not exclude events; NaN if none is known.
     pub(super) not_excluded: f64,
     /// For polynomials: the part of the step after which the sign that follows the last root is certain.
     pub(super) resume: V,
@@ -297,9 +297,9 @@ impl<V: Values> Memory<V> {
     pub(super) fn pass_zero(&mut self, signs: V, event: usize, (t, end): (f64, f64)) {
         (self.signs, self.window) = (signs, end);
         self.arrive(end);
-        if let Some(last) = self.zero_at.as_mut_slice().get_mut(event) {
-            *last = t;
-        }
+        let mut events = MetConditions::default();
+        events.insert(event);
+        self.note_zeros(events, t);
     }
 
     /// Records that no event has occurred up to a time at which the functions have these values.

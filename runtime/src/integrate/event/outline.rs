@@ -7,7 +7,7 @@
 use super::declared_event::DeclaredEvents;
 use super::event_dynamics::{EventDynamics, SingleNumber};
 use super::simple_zero::SimpleZero;
-use super::terms::{Signs, Terms};
+use super::terms::{Signs, Terms, of_function};
 use crate::integrate::bernstein::as_number;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;
@@ -23,6 +23,32 @@ pub(super) struct Course {
     pub(super) in_middle: f64,
     /// By how much a value of the function may differ from the polynomial.
     pub(super) allowed: f64,
+}
+
+impl Course {
+    /// Before it is determined.
+    const UNKNOWN: Self = Self {
+        sign: 0.0,
+        zero: None,
+        in_middle: 0.0,
+        allowed: 0.0,
+    };
+
+    /// Returns the course of a function with these terms and this value at the end of the step.
+    fn of<const HALF: usize>(terms: &Terms<f64, HALF>, last: f64) -> Option<Self> {
+        let sign = terms.first().signum();
+        let (zero, sign_at_end) = match terms.signs(0.0)? {
+            Signs::One => (None, sign),
+            Signs::Two => (Some(SimpleZero::of(terms)?), -sign),
+        };
+        let agrees = terms.is_near(1.0, last) && last * sign_at_end > 0.0;
+        agrees.then(|| Self {
+            sign,
+            zero,
+            in_middle: terms.value(0.5),
+            allowed: terms.allowed(),
+        })
+    }
 }
 
 /// Computes the courses of the event functions from all terms of their series.
@@ -52,46 +78,21 @@ where
         unit: f64,
         motion: &TaylorCoefficients<D::State, HALF>,
     ) -> Self::Output {
-        let numbers = [t, unit].map(S::from_f64);
+        let [begin, unit_of_time] = [t, unit].map(S::from_f64);
         let series: TaylorCoefficients<_, HALF> =
-            (self.dynamics).event_series(numbers[0], self.from, numbers[1], motion)?;
+            (self.dynamics).event_series(begin, self.from, unit_of_time, motion)?;
         let length = (self.end - t) / unit;
         let accuracy = (S::machine_epsilon(), as_number(1 + 2 * HALF));
-        let coefficients = |index: usize| {
-            series.initial().as_ref().get(index)?;
-            let number =
-                |values: &D::Values| values.as_ref().get(index).map(|value| value.smallest());
-            Some(series.map(|values| number(values).unwrap_or(f64::NAN)))
-        };
-        let mut courses = [None; K];
-        for ((course, (index, _)), last) in
-            courses.iter_mut().zip(self.events.events).zip(self.last)
-        {
-            let numbers = coefficients(index)?;
-            let terms = Terms::new(&numbers, length, accuracy);
-            if !terms.is_near(1.0, last) {
-                return None;
+        let terms =
+            |index: usize| Some(Terms::new(&of_function(&series, index)?, length, accuracy));
+        let mut courses = [Course::UNKNOWN; K];
+        let watched = self.events.events.iter().zip(self.last);
+        for (course, ((index, _), last)) in courses.iter_mut().zip(watched) {
+            *course = Course::of(&terms(*index)?, last)?;
+            for branch in self.dynamics.branches(*index) {
+                terms(*branch)?.sign(0.0)?;
             }
-            let zero = match terms.signs(0.0)? {
-                Signs::One => None,
-                Signs::Two => Some(SimpleZero::of(&terms)?),
-            };
-            for branch in self.dynamics.branches(index) {
-                Terms::new(&coefficients(*branch)?, length, accuracy).sign(0.0)?;
-            }
-            *course = Some(Course {
-                sign: numbers.initial().signum(),
-                zero,
-                in_middle: terms.value(0.5),
-                allowed: terms.allowed(),
-            });
         }
-        let known = Course {
-            sign: 0.0,
-            zero: None,
-            in_middle: 0.0,
-            allowed: 0.0,
-        };
-        Some(courses.map(|course| course.unwrap_or(known)))
+        Some(courses)
     }
 }

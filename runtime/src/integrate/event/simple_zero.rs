@@ -1,7 +1,9 @@
 //! The only zero of a polynomial in the unit interval.
 
 use super::terms::Terms;
-use crate::limits::events::{LAST_NEWTON_STEP, MAX_ZERO_WIDTH, NEWTON_STEPS};
+use crate::limits::events::{
+    LAST_NEWTON_STEP, MAX_NEWTON_STEPS, MAX_ZERO_WIDTH, ROUNDINGS_AT_ZERO,
+};
 
 /// A simple zero, on both sides of which the signs are certain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,6 +14,8 @@ pub(super) struct SimpleZero {
     pub(super) slope: f64,
     /// The fraction from which on the sign behind it is certain.
     pub(super) until: f64,
+    /// The effect of rounding on the function.
+    noise: f64,
 }
 
 impl SimpleZero {
@@ -25,13 +29,23 @@ impl SimpleZero {
             at,
             slope: slope.abs(),
             until: (at + width).min(1.0),
+            noise: 0.0,
         })
     }
 
-    /// Returns the zero of a function that may be shifted by this value.
-    pub(super) fn shifted_by(self, noise: f64) -> Self {
+    /// Returns the zero of a function whose values have rounding errors of this size.
+    pub(super) fn with_noise(self, noise: f64) -> Self {
         let until = (self.until + 2.0 * noise / self.slope).min(1.0);
-        Self { until, ..self }
+        Self {
+            until,
+            noise,
+            ..self
+        }
+    }
+
+    /// Whether a value of the function differs from zero by no more than rounding errors of the value and of its argument.
+    pub(super) fn is_reached_by(&self, value: f64) -> bool {
+        value.abs() <= ROUNDINGS_AT_ZERO * (self.noise + f64::EPSILON * self.slope)
     }
 }
 
@@ -41,7 +55,7 @@ fn newton<const HALF: usize>(terms: &Terms<f64, HALF>) -> (f64, f64) {
     let (mut low, mut high) = (0.0, 1.0);
     let (first, last) = (terms.first(), terms.value(1.0));
     let (mut u, mut slope) = (first / (first - last), last - first);
-    for _ in 0..NEWTON_STEPS {
+    for _ in 0..MAX_NEWTON_STEPS {
         let value = terms.value(u);
         if value * first > 0.0 {
             low = u;

@@ -102,6 +102,20 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
     }
 }
 
+/// Returns the coefficients of the function with an index; `None` if there is no such function.
+pub(super) fn of_function<S, V, const HALF: usize>(
+    series: &TaylorCoefficients<V, HALF>,
+    index: usize,
+) -> Option<TaylorCoefficients<f64, HALF>>
+where
+    S: Scalar,
+    V: AsRef<[S]> + Clone,
+{
+    series.initial().as_ref().get(index)?;
+    let number = |values: &V| values.as_ref().get(index).map(|value| value.smallest());
+    Some(series.map(|values| number(values).unwrap_or(f64::NAN)))
+}
+
 /// The signs of a function in a step, if no error of a coefficient changes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Signs {
@@ -148,13 +162,13 @@ impl<const HALF: usize> Terms<f64, HALF> {
 }
 
 impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
-    /// Returns the lanes in which the function has the sign of its first term in the whole step, as
-    /// [`sign`](Terms::sign) says.
+    /// Returns the sign that the function has in the whole step of each lane, as [`sign`](Terms::sign) does; 0 if it is not
+    /// certain.
     #[inline]
-    pub(crate) fn keep_sign(&self, kept: f64) -> [bool; L] {
+    pub(crate) fn sign_of_lanes(&self, kept: f64) -> [f64; L] {
         let margin = self.margin(kept);
         if margin.0.iter().all(|margin| *margin > 0.0) {
-            return [true; L];
+            return self.first.0.map(f64::signum);
         }
         let mut all = [self.first; 1 + 2 * LEADING_HALF_ORDER];
         for (place, term) in all.iter_mut().skip(1).zip(self.higher.as_flattened()) {
@@ -164,13 +178,14 @@ impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
         let least = self.least(kept);
         core::array::from_fn(|lane| {
             let (sign, least) = (self.first.0[lane].signum(), least.0[lane]);
-            margin.0[lane] > 0.0 || all.iter().all(|value| value.0[lane] * sign > least)
+            let keeps =
+                margin.0[lane] > 0.0 || all.iter().all(|value| value.0[lane] * sign > least);
+            if keeps { sign } else { 0.0 }
         })
     }
 }
 
-/// Returns the signs of numbers of which the first one exceeds `least`, if they change at most once whatever errors of this
-/// size they have.
+/// Returns the signs of numbers that begin above `least`, if they change at most once whatever errors of this size they have.
 fn signs(values: &[f64], least: f64) -> Option<Signs> {
     // The comparisons are false for NaN.
     let positive = values.iter().take_while(|value| **value > least).count();
@@ -180,8 +195,9 @@ fn signs(values: &[f64], least: f64) -> Option<Signs> {
     let rest = values.get(positive..)?.iter().rev();
     let negative = rest.take_while(|value| **value < -least).count();
     let between = values.get(positive..values.len() - negative)?;
-    let are_uncertain = between.iter().all(|value| value.abs() <= least);
-    (positive > 0 && negative > 0 && are_uncertain).then_some(Signs::Two)
+    // One number between them adds no change, whatever its sign.
+    let adds_none = between.len() <= 1 && between.iter().all(|value| value.abs() <= least);
+    (positive > 0 && negative > 0 && adds_none).then_some(Signs::Two)
 }
 
 #[cfg(test)]
@@ -189,18 +205,19 @@ mod tests {
     use super::{Signs, signs};
 
     #[test]
-    fn uncertain_numbers_are_allowed_at_the_change_alone() {
+    fn one_uncertain_number_is_allowed_at_the_change() {
         let signs = |values: &[f64]| signs(values, 0.5);
         assert_eq!(signs(&[2.0, 1.0, 3.0]), Some(Signs::One));
         assert_eq!(signs(&[2.0, 1.0, -1.0, -3.0]), Some(Signs::Two));
-        assert_eq!(signs(&[2.0, 0.1, -0.2, -3.0]), Some(Signs::Two));
+        assert_eq!(signs(&[2.0, 0.1, -3.0]), Some(Signs::Two));
         for uncertain in [
+            [2.0, 0.1, -0.2, -3.0],
+            [2.0, f64::NAN, -1.0, -3.0],
             [2.0, 0.1, 1.0, -3.0],
             [2.0, -1.0, 0.1, -3.0],
             [0.1, -1.0, -2.0, -3.0],
             [2.0, 1.0, 1.0, -0.2],
             [2.0, -1.0, 1.0, -3.0],
-            [2.0, f64::NAN, -1.0, -3.0],
             [2.0, 1.0, 1.0, f64::NAN],
         ] {
             assert_eq!(signs(&uncertain), None, "{uncertain:?}");

@@ -168,13 +168,20 @@ where
         self.outcome.last = At { t, x };
     }
 
-    /// Returns the event functions of the dynamics that are watched.
-    pub(crate) fn watched_functions(&self) -> MetConditions {
-        self.driver.conditions.watched_functions(&self.dynamics)
+    /// Whether each step is seen by an observer or by what is kept.
+    const EXAMINES_EACH_STEP: bool = O::COUNT > 0 || K::READS_STEPS;
+
+    /// Returns the event functions of the dynamics that decide whether a step has to be examined.
+    pub(crate) fn deciding_functions(&self) -> MetConditions {
+        if Self::EXAMINES_EACH_STEP {
+            MetConditions::default()
+        } else {
+            self.driver.conditions.watched_functions(&self.dynamics)
+        }
     }
 
-    /// Whether neither a step between these times nor its end has to be examined, after this number of attempted steps, in
-    /// which these event functions have no zero. The conditions then know that the step has been taken.
+    /// Whether neither a step between these times, in which these event functions have one sign, nor its end has to be
+    /// examined. The conditions then know that the step was taken. `attempts` is the number of steps attempted so far.
     #[inline]
     pub(crate) fn passes_over(
         &mut self,
@@ -184,8 +191,7 @@ where
     ) -> bool {
         let [_, time] = step;
         let LoopState { end, update, .. } = self.state;
-        let is_asked = O::COUNT > 0 || K::READS_STEPS;
-        !is_asked
+        !Self::EXAMINES_EACH_STEP
             && time - end != 0.0
             && update.is_none_or(|update| time - update != 0.0)
             && !self

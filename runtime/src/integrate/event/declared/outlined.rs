@@ -42,34 +42,44 @@ impl<const K: usize> DeclaredEvents<K> {
         };
         let courses = step.polynomial(outline)??;
         let signs = courses.map(|course| course.sign);
-        if !memory.agrees_with(&signs) {
+        if !memory.agrees_with(&signs) || !self.agrees_in_middle(step, &courses) {
             return None;
         }
         let mut zeros = (0..K).filter_map(|event| Some((event, courses[event].zero?)));
         match (zeros.next(), zeros.next()) {
-            (None, _) => {
-                let middle = step.at(step.begin() + 0.5 * (end - step.begin()));
-                let values = self.values(dynamics, middle.t, &middle.x);
-                let is_near = |(value, course): (&f64, &Course)| {
-                    (value - course.in_middle).abs() <= course.allowed
-                };
-                let agree = values.iter().zip(&courses).all(is_near);
-                (agree && memory.keep_signs(signs, end)).then_some(None)
-            }
+            (None, _) => memory.keep_signs(signs, end).then_some(None),
             // The zero of a function that is not certain at the end of the step may be a rounding error. Functions of a scalar
             // with other digits are searched.
             (Some((event, zero)), None) if S::machine_epsilon() - f64::EPSILON == 0.0 => {
+                let [_, to] = step.ends()?;
                 let noise = rounding(self, dynamics, (end, to), &last)[event];
                 let is_certain = last[event].abs() > 2.0 * noise;
-                let zero = is_certain.then(|| zero.shifted_by(noise))?;
-                self.at_zero(memory, step, (event, zero), (&courses, last))
+                let zero = is_certain.then(|| zero.with_noise(noise))?;
+                self.with_zero(memory, step, (event, zero), (&courses, last))
             }
             _ => None,
         }
     }
 
+    /// Whether the functions agree with their polynomials in the middle of a step.
+    fn agrees_in_middle<S, D, T>(
+        &mut self,
+        step: &mut LastStep<'_, S, D, T>,
+        courses: &[Course; K],
+    ) -> bool
+    where
+        S: SingleNumber,
+        D: EventDynamics<S> + ?Sized,
+        T: Advance<S, D>,
+    {
+        let middle = step.at(step.begin() + 0.5 * (step.end() - step.begin()));
+        let values = self.values(step.dynamics(), middle.t, &middle.x);
+        let mut pairs = values.iter().zip(courses);
+        pairs.all(|(value, course)| (value - course.in_middle).abs() <= course.allowed)
+    }
+
     /// Returns what is known of a step with one zero, of the function of this event.
-    fn at_zero<S, D, T>(
+    fn with_zero<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
         step: &mut LastStep<'_, S, D, T>,
@@ -138,6 +148,9 @@ impl<const K: usize> DeclaredEvents<K> {
         let time = window.time(at);
         if time - found.0 != 0.0 {
             found = evaluated(self, time);
+        }
+        if !zero.is_reached_by(found.1[event]) {
+            return None;
         }
         if before * found.1[event] > 0.0 {
             let root = Root {

@@ -43,13 +43,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
 /// value at the end.
 #[inline]
 fn signs<const L: usize>(terms: &Terms<Lanes<L>, LEADING_HALF_ORDER>, last: Lanes<L>) -> [f64; L] {
-    let keep = terms.keep_sign(MIN_REMAINING_PART);
+    let signs = terms.sign_of_lanes(MIN_REMAINING_PART);
     let difference = terms.difference(Lanes([1.0; L]), last);
     // If the last terms of a function vanish, a few terms tell nothing about the others.
     let excess = terms.tail() - terms.rounding();
     core::array::from_fn(|lane| {
-        if keep[lane] && excess.0[lane] > 0.0 && difference.0[lane] <= 0.0 {
-            last.0[lane].signum()
+        let agrees = difference.0[lane] <= 0.0 && signs[lane] * last.0[lane] > 0.0;
+        if agrees && excess.0[lane] > 0.0 {
+            signs[lane]
         } else {
             0.0
         }
