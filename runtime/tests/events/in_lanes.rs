@@ -260,7 +260,7 @@ fn members_find_in_lanes_what_they_find_alone() {
         let wall = problem
             .on(Oscillator::ABOVE)
             .rising()
-            .then(|x| x.v[0] = -0.9 * x.v[0]);
+            .then(|x| x.v[0] *= -0.9);
         wall.on(Oscillator::TURN).rising().record()
     });
     // An end at an event.
