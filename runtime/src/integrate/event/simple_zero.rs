@@ -43,9 +43,11 @@ impl SimpleZero {
         }
     }
 
-    /// Whether a value of the function differs from zero by no more than rounding errors of the value and of its argument.
-    pub(super) fn is_reached_by(&self, value: f64) -> bool {
-        value.abs() <= ROUNDINGS_AT_ZERO * (self.noise + f64::EPSILON * self.slope)
+    /// Whether a value of the function differs from zero by no more than rounding errors of the value, of a fraction of the step,
+    /// and of a time, which is given in steps.
+    pub(super) fn is_reached_by(&self, value: f64, steps: f64) -> bool {
+        let rounding = f64::EPSILON * (1.0 + steps.abs());
+        value.abs() <= ROUNDINGS_AT_ZERO * (self.noise + rounding * self.slope)
     }
 }
 

@@ -149,7 +149,8 @@ impl<const K: usize> DeclaredEvents<K> {
         if time - found.0 != 0.0 {
             found = evaluated(self, time);
         }
-        if !zero.is_reached_by(found.1[event]) {
+        let steps = found.0 / (window.end - window.begin);
+        if !zero.is_reached_by(found.1[event], steps) {
             return None;
         }
         if before * found.1[event] > 0.0 {
