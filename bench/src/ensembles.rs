@@ -19,7 +19,7 @@
 //! of our methods is compared with the best of heyoka's.
 //!
 //! Then our best one is measured against itself: with a declared event that occurs again and again and is recorded, and with one that
-//! never occurs. At last the clock tells how many motions a study on two threads completes in a second, in turn with two
+//! never occurs. Finally, the clock tells how many motions a study on two threads completes in a second, in turn with two
 //! processes of one core each that integrate the same members at the same time ([`threads`]).
 
 mod errors;

@@ -47,8 +47,8 @@ impl Chunks {
 
 /// Where workers take chunks from.
 pub(crate) trait Source: Sync {
-    /// Takes the next chunk; returns its place in the order of delivery, and its number.
-    fn take(&self) -> Option<(usize, usize)>;
+    /// Takes the next chunk, and returns its number.
+    fn take(&self) -> Option<usize>;
 
     /// Tells that a worker takes no more.
     fn leave(&self) {}
@@ -71,9 +71,9 @@ impl AllChunks {
 }
 
 impl Source for AllChunks {
-    fn take(&self) -> Option<(usize, usize)> {
+    fn take(&self) -> Option<usize> {
         let chunk = self.next.fetch_add(1, Ordering::Relaxed);
-        (chunk < self.count).then_some((chunk, chunk))
+        (chunk < self.count).then_some(chunk)
     }
 }
 
@@ -102,8 +102,8 @@ impl Queue {
 
 #[cfg(feature = "parquet")]
 impl Source for Queue {
-    fn take(&self) -> Option<(usize, usize)> {
+    fn take(&self) -> Option<usize> {
         let place = self.next.fetch_add(1, Ordering::Relaxed);
-        self.chunks.get(place).map(|chunk| (place, *chunk))
+        self.chunks.get(place).copied()
     }
 }

@@ -7,16 +7,16 @@ use crate::workers::lock;
 
 /// Takes what is kept of the chunks, as soon as each is finished, on all threads.
 pub(crate) trait Collector<P>: Sync {
-    /// Takes what is kept of a chunk; `place` is its place in the order in which chunks are begun.
-    fn collect(&self, place: usize, chunk: usize, part: P);
+    /// Takes what is kept of the chunk with this number.
+    fn collect(&self, chunk: usize, part: P);
 }
 
 /// Collects nothing: what is kept has been stored already.
 impl Collector<()> for () {
-    fn collect(&self, _: usize, _: usize, (): ()) {}
+    fn collect(&self, _: usize, (): ()) {}
 }
 
-/// Passes on the parts in the order of their places; parts whose turn has not come wait.
+/// Passes on the parts of all chunks in the order of their numbers; parts whose turn has not come wait.
 pub(crate) struct InOrder<P, F>(Mutex<Waiting<P, F>>);
 
 struct Waiting<P, F> {
@@ -36,9 +36,9 @@ impl<P, F: FnMut(P)> InOrder<P, F> {
 }
 
 impl<P: Send, F: FnMut(P) + Send> Collector<P> for InOrder<P, F> {
-    fn collect(&self, place: usize, _: usize, part: P) {
+    fn collect(&self, chunk: usize, part: P) {
         let Waiting { next, parts, pass } = &mut *lock(&self.0);
-        parts.insert(place, part);
+        parts.insert(chunk, part);
         while let Some(part) = parts.remove(next) {
             pass(part);
             *next += 1;

@@ -1,5 +1,5 @@
-//! The standard normal distribution, with the same bits on every machine: logarithms and error functions are those of the
-//! crate `libm`, and not of the platform.
+//! The standard normal distribution, with the same bits on every machine: the crate `libm` computes logarithms and error
+//! functions, and not the platform, as it does for `statrs`.
 //!
 //! M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", Applied Statistics 37 (1988), the
 //! routine `PPND16`: about 1 part in 10¹⁶.

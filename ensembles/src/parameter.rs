@@ -39,7 +39,7 @@ impl Parameter {
     }
 
     /// Creates a parameter with any continuous distribution of the crate [`statrs`]. Its quantiles may differ in their last
-    /// digits from one platform to another, where those of uniform and normal distributions do not.
+    /// digits from one platform to another; the quantiles of [`uniform`](Self::uniform) and [`normal`](Self::normal) do not.
     ///
     /// ```
     /// use lagrangian_ensembles::{Parameter, statrs::distribution::LogNormal};

@@ -67,7 +67,7 @@ impl Ranks {
             let (message, _) = rank.receive::<u64>();
             if message == WANTS_CHUNK {
                 let chunk = (!is_stopped.load(Ordering::Relaxed)).then(|| queue.take());
-                let chunk = chunk.flatten().map_or(NO_CHUNK, |(_, chunk)| chunk as u64);
+                let chunk = chunk.flatten().map_or(NO_CHUNK, |chunk| chunk as u64);
                 rank.send(&chunk);
             } else {
                 others -= 1;
@@ -147,12 +147,10 @@ impl Requests {
 }
 
 impl Source for Requests {
-    /// The place is the number of the chunk: what is delivered on ranks has no order.
-    fn take(&self) -> Option<(usize, usize)> {
+    fn take(&self) -> Option<usize> {
         let (sender, answer) = mpsc::channel();
         self.send(Request::Chunk(sender));
-        let chunk = answer.recv().ok().flatten()?;
-        Some((chunk, chunk))
+        answer.recv().ok().flatten()
     }
 
     fn leave(&self) {

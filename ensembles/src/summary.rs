@@ -79,7 +79,7 @@ impl Summary {
         self.first_failures.extend(failures.cloned());
     }
 
-    /// Merges the statistics of members with those of members that come after them.
+    /// Appends the statistics of later members.
     pub(crate) fn merged(mut self, other: Self) -> Self {
         for (column, other) in self.columns.iter_mut().zip(other.columns) {
             column.merge(other);

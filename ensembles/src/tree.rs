@@ -71,7 +71,7 @@ impl<P, F: Fn(P, P) -> P> Tree<P, F> {
 }
 
 impl<P: Send, F: Fn(P, P) -> P + Sync> Collector<P> for Tree<P, F> {
-    fn collect(&self, _: usize, chunk: usize, part: P) {
+    fn collect(&self, chunk: usize, part: P) {
         self.add(chunk, part);
     }
 }

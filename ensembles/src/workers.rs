@@ -104,8 +104,8 @@ impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
                 return None;
             }
             open.borrow_mut().next_index(|| {
-                let (place, chunk) = self.source.take()?;
-                Some((place, chunk, self.chunks.range(chunk)))
+                let chunk = self.source.take()?;
+                Some((chunk, self.chunks.range(chunk)))
             })
         });
         self.members.integrate(indices, |position, found| {
@@ -135,7 +135,7 @@ impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
             are_complete,
         };
         match self.sink.part(chunk.number, entries) {
-            Ok(part) => shared.collector.collect(chunk.place, chunk.number, part),
+            Ok(part) => shared.collector.collect(chunk.number, part),
             Err(error) => {
                 shared.is_stopped.store(true, Ordering::Relaxed);
                 lock(&shared.error).get_or_insert(error);
@@ -170,8 +170,6 @@ impl<E> Default for OpenChunks<E> {
 }
 
 struct OpenChunk<E> {
-    /// The place in the queue.
-    place: usize,
     number: usize,
     range: Range<usize>,
     /// The position of the first member among all members that the thread has begun.
@@ -191,14 +189,13 @@ impl<E> OpenChunks<E> {
     /// Returns the index of the next member, from a new chunk if all members of the last one are begun.
     fn next_index(
         &mut self,
-        take: impl FnOnce() -> Option<(usize, usize, Range<usize>)>,
+        take: impl FnOnce() -> Option<(usize, Range<usize>)>,
     ) -> Option<usize> {
         // The last chunk may have ended before an earlier one.
         let is_begun = |chunk: &OpenChunk<E>| chunk.entries.len() == chunk.range.len();
         if self.chunks.back().is_none_or(is_begun) {
-            let (place, number, range) = take()?;
+            let (number, range) = take()?;
             self.chunks.push_back(OpenChunk {
-                place,
                 number,
                 position: self.begun,
                 entries: Vec::new(),

@@ -221,7 +221,7 @@ fn cancelled_studies() {
     }
 }
 
-/// Memory is taken for members that have begun, and not for those of a whole chunk or for all chunks.
+/// Only members that have begun take memory, not a whole chunk or all chunks.
 #[test]
 fn studies_of_more_members_than_fit_into_memory() {
     for chunk in [None, Some(usize::MAX), Some(1)] {

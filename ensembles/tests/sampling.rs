@@ -94,9 +94,9 @@ fn digits(number: f64) -> u64 {
     (number * 2.0_f64.powi(52)) as u64
 }
 
-/// Without the digital shift, which is member 0, the numbers are those of Joe and Kuo, in the order of Antonov and Saleev:
-/// `scipy.stats.qmc.Sobol(5, scramble=False, bits=52).random(1024)` of `SciPy` 1.17.1, members 0 to 7, 1000 and 1023. The first
-/// three columns are also in the output of `sobol.cc`, which Joe and Kuo publish with their direction numbers.
+/// Without the digital shift, which is member 0, the sequence is by the direction numbers of Joe and Kuo, in the order of Antonov
+/// and Saleev. The expected values are `scipy.stats.qmc.Sobol(5, scramble=False, bits=52).random(1024)` of `SciPy` 1.17.1,
+/// members 0 to 7, 1000 and 1023. The first three columns are also in the output of `sobol.cc`, which Joe and Kuo publish with their direction numbers.
 #[test]
 fn a_sobol_sequence_has_the_numbers_of_joe_and_kuo() {
     let expected = [
@@ -141,7 +141,7 @@ fn a_sobol_sequence_has_the_numbers_of_joe_and_kuo() {
     }
 }
 
-/// Without the shift, the numbers are those of `scipy.stats.qmc.Halton(3, scramble=False).random(9)` of `SciPy` 1.17.1, from
+/// Without the shift, the sequence is `scipy.stats.qmc.Halton(3, scramble=False).random(9)` of `SciPy` 1.17.1, from
 /// the second one: its first is zero.
 #[test]
 #[allow(clippy::unreadable_literal)] // As they are printed.

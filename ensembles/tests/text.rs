@@ -5,24 +5,19 @@ use std::fs;
 
 use lagrangian::prelude::*;
 use lagrangian_ensembles::{Axis, Column, Grid, Study};
+use lagrangian_models::SimplePendulum;
 use tempfile::TempDir;
 
-#[derive(Lagrangian, Clone, Debug)]
-#[lagrangian(
-    taylor,
-    coordinates(theta),
-    kinetic = 0.5 * dot(theta).powi(2),
-    potential = -g * cos(theta),
-)]
-struct Pendulum {
-    g: f64,
-}
+const PENDULUM: SimplePendulum = SimplePendulum {
+    m: 1.0,
+    l: 1.0,
+    g: 9.81,
+};
 
 #[test]
 fn tables_as_text() {
     let starts = Grid::new([Axis::listed("theta", [0.5, f64::NAN]).unit("rad")]);
-    let problem =
-        |[theta]: [f64; 1]| Problem::new(Pendulum { g: 9.81 }, State::new(0.0, [theta], [0.0]));
+    let problem = |[theta]: [f64; 1]| Problem::new(PENDULUM, State::new(0.0, [theta], [0.0]));
     let study = Study::new(starts, problem, 0.0, Taylor::new());
     let column = Column::new("end, of all").unit("rad");
     let table = study.table([column], |motion| [motion.q[0]]).unwrap();

@@ -7,7 +7,8 @@ use crate::contest::Entry;
 use crate::contestant::Contestant;
 use crate::verdict::Verdict;
 
-/// For so many seconds, or a whole ensemble, motions are counted: short enough for moments in which the machine is quiet.
+/// The seconds for which motions are counted, at least one whole ensemble: short enough for moments in which the machine is
+/// quiet.
 const COUNTED: f64 = 0.5;
 
 /// The part of the motions of two processes that two threads may miss.
@@ -27,7 +28,7 @@ struct Fastest {
 impl Sheet {
     /// How many motions our best method completes in a second by the clock: in one process, in two at the same time, and
     /// in a study on two threads. They are measured in turn, and the fastest round of each counts. All keep the final
-    /// states, and those of the study are the same to the last bit.
+    /// states, which have the same bits.
     pub(super) fn by_the_clock(
         &mut self,
         best: &Tuned,

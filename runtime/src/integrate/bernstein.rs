@@ -1,7 +1,5 @@
 //! The Bernstein form of a polynomial on an interval, and the changes of sign in it.
 
-use core::ops::{AddAssign, Div, Mul, MulAssign};
-
 use crate::scalar::Scalar;
 
 /// Bound on the rounding errors of a coefficient, in machine epsilons times the number of terms, relative to the sum of
@@ -9,12 +7,10 @@ use crate::scalar::Scalar;
 pub(crate) const ROUNDINGS: f64 = 4.0;
 
 /// Replaces the coefficients of p by bᵢ = Σ C(i, k)/C(n, k) cₖ, where p(a + (b − a) s) = Σ cₖ sᵏ.
-pub(crate) fn between<T>(all: &mut [T], a: f64, b: f64)
-where
-    T: Copy + From<f64> + AddAssign + Mul<Output = T> + MulAssign + Div<Output = T>,
-{
+#[inline]
+pub(crate) fn between<S: Scalar>(all: &mut [S], a: f64, b: f64) {
     let degree = all.len().saturating_sub(1);
-    let (shift, width) = (T::from(a), T::from(b - a));
+    let (shift, width) = (S::from_f64(a), S::from_f64(b - a));
     if a != 0.0 {
         for i in 0..degree {
             for j in (i..degree).rev() {
@@ -24,9 +20,10 @@ where
         }
     }
     // (b − a)ᵏ/C(n, k).
-    let mut factor = T::from(1.0);
+    let mut factor = S::one();
     for (k, coefficient) in all.iter_mut().enumerate().skip(1) {
-        factor = factor * width * T::from(as_number(k)) / T::from(as_number(degree + 1 - k));
+        let [k, rest] = [k, degree + 1 - k].map(|number| S::from_f64(as_number(number)));
+        factor = factor * width * k / rest;
         *coefficient *= factor;
     }
     add_lower(all);
@@ -34,7 +31,7 @@ where
 
 /// Adds to each number the lower one, as often as its index says.
 #[inline]
-fn add_lower<T: Copy + AddAssign>(all: &mut [T]) {
+fn add_lower<S: Scalar>(all: &mut [S]) {
     for i in 1..all.len() {
         let mut lower = all[i - 1];
         for place in &mut all[i..] {
@@ -43,17 +40,6 @@ fn add_lower<T: Copy + AddAssign>(all: &mut [T]) {
             lower = present;
         }
     }
-}
-
-/// Replaces the coefficients of p by its Bernstein coefficients on the unit interval, as [`between`] 0 and 1 does.
-#[inline]
-pub(crate) fn on_unit_interval<S: Scalar, const COUNT: usize>(all: &mut [S; COUNT]) {
-    let mut factor = 1.0;
-    for (k, coefficient) in all.iter_mut().enumerate().skip(1) {
-        factor = factor * as_number(k) / as_number(COUNT - k);
-        *coefficient *= S::from_f64(factor);
-    }
-    add_lower(all);
 }
 
 /// The sign changes of a sequence.

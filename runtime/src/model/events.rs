@@ -34,10 +34,11 @@ pub trait Events<const N: usize, S: Scalar = f64>: Quantities<N, S> {
         prepared: &Self::Prepared,
     ) -> Self::EventValues;
 
-    /// The Taylor coefficients of the event functions along a motion through a state, up to an order that the coefficients of the
-    /// motion have, in their unit of time; the motion's coefficient of order 0 is not read. The inputs are u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has
-    /// the coefficients of order 0, 1, …; those that it does not have are 0. `None` where they are not known: without the clause
-    /// `taylor`, or where an event depends on an external function without series.
+    /// The Taylor coefficients of the event functions along a motion through a state, up to an order that the coefficients of
+    /// the motion have, in their unit of time; the motion's coefficient of order 0 is not read. The inputs are
+    /// u(t + τ·unit) = Σ uₖ τᵏ, of which `inputs` has the coefficients of order 0, 1, …; those that it does not have are 0.
+    /// `None` where they are not known: without the clause `taylor`, or where an event depends on an external function without
+    /// series.
     fn event_series<const HALF: usize, const OF_MOTION: usize>(
         &self,
         state: &State<S, N>,

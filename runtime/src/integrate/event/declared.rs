@@ -4,12 +4,13 @@
 //! missed. For other methods the functions are sampled.
 
 mod first_root;
+mod isolated;
 mod next_roots;
-mod outlined;
 
 use super::declared_event::DeclaredEvents;
 use super::event_functions::{EventFunctions, detection_by_functions};
 use super::exclusion::Exclusion;
+use super::functions_in_step::FunctionsInStep;
 use super::junction::rounding;
 use super::memory::Memory;
 use super::polynomial::Polynomial;
@@ -69,14 +70,14 @@ where
                 (memory.resume, memory.ahead) = ([0.0; K], [0.0; K]);
             }
             if !step.comes_before(memory.window, step.end()) {
-                // Nothing is left in a step that has been outlined.
+                // No event is left in the step.
                 memory.arrive(step.end());
                 return None;
             }
             if self.excludes_events(memory, step) {
                 return None;
             }
-            if let Some(known) = self.outlined(memory, step) {
+            if let Some(known) = self.isolated(memory, step) {
                 return known;
             }
             let Some((window, polynomials)) = self.window(memory.window, step) else {
@@ -150,24 +151,35 @@ impl<const K: usize> DeclaredEvents<K> {
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        let (begin, end, dynamics) = (step.begin(), step.end(), step.dynamics());
+        let begin = step.begin();
         if !memory.is_plain_at(begin) || memory.not_excluded - begin == 0.0 {
             return false;
         }
-        // Without the ends there is no polynomial either, and no reason to evaluate the functions.
-        let Some([from, to]) = step.ends() else {
-            return false;
-        };
+        let functions = self.functions_in(step);
+        let signs = functions.and_then(|functions| step.polynomial(Exclusion(functions))?);
+        signs.is_some_and(|signs| memory.keep_signs(signs, step.end()))
+    }
+
+    /// Returns the functions in a step; `None` if its ends are not known, since there is no polynomial then.
+    fn functions_in<'a, S, D, T>(
+        &'a mut self,
+        step: &'a LastStep<'_, S, D, T>,
+    ) -> Option<FunctionsInStep<'a, D, D::State, K>>
+    where
+        S: SingleNumber,
+        D: EventDynamics<S> + ?Sized,
+        T: Advance<S, D>,
+    {
+        let [from, to] = step.ends()?;
+        let (end, dynamics) = (step.end(), step.dynamics());
         let last = self.values(dynamics, end, to);
-        let exclusion = Exclusion {
+        Some(FunctionsInStep {
             events: self,
             dynamics,
             from,
             end,
             last,
-        };
-        let signs = step.polynomial(exclusion).flatten();
-        signs.is_some_and(|signs| memory.keep_signs(signs, end))
+        })
     }
 
     /// Returns the window that begins at a time, with the polynomials of the event functions; `None` if they have no

@@ -43,10 +43,10 @@ impl SimpleZero {
         }
     }
 
-    /// Whether a value of the function differs from zero by no more than rounding errors of the value, of a fraction of the step,
-    /// and of a time, which is given in steps.
-    pub(super) fn is_reached_by(&self, value: f64, steps: f64) -> bool {
-        let rounding = f64::EPSILON * (1.0 + steps.abs());
+    /// Whether a value of the function near the zero is a rounding error: of the value, of a fraction of the step, or of a time,
+    /// which is given in steps.
+    pub(super) fn is_rounding_error(&self, value: f64, time: f64) -> bool {
+        let rounding = f64::EPSILON * (1.0 + time.abs());
         value.abs() <= ROUNDINGS_AT_ZERO * (self.noise + rounding * self.slope)
     }
 }
@@ -83,7 +83,7 @@ fn newton<const HALF: usize>(terms: &Terms<f64, HALF>) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::SimpleZero;
-    use crate::integrate::event::terms::{Signs, Terms};
+    use crate::integrate::event::terms::Terms;
     use crate::integrate::taylor::TaylorCoefficients;
 
     /// The zero of a polynomial of order 4, of which all further terms vanish.
@@ -92,8 +92,7 @@ mod tests {
         *series.initial_mut() = coefficients[0];
         series.higher_mut()[..4].copy_from_slice(&coefficients[1..]);
         let terms = Terms::new(&series, length, (f64::EPSILON, 7.0));
-        let signs = terms.signs(0.0);
-        (signs == Some(Signs::Two)).then(|| SimpleZero::of(&terms))?
+        (terms.sign_changes(0.0) == Some(1)).then(|| SimpleZero::of(&terms))?
     }
 
     #[test]

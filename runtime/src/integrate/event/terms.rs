@@ -4,7 +4,7 @@
 //! Bernstein coefficient (G. T. Cargo & O. Shisha, *The Bernstein form of a polynomial*, J. Res. Nat. Bur. Standards
 //! **70B** (1966) 79–81).
 
-use crate::integrate::bernstein::{self, ROUNDINGS, as_number};
+use crate::integrate::bernstein::{self, ROUNDINGS, Variations, as_number};
 use crate::integrate::taylor::TaylorCoefficients;
 use crate::limits::events::{LEADING_HALF_ORDER, MAX_COEFFICIENTS, NEAR, UNCERTAINTY};
 use crate::scalar::{Lanes, Scalar};
@@ -88,6 +88,15 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
         terms.fold(S::zero(), |sum, a| (sum + *a) * u) + self.first
     }
 
+    /// Copies all terms.
+    #[inline]
+    fn copy_to(&self, all: &mut [S]) {
+        let terms = core::iter::once(&self.first).chain(self.higher.as_flattened());
+        for (place, term) in all.iter_mut().zip(terms) {
+            *place = *term;
+        }
+    }
+
     /// Returns by how much a value of the function may differ from the polynomial: further terms and a small part of the terms.
     #[inline]
     pub(super) fn allowed(&self) -> S {
@@ -102,51 +111,27 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
     }
 }
 
-/// Returns the coefficients of the function with an index; `None` if there is no such function.
-pub(super) fn of_function<S, V, const HALF: usize>(
-    series: &TaylorCoefficients<V, HALF>,
-    index: usize,
-) -> Option<TaylorCoefficients<f64, HALF>>
-where
-    S: Scalar,
-    V: AsRef<[S]> + Clone,
-{
-    series.initial().as_ref().get(index)?;
-    let number = |values: &V| values.as_ref().get(index).map(|value| value.smallest());
-    Some(series.map(|values| number(values).unwrap_or(f64::NAN)))
-}
-
-/// The signs of a function in a step, if no error of a coefficient changes them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Signs {
-    /// The function has the sign of its first term in the whole step.
-    One,
-    /// The function has the sign of its first term up to the only zero in the step, and then the opposite one.
-    Two,
-}
-
 impl<const HALF: usize> Terms<f64, HALF> {
-    /// Returns the signs in the step, by the enclosure of the polynomial, which has to keep this part of the first term away
-    /// from zero; `None` if they are not certain.
-    pub(super) fn signs(&self, kept: f64) -> Option<Signs> {
+    /// Returns the number of sign changes of the Bernstein coefficients on the step, if they are certain and keep this part of
+    /// the first term away from zero. If it is 0, the function keeps its sign in the step; if it is 1, it has one zero there
+    /// (Descartes' rule of signs: G. E. Collins & A. G. Akritas, *Polynomial Real Root Isolation Using Descarte's Rule of
+    /// Signs*, SYMSAC 1976).
+    pub(super) fn sign_changes(&self, kept: f64) -> Option<u32> {
         if self.margin(kept) > 0.0 {
-            return Some(Signs::One);
+            return Some(0);
         }
-        let (least, sign) = (self.least(kept), self.first.signum());
         let mut all = [0.0; MAX_COEFFICIENTS];
         let all = all.get_mut(..=2 * HALF)?;
-        let terms = core::iter::once(&self.first).chain(self.higher.as_flattened());
-        for (place, term) in all.iter_mut().zip(terms) {
-            *place = sign * term;
-        }
+        self.copy_to(all);
         bernstein::between(all, 0.0, 1.0);
-        signs(all, least)
+        let variations = Variations::of(all.iter().copied(), self.least(kept));
+        (!variations.is_uncertain).then_some(variations.count)
     }
 
     /// Returns the sign in the whole step, if it is certain.
     pub(crate) fn sign(&self, kept: f64) -> Option<f64> {
-        let is_one = self.signs(kept) == Some(Signs::One);
-        is_one.then(|| self.first.signum())
+        let keeps = self.sign_changes(kept)? == 0;
+        keeps.then(|| self.first.signum())
     }
 
     /// Whether the polynomial at `u` agrees with `value`, up to further terms and a small part of the terms.
@@ -170,11 +155,9 @@ impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
         if margin.0.iter().all(|margin| *margin > 0.0) {
             return self.first.0.map(f64::signum);
         }
-        let mut all = [self.first; 1 + 2 * LEADING_HALF_ORDER];
-        for (place, term) in all.iter_mut().skip(1).zip(self.higher.as_flattened()) {
-            *place = *term;
-        }
-        bernstein::on_unit_interval(&mut all);
+        let mut all = [Lanes([0.0; L]); 1 + 2 * LEADING_HALF_ORDER];
+        self.copy_to(&mut all);
+        bernstein::between(&mut all, 0.0, 1.0);
         let least = self.least(kept);
         core::array::from_fn(|lane| {
             let (sign, least) = (self.first.0[lane].signum(), least.0[lane]);
@@ -182,45 +165,5 @@ impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
                 margin.0[lane] > 0.0 || all.iter().all(|value| value.0[lane] * sign > least);
             if keeps { sign } else { 0.0 }
         })
-    }
-}
-
-/// Returns the signs of numbers that begin above `least`, if they change at most once whatever errors of this size they have.
-fn signs(values: &[f64], least: f64) -> Option<Signs> {
-    // The comparisons are false for NaN.
-    let positive = values.iter().take_while(|value| **value > least).count();
-    if positive == values.len() {
-        return Some(Signs::One);
-    }
-    let rest = values.get(positive..)?.iter().rev();
-    let negative = rest.take_while(|value| **value < -least).count();
-    let between = values.get(positive..values.len() - negative)?;
-    // One number between them adds no change, whatever its sign.
-    let adds_none = between.len() <= 1 && between.iter().all(|value| value.abs() <= least);
-    (positive > 0 && negative > 0 && adds_none).then_some(Signs::Two)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Signs, signs};
-
-    #[test]
-    fn one_uncertain_number_is_allowed_at_the_change() {
-        let signs = |values: &[f64]| signs(values, 0.5);
-        assert_eq!(signs(&[2.0, 1.0, 3.0]), Some(Signs::One));
-        assert_eq!(signs(&[2.0, 1.0, -1.0, -3.0]), Some(Signs::Two));
-        assert_eq!(signs(&[2.0, 0.1, -3.0]), Some(Signs::Two));
-        for uncertain in [
-            [2.0, 0.1, -0.2, -3.0],
-            [2.0, f64::NAN, -1.0, -3.0],
-            [2.0, 0.1, 1.0, -3.0],
-            [2.0, -1.0, 0.1, -3.0],
-            [0.1, -1.0, -2.0, -3.0],
-            [2.0, 1.0, 1.0, -0.2],
-            [2.0, -1.0, 1.0, -3.0],
-            [2.0, 1.0, 1.0, f64::NAN],
-        ] {
-            assert_eq!(signs(&uncertain), None, "{uncertain:?}");
-        }
     }
 }

@@ -62,7 +62,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             let found = self.check_within(dynamics, (h, &allowance), inner);
             verdicts.put_differences(&found);
         }
-        verdicts.has_failed.then_some(verdicts.of_lanes)
+        (verdicts.open != *pending).then_some(verdicts.of_lanes)
     }
 
     /// Returns those of the `asked` lanes whose steps of lengths `h` are so long, or of such a low degree, that the

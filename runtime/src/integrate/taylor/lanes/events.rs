@@ -9,8 +9,7 @@ use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// Returns for each lane those of the watched event functions of which a few terms show that they have no zero in the last
-    /// step.
+    /// Returns, for each lane, the watched event functions whose first terms exclude a zero in the last step.
     pub(crate) fn one_signed<D>(&self, dynamics: &D, watched: MetConditions) -> [OneSigned; L]
     where
         D: Series<Lanes<L>, State = X>,

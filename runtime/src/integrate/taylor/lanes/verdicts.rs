@@ -24,8 +24,6 @@ pub(super) struct Verdicts<const L: usize> {
     pub(super) of_lanes: [Verdict; L],
     /// The lanes of which no check has failed.
     pub(super) open: [bool; L],
-    /// Whether a check has failed.
-    pub(super) has_failed: bool,
 }
 
 impl<const L: usize> Verdicts<L> {
@@ -35,14 +33,12 @@ impl<const L: usize> Verdicts<L> {
         Self {
             of_lanes: [Verdict::Agrees; L],
             open: *pending,
-            has_failed: false,
         }
     }
 
     /// Records the verdict of a check that has failed.
     pub(super) fn put(&mut self, lane: usize, verdict: Verdict) {
         (self.of_lanes[lane], self.open[lane]) = (verdict, false);
-        self.has_failed = true;
     }
 
     /// Checks that the states are finite.

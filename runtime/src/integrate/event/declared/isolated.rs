@@ -1,23 +1,24 @@
 //! Steps in which at most one event function has a zero, a simple one.
 
 use super::DeclaredEvents;
+use crate::integrate::event::isolation::{Isolated, Isolation};
 use crate::integrate::event::junction::rounding;
 use crate::integrate::event::memory::Memory;
-use crate::integrate::event::outline::{Course, Outline};
 use crate::integrate::event::polynomial::Root;
 use crate::integrate::event::simple_zero::SimpleZero;
 use crate::integrate::event::window::Window;
-use crate::integrate::event::{EventDynamics, LastStep, Occurring, SingleNumber};
-use crate::integrate::event::{EventFunctions, MetConditions};
+use crate::integrate::event::{
+    EventDynamics, EventFunctions, LastStep, MetConditions, Occurring, SingleNumber,
+};
 use crate::integrate::stepper::Advance;
 
 /// What is known of the events in a step: the next one, or `None` if there are no more.
 type Known = Option<Occurring>;
 
 impl<const K: usize> DeclaredEvents<K> {
-    /// Returns what the outline of the event functions tells about the events in a step that has not been searched yet; `None` if
-    /// the step has to be searched.
-    pub(super) fn outlined<S, D, T>(
+    /// Returns what is known of the events in a step that has not been searched yet, if it has at most one zero of an event
+    /// function; `None` if the step has to be searched.
+    pub(super) fn isolated<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
         step: &mut LastStep<'_, S, D, T>,
@@ -30,22 +31,14 @@ impl<const K: usize> DeclaredEvents<K> {
         if !memory.is_plain_at(step.begin()) {
             return None;
         }
-        let [from, to] = step.ends()?;
-        let (end, dynamics) = (step.end(), step.dynamics());
-        let last = self.values(dynamics, end, to);
-        let outline = Outline {
-            events: self,
-            dynamics,
-            from,
-            end,
-            last,
-        };
-        let courses = step.polynomial(outline)??;
-        let signs = courses.map(|course| course.sign);
-        if !memory.agrees_with(&signs) || !self.agrees_in_middle(step, &courses) {
+        let functions = self.functions_in(step)?;
+        let (end, dynamics, last) = (step.end(), step.dynamics(), functions.last);
+        let found = step.polynomial(Isolation(functions))??;
+        let signs = found.map(|function| function.sign);
+        if !memory.agrees_with(&signs) || !self.agrees_in_middle(step, &found) {
             return None;
         }
-        let mut zeros = (0..K).filter_map(|event| Some((event, courses[event].zero?)));
+        let mut zeros = (0..K).filter_map(|event| Some((event, found[event].zero?)));
         match (zeros.next(), zeros.next()) {
             (None, _) => memory.keep_signs(signs, end).then_some(None),
             // The zero of a function that is not certain at the end of the step may be a rounding error. Functions of a scalar
@@ -55,7 +48,7 @@ impl<const K: usize> DeclaredEvents<K> {
                 let noise = rounding(self, dynamics, (end, to), &last)[event];
                 let is_certain = last[event].abs() > 2.0 * noise;
                 let zero = is_certain.then(|| zero.with_noise(noise))?;
-                self.with_zero(memory, step, (event, zero), (&courses, last))
+                self.with_zero(memory, step, (event, zero), (&found, last))
             }
             _ => None,
         }
@@ -65,7 +58,7 @@ impl<const K: usize> DeclaredEvents<K> {
     fn agrees_in_middle<S, D, T>(
         &mut self,
         step: &mut LastStep<'_, S, D, T>,
-        courses: &[Course; K],
+        isolated: &[Isolated; K],
     ) -> bool
     where
         S: SingleNumber,
@@ -74,8 +67,8 @@ impl<const K: usize> DeclaredEvents<K> {
     {
         let middle = step.at(step.begin() + 0.5 * (step.end() - step.begin()));
         let values = self.values(step.dynamics(), middle.t, &middle.x);
-        let mut pairs = values.iter().zip(courses);
-        pairs.all(|(value, course)| (value - course.in_middle).abs() <= course.allowed)
+        let mut pairs = values.iter().zip(isolated);
+        pairs.all(|(value, function)| (value - function.in_middle).abs() <= function.allowed)
     }
 
     /// Returns what is known of a step with one zero, of the function of this event.
@@ -84,24 +77,27 @@ impl<const K: usize> DeclaredEvents<K> {
         memory: &mut Memory<[f64; K]>,
         step: &mut LastStep<'_, S, D, T>,
         (event, zero): (usize, SimpleZero),
-        (courses, last): (&[Course; K], [f64; K]),
+        (isolated, last): (&[Isolated; K], [f64; K]),
     ) -> Option<Known>
     where
         S: SingleNumber,
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        let before = courses[event].sign;
+        let before = isolated[event].sign;
         let (t, values) = self.located(step, (event, before), zero, last)?;
         let agrees = |other: usize| {
-            let (value, course) = (values[other], &courses[other]);
-            let keeps_sign = value * course.sign > 0.0;
-            (other == event && value.abs() <= course.allowed) || (other != event && keeps_sign)
+            let (value, function) = (values[other], &isolated[other]);
+            if other == event {
+                value.abs() <= function.allowed
+            } else {
+                value * function.sign > 0.0
+            }
         };
         if !(0..K).all(agrees) {
             return None;
         }
-        let mut signs = courses.map(|course| course.sign);
+        let mut signs = isolated.map(|function| function.sign);
         signs[event] = -before;
         memory.pass_zero(signs, event, (t, step.end()));
         if !self.event(event).crossing().between(before, -before) {
@@ -113,8 +109,8 @@ impl<const K: usize> DeclaredEvents<K> {
         Some(Some(Occurring { t, events }))
     }
 
-    /// Returns the first time at which the function of an event has reached its zero, to rounding, and the values of all functions there;
-    /// `None` if they contradict the polynomial.
+    /// Returns the first time at which the function of an event has reached its zero, to rounding, and the values of all
+    /// functions there; `None` if they contradict the polynomial.
     fn located<S, D, T>(
         &mut self,
         step: &mut LastStep<'_, S, D, T>,
@@ -150,7 +146,7 @@ impl<const K: usize> DeclaredEvents<K> {
             found = evaluated(self, time);
         }
         let steps = found.0 / (window.end - window.begin);
-        if !zero.is_reached_by(found.1[event], steps) {
+        if !zero.is_rounding_error(found.1[event], steps) {
             return None;
         }
         if before * found.1[event] > 0.0 {
