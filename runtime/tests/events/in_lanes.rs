@@ -232,6 +232,21 @@ macro_rules! finds_the_same {
     }};
 }
 
+/// A sampled input shifts the event function.
+#[derive(Lagrangian, Clone)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    potential = 0.5 * x.powi(2),
+    force(x = 0.1 * shift),
+    event(shifted = x + shift),
+)]
+struct Shifted {
+    #[lagrangian(input)]
+    shift: f64,
+}
+
 /// Levels far enough below the amplitude that `Dop853` locates every event.
 fn distinct_cases() -> Vec<Case> {
     let mut all = cases(60);
@@ -278,5 +293,14 @@ fn members_find_in_lanes_what_they_find_alone() {
             .record()
             .when(move |x| x.q[0] + level)
             .record()
+    });
+    // An event function that jumps, and has zeros between its jumps.
+    finds_the_same!(cases, 15.0, |case| {
+        let shifted = Problem::new(Shifted { shift: 0.3 }, case.start);
+        let shifted = shifted.sampled_feedback(0.7, [0.3], |_, shift| {
+            shift[0] = -shift[0];
+            [shift[0]]
+        });
+        shifted.on(Shifted::SHIFTED).record()
     });
 }

@@ -153,3 +153,91 @@ fn events_of_terms_of_high_order_alone_are_found() {
         assert!(value.abs() < 1e-12, "{value:e}");
     }
 }
+
+/// A free particle whose event function x − level changes its sign for a while in the middle of [0, 1], which its series does
+/// not represent, like the corners of an external function.
+struct Interrupted<D> {
+    dynamics: D,
+    level: f64,
+}
+
+impl<D: Dynamics<f64>> Dynamics<f64> for Interrupted<D> {
+    type State = D::State;
+
+    fn derivative(&self, t: f64, x: &D::State) -> D::State {
+        self.dynamics.derivative(t, x)
+    }
+}
+
+impl<D: Series<f64>> Series<f64> for Interrupted<D> {
+    fn series<const HALF: usize>(
+        &self,
+        t: f64,
+        x: &D::State,
+        unit: f64,
+        coefficients: &mut TaylorCoefficients<D::State, HALF>,
+    ) {
+        self.dynamics.series(t, x, unit, coefficients);
+    }
+}
+
+impl<D: Dynamics<f64, State = Phase<f64, 1>>> EventDynamics<f64> for Interrupted<D> {
+    type Model = Self;
+    type Values = [f64; 1];
+
+    fn names(&self) -> &'static [&'static str] {
+        &["interrupted"]
+    }
+
+    fn event_functions(&self, _: f64, x: &D::State) -> [f64; 1] {
+        [self.branch(x) * (x.q[0] - self.level)]
+    }
+
+    fn event_series<const HALF: usize, const OF_MOTION: usize>(
+        &self,
+        _: f64,
+        x: &D::State,
+        _: f64,
+        motion: &TaylorCoefficients<D::State, OF_MOTION>,
+    ) -> Option<TaylorCoefficients<[f64; 1], HALF>> {
+        let branch = self.branch(x);
+        let mut series = TaylorCoefficients::new([branch * (x.q[0] - self.level)]);
+        for (place, term) in series.higher_mut().iter_mut().zip(motion.higher()) {
+            *place = [branch * term.q[0]];
+        }
+        Some(series)
+    }
+}
+
+impl<D> Interrupted<D> {
+    /// −1 on the branch in the middle.
+    fn branch(&self, x: &Phase<f64, 1>) -> f64 {
+        if (x.q[0] - 0.55).abs() < 0.15 {
+            -1.0
+        } else {
+            1.0
+        }
+    }
+}
+
+/// The series has no zero in the step, or one.
+#[test]
+fn functions_are_compared_with_their_series_in_the_middle_of_a_step() {
+    let particle = Particle { m: 1.0 };
+    for (level, expected) in [(2.0, &[0.4, 0.7][..]), (0.2, &[0.2, 0.4, 0.7])] {
+        let dynamics = Interrupted {
+            dynamics: particle.dynamics(),
+            level,
+        };
+        let start = State::new(0.0, [0.0], [1.0]);
+        let event = DeclaredEvent::<Interrupted<_>>::new(0);
+        let problem = Problem::new(&dynamics, start).on(event).record();
+        let motion = problem.solve(1.0, Taylor::new()).unwrap();
+        let times: Vec<f64> = motion.events().iter().map(|event| event.t).collect();
+        assert_eq!(times.len(), expected.len(), "{times:?}");
+        for (t, expected) in times.iter().zip(expected) {
+            // Jumps are located to the shortest window, 1/1024 of a step.
+            assert!((t - expected).abs() < 1e-3, "{times:?}");
+        }
+    }
+}

@@ -6,6 +6,8 @@
 mod first_root;
 mod isolated;
 mod next_roots;
+#[cfg(test)]
+mod tests;
 
 use super::declared_event::DeclaredEvents;
 use super::event_functions::{EventFunctions, detection_by_functions};

@@ -63,3 +63,22 @@ where
         self.0.examined((t, unit), motion, 0.0, isolated)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Isolated;
+    use crate::integrate::event::terms::Terms;
+    use crate::integrate::taylor::TaylorCoefficients;
+
+    /// The value at the end is near the polynomial relative to its terms, but on the other side of zero.
+    #[test]
+    fn a_function_with_another_sign_at_the_end_is_not_isolated() {
+        let mut series = TaylorCoefficients::<f64, 3>::new(0.0);
+        *series.initial_mut() = 1.0;
+        series.higher_mut()[..2].copy_from_slice(&[1e6, -1e6]);
+        let terms = Terms::new(&series, 1.0, (f64::EPSILON, 7.0));
+        assert!(terms.is_near(1.0, -5.0));
+        assert!(Isolated::of(&terms, 1.0).is_some());
+        assert!(Isolated::of(&terms, -5.0).is_none());
+    }
+}

@@ -115,4 +115,16 @@ mod tests {
         assert_eq!(zero([-0.09375, 0.6875, -1.5, 1.0, 0.0], 1.0), None);
         assert_eq!(zero([0.0, 1.0, 0.0, 0.0, 0.0], 1.0), None);
     }
+
+    #[test]
+    fn values_beyond_rounding_errors_are_no_zeros() {
+        let zero = zero([-0.3, 1.0, 0.0, 0.0, 0.0], 1.0);
+        let zero = zero.map(|zero| zero.with_noise(1e-15));
+        let is_rounding_error = |value, time| zero.map(|zero| zero.is_rounding_error(value, time));
+        assert_eq!(is_rounding_error(1e-14, 0.0), Some(true));
+        assert_eq!(is_rounding_error(1e-13, 0.0), Some(false));
+        // A hundred steps after the time 0, times are rounded to a hundredth of the digits of a step.
+        assert_eq!(is_rounding_error(1e-13, 100.0), Some(true));
+        assert_eq!(is_rounding_error(1e-11, 100.0), Some(false));
+    }
 }
