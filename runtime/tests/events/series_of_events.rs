@@ -190,7 +190,7 @@ impl<D: Dynamics<f64, State = Phase<f64, 1>>> EventDynamics<f64> for Interrupted
     }
 
     fn event_functions(&self, _: f64, x: &D::State) -> [f64; 1] {
-        [self.branch(x) * (x.q[0] - self.level)]
+        [branch(x) * (x.q[0] - self.level)]
     }
 
     fn event_series<const HALF: usize, const OF_MOTION: usize>(
@@ -200,7 +200,7 @@ impl<D: Dynamics<f64, State = Phase<f64, 1>>> EventDynamics<f64> for Interrupted
         _: f64,
         motion: &TaylorCoefficients<D::State, OF_MOTION>,
     ) -> Option<TaylorCoefficients<[f64; 1], HALF>> {
-        let branch = self.branch(x);
+        let branch = branch(x);
         let mut series = TaylorCoefficients::new([branch * (x.q[0] - self.level)]);
         for (place, term) in series.higher_mut().iter_mut().zip(motion.higher()) {
             *place = [branch * term.q[0]];
@@ -209,14 +209,12 @@ impl<D: Dynamics<f64, State = Phase<f64, 1>>> EventDynamics<f64> for Interrupted
     }
 }
 
-impl<D> Interrupted<D> {
-    /// −1 on the branch in the middle.
-    fn branch(&self, x: &Phase<f64, 1>) -> f64 {
-        if (x.q[0] - 0.55).abs() < 0.15 {
-            -1.0
-        } else {
-            1.0
-        }
+/// −1 on the branch in the middle.
+fn branch(x: &Phase<f64, 1>) -> f64 {
+    if (x.q[0] - 0.55).abs() < 0.15 {
+        -1.0
+    } else {
+        1.0
     }
 }
 

@@ -73,13 +73,8 @@ mod tests {
         series.higher_mut()[..2].copy_from_slice(&parabola);
         series.higher_mut()[4..].copy_from_slice(&[Lanes([1e-8, 1e-8, 1e-8, 0.0]); 2]);
         let terms = Terms::new(&series, Lanes([1.0; 4]), (f64::EPSILON, 17.0));
-        assert_eq!(
-            signs(&terms, Lanes([-1.0, -5.0, 0.5, 1.0])),
-            [-1.0, 0.0, 0.0, 0.0]
-        );
-        assert_eq!(
-            signs(&terms, Lanes([-1.0, 1.0, 0.5, 1.0])),
-            [-1.0, 1.0, 0.0, 0.0]
-        );
+        let signs = |last| Lanes(signs(&terms, Lanes(last)));
+        assert_eq!(signs([-1.0, -5.0, 0.5, 1.0]), Lanes([-1.0, 0.0, 0.0, 0.0]));
+        assert_eq!(signs([-1.0, 1.0, 0.5, 1.0]), Lanes([-1.0, 1.0, 0.0, 0.0]));
     }
 }
