@@ -171,7 +171,7 @@ fn orders_of<
     higher: &mut [Phase<S, N>],
     pairs: &[[usize; 2]; PAIRS],
     mut convolutions: impl OnlineConvolutions<S, FACTORS, PAIRS>,
-    velocities: impl Fn(SVector<S, W>) -> Option<SVector<S, N>>,
+    velocities_of: impl Fn(SVector<S, W>) -> Option<SVector<S, N>>,
     mut term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
 ) {
     let (mut q, mut v) = first;
@@ -179,14 +179,11 @@ fn orders_of<
     let mut order = S::one();
     let mut reciprocal_order = S::one();
     let mut t = unit;
-    let last = higher.len().saturating_sub(1);
-    for (index, coefficient) in higher.iter_mut().enumerate() {
-        if index == last
-            && let Some(velocities) = velocities(v)
-        {
-            *coefficient = Phase::new(q, velocities);
-            return;
-        }
+    let Some((last, higher)) = higher.split_last_mut() else {
+        return;
+    };
+    let mut higher = higher.iter_mut();
+    loop {
         let (velocities, rates, factors) = term(&Term {
             q,
             v,
@@ -195,16 +192,23 @@ fn orders_of<
             reciprocal_order,
             convolutions: sums,
         });
-        *coefficient = Phase::new(q, velocities);
-        if index == last {
+        let Some(coefficient) = higher.next() else {
+            *last = Phase::new(q, velocities);
             return;
-        }
-        sums = convolutions.advance(&factors, pairs);
+        };
+        *coefficient = Phase::new(q, velocities);
         order += S::one();
         reciprocal_order = S::one() / order;
         t = S::zero();
         let step = unit / order;
         (q, v) = (velocities * step, rates * step);
+        if higher.len() == 0
+            && let Some(velocities) = velocities_of(v)
+        {
+            *last = Phase::new(q, velocities);
+            return;
+        }
+        sums = convolutions.advance(&factors, pairs);
     }
 }
 
