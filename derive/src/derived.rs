@@ -17,7 +17,7 @@ pub(crate) struct Derived {
     model: Model,
     pub(crate) equations: Equations,
     pub(crate) methods: Methods,
-    series: Option<SeriesMethods>,
+    pub(crate) series: Option<SeriesMethods>,
     pub(crate) listing: Listing,
     /// The methods that had to be derived again.
     pub(crate) disagreements: BTreeSet<Method>,

@@ -8,6 +8,7 @@ mod golden;
 mod huge_powers;
 mod half_typed;
 mod mixed_derivatives;
+mod operations;
 mod pages;
 mod pair_sums;
 mod prepared;
