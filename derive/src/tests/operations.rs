@@ -21,9 +21,12 @@ use crate::derived::Derived;
 use crate::diagnostics::Diagnostics;
 use crate::limits::MethodLimits;
 use crate::lower::lower;
+use crate::reduce::{ReducedDeclaration, Split, reduce};
 use crate::syntax::declaration::Declaration;
 
 const TABLE: &str = "operations.txt";
+
+const LIMITS: MethodLimits = MethodLimits::OF_EXPANSIONS;
 
 /// The folders whose declarations are of models; those of mistakes are not among them.
 const FOLDERS: [&str; 9] = [
@@ -62,7 +65,9 @@ fn operations_of_all_declarations_are_those_of_the_table() {
             });
             let mut names = names.filter(|name| !table.contains_key(name));
             let name = names.next().unwrap();
-            table.extend(operations(declaration).map(|operations| (name, operations)));
+            let all = operations(declaration).unwrap_or_default().into_iter();
+            let names = [name.clone(), format!("{name}/reduced")];
+            table.extend(names.into_iter().zip(all));
         }
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(TABLE);
@@ -122,28 +127,49 @@ fn collect(items: &[Item], structs: &mut Vec<ItemStruct>) {
     }
 }
 
-/// The operations of each method of a declaration that has some; `None` if there is an error.
-fn operations(declaration: ItemStruct) -> Option<BTreeMap<String, usize>> {
+/// The operations of the methods of a declaration, and of its reduced model, if it has one; `None` if there is an error.
+fn operations(declaration: ItemStruct) -> Option<Vec<BTreeMap<String, usize>>> {
     let input: DeriveInput = syn::parse2(declaration.into_token_stream()).unwrap();
     let mut diagnostics = Diagnostics::default();
     let declaration = Declaration::parse(input, &mut diagnostics);
     check(&declaration, &mut diagnostics);
     let mut lowered = lower(&declaration, &mut diagnostics);
     let model = lowered.model.take().filter(|_| diagnostics.is_empty())?;
-    let limits = MethodLimits::OF_EXPANSIONS;
-    let derived = Derived::of(&declaration, &lowered, model, limits, &mut diagnostics)?;
+    let derived = Derived::of(&declaration, &lowered, model, LIMITS, &mut diagnostics)?;
+    let mut all = vec![counts(&derived)];
+    if let Some(clause) = &declaration.clauses.routhian {
+        let full = derived.emitter(&declaration, &lowered, LIMITS);
+        let split = Split::of(full.equations, full.model.coordinates as usize);
+        let reduced = ReducedDeclaration::of(&declaration, &lowered, split, clause);
+        let (declared, model) = ((&declaration, &lowered), (full.model, full.equations));
+        let reduction = reduce(declared, model, clause, &reduced, &mut diagnostics)?;
+        let (declaration, lowered) = (&reduced.declaration, &reduced.lowered);
+        let derived = Derived::of(
+            declaration,
+            lowered,
+            reduction.model,
+            LIMITS,
+            &mut diagnostics,
+        )?;
+        all.push(counts(&derived));
+    }
+    Some(all)
+}
+
+/// The operations of each method that has some.
+fn counts(derived: &Derived) -> BTreeMap<String, usize> {
     let counted = derived.methods.counted();
     let counted = counted.filter_map(|(method, found)| Some((method, found?.count.total())));
-    let mut operations: BTreeMap<_, _> = counted
+    let mut counts: BTreeMap<_, _> = counted
         .map(|(method, count)| (method.to_owned(), count))
         .collect();
     if let Some(series) = &derived.series {
         let program = &series.motion.program;
-        operations.insert("series".to_owned(), program.recurrence.count().total());
-        operations.insert("convolutions".to_owned(), program.convolutions.len());
+        counts.insert("series".to_owned(), program.recurrence.count().total());
+        counts.insert("convolutions".to_owned(), program.convolutions.len());
     }
-    operations.retain(|_, count| *count > 0);
-    Some(operations)
+    counts.retain(|_, count| *count > 0);
+    counts
 }
 
 fn written(table: &Table) -> String {
