@@ -1,6 +1,8 @@
 //! Studies in folders: one file for each chunk, computed by whoever comes first.
 
 use std::fs;
+#[cfg(feature = "mpi")]
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 #[cfg(feature = "mpi")]
 use std::sync::atomic::AtomicBool;
@@ -139,24 +141,32 @@ impl<M: Members> Study<'_, M> {
             metadata: manifest.metadata(),
         };
         let pool = Some(&pool);
+        let observer = |ended| self.observe(ended);
+        let own = (&queue, count, &observer as &_);
         #[cfg(feature = "mpi")]
         let run = match &folder.ranks {
             Some(ranks) if ranks.is_first() => {
-                let serve = |_, is_stopped: &AtomicBool| ranks.hand_out(&queue, is_stopped);
-                self.run((&queue, count), pool, &sink, &(), serve)
+                let serve =
+                    |_, is_stopped: &AtomicBool| ranks.hand_out(&queue, is_stopped, observer);
+                self.run(own, pool, &sink, &(), serve)
             }
             Some(ranks) => {
                 let (source, requests) = Requests::new();
-                let serve =
-                    |workers, is_stopped: &AtomicBool| ranks.ask(&requests, workers, is_stopped);
-                self.run((&source, count), pool, &sink, &(), serve)
+                let serve = |workers, is_stopped: &AtomicBool| {
+                    ranks.ask((&source, &requests), workers, is_stopped);
+                };
+                let observer = |ended| {
+                    source.count(ended);
+                    ControlFlow::Continue(())
+                };
+                self.run((&source, count, &observer), pool, &sink, &(), serve)
             }
-            None => self.run((&queue, count), pool, &sink, &(), |_, _| ()),
+            None => self.run(own, pool, &sink, &(), |_, _| ()),
         };
         #[cfg(feature = "mpi")]
         let run = agree(folder.ranks.as_ref(), run, path);
         #[cfg(not(feature = "mpi"))]
-        let run = self.run((&queue, count), pool, &sink, &(), |_, _| ());
+        let run = self.run(own, pool, &sink, &(), |_, _| ());
         run?;
         Results::find([path])
     }

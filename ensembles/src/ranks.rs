@@ -1,10 +1,12 @@
 //! The ranks of an MPI program: rank 0 hands out the chunks.
 //!
 //! On each rank, the thread that has called the study sends and receives, while others integrate. A rank that wants a
-//! chunk asks rank 0 for it, and gets its number, or none. A rank whose workers have all ended tells so.
+//! chunk asks rank 0 for it, and gets its number, or none. A rank whose workers have all ended tells so. With each message it
+//! sends how many members have ended since the last one.
 
 use std::fmt;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
@@ -15,6 +17,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, CommunicatorCollectives as _, Destination as _, Source as _};
 
 use crate::chunks::{Queue, Source};
+use crate::study::Ended;
 
 /// What a rank asks of rank 0.
 const WANTS_CHUNK: u64 = 0;
@@ -54,8 +57,13 @@ impl Ranks {
     }
 
     /// Hands out the chunks of a queue to the other ranks until they have all ended; none after the study is stopped
-    /// on any rank.
-    pub(crate) fn hand_out(&self, queue: &Queue, is_stopped: &AtomicBool) {
+    /// on any rank. Tells `observe` of the members that have ended there.
+    pub(crate) fn hand_out(
+        &self,
+        queue: &Queue,
+        is_stopped: &AtomicBool,
+        observe: impl Fn(Ended) -> ControlFlow<()>,
+    ) {
         let any = self.communicator.any_process();
         let mut others = self.communicator.size() - 1;
         while others > 0 {
@@ -64,7 +72,13 @@ impl Ranks {
                 continue;
             };
             let rank = self.communicator.process_at_rank(status.source_rank());
-            let (message, _) = rank.receive::<u64>();
+            let mut message = [0; 3];
+            rank.receive_into(&mut message[..]);
+            let [message, ended, failed] = message;
+            let [ended, failed] = [ended, failed].map(|count| usize::try_from(count).unwrap_or(0));
+            if ended > 0 && observe(Ended { ended, failed }).is_break() {
+                is_stopped.store(true, Ordering::Relaxed);
+            }
             if message == WANTS_CHUNK {
                 let chunk = (!is_stopped.load(Ordering::Relaxed)).then(|| queue.take());
                 let chunk = chunk.flatten().map_or(NO_CHUNK, |chunk| chunk as u64);
@@ -81,7 +95,7 @@ impl Ranks {
     /// Asks rank 0 for the chunks that the workers of this rank want, until they have all ended.
     pub(crate) fn ask(
         &self,
-        requests: &Receiver<Request>,
+        (source, requests): (&Requests, &Receiver<Request>),
         mut workers: usize,
         is_stopped: &AtomicBool,
     ) {
@@ -89,7 +103,7 @@ impl Ranks {
         while workers > 0 {
             match requests.recv() {
                 Ok(Request::Chunk(answer)) => {
-                    first.send(&WANTS_CHUNK);
+                    first.send(&source.message(WANTS_CHUNK)[..]);
                     let (chunk, _) = first.receive::<u64>();
                     // The worker that has asked is waiting.
                     let _ = answer.send(usize::try_from(chunk).ok().filter(|_| chunk != NO_CHUNK));
@@ -103,7 +117,7 @@ impl Ranks {
         } else {
             HAS_ENDED
         };
-        first.send(&message);
+        first.send(&source.message(message)[..]);
     }
 }
 
@@ -129,14 +143,34 @@ pub(crate) enum Request {
 /// The chunks of rank 0, as the workers of another rank see them.
 pub(crate) struct Requests {
     requests: Mutex<Sender<Request>>,
+    /// The numbers of members that have ended, and of those that have failed, since the last message.
+    ended: AtomicU64,
+    failed: AtomicU64,
 }
 
 impl Requests {
     /// Creates a source of chunks, and the end at which its requests arrive.
     pub(crate) fn new() -> (Self, Receiver<Request>) {
         let (sender, receiver) = mpsc::channel();
-        let requests = Mutex::new(sender);
-        (Self { requests }, receiver)
+        let source = Self {
+            requests: Mutex::new(sender),
+            ended: AtomicU64::new(0),
+            failed: AtomicU64::new(0),
+        };
+        (source, receiver)
+    }
+
+    /// Counts members that have ended, for the next message.
+    pub(crate) fn count(&self, Ended { ended, failed }: Ended) {
+        self.ended.fetch_add(ended as u64, Ordering::Relaxed);
+        self.failed.fetch_add(failed as u64, Ordering::Relaxed);
+    }
+
+    /// Returns the message to rank 0, with the members that have ended since the last one.
+    fn message(&self, what: u64) -> [u64; 3] {
+        let [ended, failed] =
+            [&self.ended, &self.failed].map(|count| count.swap(0, Ordering::Relaxed));
+        [what, ended, failed]
     }
 
     fn send(&self, request: Request) {

@@ -20,7 +20,7 @@ use crate::sinks::{Motions, Summaries, Tables};
 use crate::summary::Summary;
 use crate::table::{self, Table};
 use crate::tree::Tree;
-use crate::workers::{Sink, Work, lock};
+use crate::workers::{self, Sink, Work, lock};
 
 /// Many motions: one problem for each point, until an end, by a method.
 ///
@@ -69,6 +69,13 @@ type Observer<'a> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 'a;
 struct Observed<'a> {
     observer: Box<Observer<'a>>,
     progress: Progress,
+}
+
+/// Members that have ended.
+pub(crate) struct Ended {
+    pub(crate) ended: usize,
+    /// Those of them that have failed.
+    pub(crate) failed: usize,
 }
 
 /// The progress of a study.
@@ -156,6 +163,9 @@ impl<'a, M: Members> Study<'a, M> {
 
     /// Calls `observer` after each member, on the thread that has integrated it. It returns nothing, or
     /// `ControlFlow::Break(())` to cancel the study: members that have begun are then finished, and others are left out.
+    ///
+    /// On [ranks of MPI](crate::Folder::ranks) it is called on rank 0 alone, with the progress of all ranks, of whose members it
+    /// is told chunk by chunk. A progress bar is thus one line, and to cancel stops all ranks.
     ///
     /// ```no_run
     /// # use lagrangian::prelude::*;
@@ -272,7 +282,9 @@ impl<'a, M: Members> Study<'a, M> {
         let all = AllChunks::new(self.chunks().count());
         let pool = self.threads.map(pool_of).transpose()?;
         let members = self.members.points().count();
-        self.run((&all, members), pool.as_ref(), sink, collector, |_, _| ())
+        let observer = |ended| self.observe(ended);
+        let source = (&all, members, &observer as &_);
+        self.run(source, pool.as_ref(), sink, collector, |_, _| ())
     }
 
     /// Returns a pool of its own, with one thread for each core unless their number was set.
@@ -281,11 +293,11 @@ impl<'a, M: Members> Study<'a, M> {
         pool_of(self.threads.unwrap_or_default())
     }
 
-    /// Integrates the members of the chunks of a source, at most `members`. Meanwhile calls `serve` with the number of
-    /// workers and the flag that stops them.
+    /// Integrates the members of the chunks of a source, at most `members`, and tells the observer of those that have ended.
+    /// Meanwhile calls `serve` with the number of workers and the flag that stops them.
     pub(crate) fn run<Q: Source, K: Sink<M>>(
         &self,
-        (source, members): (&Q, usize),
+        (source, members, observer): (&Q, usize, &workers::Observer<'_>),
         pool: Option<&ThreadPool>,
         sink: &K,
         collector: &impl Collector<K::Part>,
@@ -302,20 +314,20 @@ impl<'a, M: Members> Study<'a, M> {
             chunks: self.chunks(),
             source,
             sink,
-            observer: &|has_failed| self.observe(has_failed),
+            observer,
             pool,
         };
         work.run(collector, serve)
     }
 
-    /// Tells the observer of a member that has ended.
-    fn observe(&self, has_failed: bool) -> ControlFlow<()> {
+    /// Tells the observer of the study of members that have ended.
+    pub(crate) fn observe(&self, Ended { ended, failed }: Ended) -> ControlFlow<()> {
         let Some(observed) = &self.observer else {
             return ControlFlow::Continue(());
         };
         let Observed { observer, progress } = &mut *lock(observed);
-        progress.ended += 1;
-        progress.failed += usize::from(has_failed);
+        progress.ended += ended;
+        progress.failed += failed;
         observer(progress)
     }
 }

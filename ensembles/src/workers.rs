@@ -14,6 +14,7 @@ use crate::chunks::{Chunks, Source};
 use crate::collector::Collector;
 use crate::error::Error;
 use crate::members::{Found, Members};
+use crate::study::Ended;
 
 /// What is kept of the members of a study.
 pub(crate) trait Sink<M: Members>: Sync {
@@ -37,8 +38,8 @@ pub(crate) struct Entries<E> {
     pub(crate) are_complete: bool,
 }
 
-/// Is told of each member that has ended, and tells whether the study goes on.
-pub(crate) type Observer<'a> = dyn Fn(bool) -> ControlFlow<()> + Sync + 'a;
+/// Is told of members that have ended, and tells whether the study goes on.
+pub(crate) type Observer<'a> = dyn Fn(Ended) -> ControlFlow<()> + Sync + 'a;
 
 /// The work of a study.
 pub(crate) struct Work<'a, M, Q, K> {
@@ -110,13 +111,16 @@ impl<M: Members, Q: Source, K: Sink<M>> Work<'_, M, Q, K> {
         });
         self.members.integrate(indices, |position, found| {
             let index = open.borrow().index(position);
-            let has_failed = found.is_err();
+            let ended = Ended {
+                ended: 1,
+                failed: usize::from(found.is_err()),
+            };
             let entry = self.sink.entry(self.members, index, found);
             let complete = open.borrow_mut().keep(position, entry);
             if let Some(chunk) = complete {
                 self.finish(chunk, shared);
             }
-            if (self.observer)(has_failed).is_break() {
+            if (self.observer)(ended).is_break() {
                 shared.is_stopped.store(true, Ordering::Relaxed);
             }
         });

@@ -7,12 +7,13 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::{self, Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
 use lagrangian::prelude::*;
 use lagrangian_ensembles::mpi::traits::Communicator as _;
-use lagrangian_ensembles::{Folder, Parameter, Results, Sample, Study, mpi};
+use lagrangian_ensembles::{Folder, Parameter, Progress, Results, Sample, Study, mpi};
 use tempfile::TempDir;
 
 #[derive(Lagrangian, Clone, Debug)]
@@ -30,21 +31,26 @@ struct Pendulum {
 const FOLDER: &str = "LAGRANGIAN_ENSEMBLES_FOLDER";
 const EVENT: &str = "LAGRANGIAN_ENSEMBLES_EVENT";
 
-/// The number of members of a rank after which it happens.
+const MEMBERS: usize = 400;
+
+/// The number of members after which it happens: of a rank that dies or panics, or of all ranks.
 const AFTER: usize = 25;
 
-/// Computes the study into a folder, on the ranks if this is one.
+/// Computes the study into a folder, on the ranks if this is one. Calls `begins` before each member, and `observer` as
+/// the study does.
 fn study(
     folder: Folder,
     threads: usize,
-    ended: impl Fn(usize) -> ControlFlow<()> + Sync,
+    begins: impl Fn() + Sync,
+    observer: impl FnMut(&Progress) -> ControlFlow<()> + Send,
 ) -> Results {
-    let starts = Sample::new(400, [Parameter::uniform("theta", 0.1, 3.0).unit("rad")]).halton();
-    let problem = |theta| Problem::new(Pendulum { g: 9.81 }, State::new(0.0, theta, [0.0]));
+    let starts = Sample::new(MEMBERS, [Parameter::uniform("theta", 0.1, 3.0).unit("rad")]).halton();
+    let problem = |theta| {
+        begins();
+        Problem::new(Pendulum { g: 9.81 }, State::new(0.0, theta, [0.0]))
+    };
     let study = Study::new(starts, problem, 5.0, Taylor::new()).chunk(10);
-    let study = study
-        .threads(threads)
-        .each_member(|progress| ended(progress.ended));
+    let study = study.threads(threads).each_member(observer);
     let rows = |motion: &lagrangian_ensembles::Motion<_, Phase<f64, 1>>| [motion.q[0], motion.v[0]];
     study.write(folder, ["end", "speed"], rows).unwrap()
 }
@@ -54,25 +60,39 @@ fn be_a_rank(folder: &Path) {
     let (universe, _) = mpi::initialize_with_threading(mpi::Threading::Funneled).unwrap();
     let world = universe.world();
     let (rank, event) = (world.rank(), env::var(EVENT).unwrap_or_default());
-    let cancels = event.ends_with("cancels");
-    let ended = |count| {
-        if cancels && !event.starts_with(&format!("rank {rank}")) {
-            // Others are far from the end then.
-            thread::sleep(Duration::from_millis(20));
-        }
-        if count < AFTER {
-            return ControlFlow::Continue(());
-        }
+    let cancels = event == "rank 0 cancels";
+    let begun = AtomicUsize::new(0);
+    let begins = || {
+        // Before a study begins, its members are compared with those of the folder.
+        let Some(begun) = begun.fetch_add(1, Ordering::Relaxed).checked_sub(MEMBERS) else {
+            return;
+        };
         match (&*event, rank) {
-            ("rank 1 dies", 1) => process::abort(),
-            ("rank 1 panics", 1) => panic!("of the caller"),
-            ("rank 0 cancels", 0) | ("rank 1 cancels", 1) => ControlFlow::Break(()),
-            _ => ControlFlow::Continue(()),
+            ("rank 1 dies", 1) if begun == AFTER => process::abort(),
+            ("rank 1 panics", 1) if begun == AFTER => panic!("of the caller"),
+            // All are far from the end then.
+            ("rank 0 cancels", _) => thread::sleep(Duration::from_millis(5)),
+            _ => (),
         }
     };
-    let results = study(Folder::new(folder).ranks(&world), 2, ended);
+    let mut last = Progress::default();
+    let observer = |progress: &Progress| {
+        assert!(progress.ended > last.ended, "{progress:?} after {last:?}");
+        last = *progress;
+        if cancels && progress.ended >= AFTER {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    };
+    let results = study(Folder::new(folder).ranks(&world), 2, begins, observer);
     // All chunks are there when a rank returns, those of the others, too.
     assert_eq!(results.is_complete(), !cancels);
+    // Rank 0 alone is told of the members, those of the others, too.
+    match rank {
+        0 if !cancels => assert_eq!(last.ended, last.members),
+        0 => assert!((AFTER..last.members).contains(&last.ended), "{last:?}"),
+        _ => assert_eq!(last, Progress::default()),
+    }
 }
 
 /// Runs this test on some ranks; `None` if there is no `mpirun`.
@@ -111,7 +131,8 @@ fn the_same_bytes_for_any_number_of_ranks() {
         return;
     }
     let whole = TempDir::new().unwrap();
-    study(Folder::new(whole.path()), 1, |_| ControlFlow::Continue(()));
+    let go_on = |_: &Progress| ControlFlow::Continue(());
+    study(Folder::new(whole.path()), 1, || (), go_on);
     for ranks in [1, 2, 4] {
         let folder = TempDir::new().unwrap();
         match on_ranks(ranks, folder.path(), "") {
@@ -120,14 +141,9 @@ fn the_same_bytes_for_any_number_of_ranks() {
         }
         assert!(bytes(folder.path()) == bytes(whole.path()), "{ranks} ranks");
     }
-    // A rank that dies or panics ends all, and one that cancels stops all. Three others continue after the finished
+    // A rank that dies or panics ends all, and rank 0 stops all if it cancels. Three others continue after the finished
     // chunks.
-    for event in [
-        "rank 1 dies",
-        "rank 1 panics",
-        "rank 0 cancels",
-        "rank 1 cancels",
-    ] {
+    for event in ["rank 1 dies", "rank 1 panics", "rank 0 cancels"] {
         let folder = TempDir::new().unwrap();
         let succeeds = on_ranks(4, folder.path(), event);
         assert_eq!(succeeds, Some(event.ends_with("cancels")), "{event}");
