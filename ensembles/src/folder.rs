@@ -227,9 +227,16 @@ fn claim(path: &Path, manifest: &Manifest) -> Result<(), Error> {
         parquet::temporary(&path.join(MANIFEST))?;
     }
     // Of several processes that begin, the first one has written.
-    match Manifest::read(path)? {
-        Some(found) => manifest.compare(&found, path),
+    let found = Manifest::read(path)?;
+    match found.and_then(|found| manifest.difference(&found)) {
         None => Ok(()),
+        Some([part, there, here]) => Err(Error::Folder {
+            path: path.to_path_buf(),
+            text: format!(
+                "it contains the results of another study; the {part}: {there} there, {here} in this study; choose another folder, or remove this one \
+                 to compute all anew"
+            ),
+        }),
     }
 }
 

@@ -30,7 +30,7 @@ pub(crate) struct Manifest {
     problem: String,
     /// The method with its settings.
     method: String,
-    /// A hash of initial states, derivatives and ends.
+    /// A hash of initial states, derivatives there and nearby, and ends.
     fingerprint: String,
     columns: Vec<ManifestColumn>,
     metadata: Vec<(String, String)>,
@@ -126,8 +126,8 @@ impl Manifest {
         }
     }
 
-    /// Returns an error that tells in what another manifest in a folder differs.
-    pub(crate) fn compare(&self, other: &Self, folder: &Path) -> Result<(), Error> {
+    /// Returns what differs in the manifest of another study, there and in this one.
+    pub(crate) fn difference(&self, other: &Self) -> Option<[String; 3]> {
         let text = |value: &dyn std::fmt::Debug| format!("{value:?}");
         let parts = [
             (
@@ -156,17 +156,8 @@ impl Manifest {
                 text(&other.fingerprint),
             ),
         ];
-        let Some((part, this, found)) = parts.iter().find(|(_, this, found)| this != found) else {
-            return Ok(());
-        };
-        let text = format!(
-            "it contains the results of another study: its {part} is {found}, this study's is {this}; choose another folder, or remove this one to \
-             compute all anew"
-        );
-        Err(Error::Folder {
-            path: folder.to_path_buf(),
-            text,
-        })
+        let different = parts.into_iter().find(|(_, this, other)| this != other);
+        different.map(|(part, this, other)| [part.to_owned(), other, this])
     }
 }
 

@@ -111,7 +111,15 @@ where
         let problem = (self.problem)(point());
         let At { t, x } = problem.initial_state();
         let rates = problem.dynamics().derivative(*t, x);
+        // Where a motion begins at rest, or in a symmetric state, some parameters have no effect.
+        let mut change = 0.1;
+        let elsewhere = x.map(|component| {
+            change *= 0.9;
+            component + change
+        });
+        let rates_elsewhere = problem.dynamics().derivative(*t, &elsewhere);
         let numbers = x.components().chain(rates.components());
+        let numbers = numbers.chain(rates_elsewhere.components());
         numbers.chain([*t, self.end.of(point)]).collect()
     }
 }

@@ -3,7 +3,7 @@
 //! pairwise algorithm for computing sample variances", 1979.
 
 /// The number, the mean, and the sum of squared deviations from the mean.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Moments {
     count: f64,
     /// The first value: means near it keep their digits where values are far from zero.
@@ -14,7 +14,7 @@ pub(crate) struct Moments {
 }
 
 /// The number of rows, their mean, and the sums of the products of deviations from it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Joint {
     count: f64,
     /// The first row.

@@ -142,7 +142,7 @@ pub(crate) enum Request {
 
 /// The chunks of rank 0, as the workers of another rank see them.
 pub(crate) struct Requests {
-    requests: Mutex<Sender<Request>>,
+    sender: Mutex<Sender<Request>>,
     /// The numbers of members that have ended, and of those that have failed, since the last message.
     ended: AtomicU64,
     failed: AtomicU64,
@@ -153,7 +153,7 @@ impl Requests {
     pub(crate) fn new() -> (Self, Receiver<Request>) {
         let (sender, receiver) = mpsc::channel();
         let source = Self {
-            requests: Mutex::new(sender),
+            sender: Mutex::new(sender),
             ended: AtomicU64::new(0),
             failed: AtomicU64::new(0),
         };
@@ -174,9 +174,9 @@ impl Requests {
     }
 
     fn send(&self, request: Request) {
-        let requests = self.requests.lock().unwrap_or_else(PoisonError::into_inner);
+        let sender = self.sender.lock().unwrap_or_else(PoisonError::into_inner);
         // The other end waits until all workers have left.
-        let _ = requests.send(request);
+        let _ = sender.send(request);
     }
 }
 

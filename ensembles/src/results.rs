@@ -52,7 +52,15 @@ impl Results {
             })?;
             let results = match &mut results {
                 Some(results) => {
-                    results.manifest.compare(&manifest, folder)?;
+                    if let Some([part, other, first]) = results.manifest.difference(&manifest) {
+                        let before = results.folder.display();
+                        return Err(Error::Folder {
+                            path: folder.to_path_buf(),
+                            text: format!(
+                                "it contains the results of another study than {before}; the {part}: {other} here, {first} there; name the folders of one study"
+                            ),
+                        });
+                    }
                     results
                 }
                 none => none.insert(Self {

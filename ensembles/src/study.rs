@@ -219,6 +219,37 @@ impl<'a, M: Members> Study<'a, M> {
     /// Integrates all members and returns a table with the `rows` of each motion: `[x, y]` for a single row, or a `Vec`
     /// of rows. The parameters of the points are the first columns.
     ///
+    /// ```
+    /// use lagrangian::prelude::*;
+    /// use lagrangian_ensembles::{Motion, Study};
+    ///
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     taylor,
+    ///     coordinates(x),
+    ///     kinetic = 0.5 * dot(x).powi(2),
+    ///     potential = 0.5 * x.powi(2),
+    ///     event(center = x),
+    /// )]
+    /// struct Oscillator;
+    ///
+    /// let problem = |x: f64| {
+    ///     Problem::new(Oscillator, State::new(0.0, [x], [0.0]))
+    ///         .on(Oscillator::CENTER)
+    ///         .record()
+    /// };
+    /// let study = Study::new(vec![1.0, 2.0], problem, 5.0, Taylor::new());
+    /// // The type of the argument is known where the function is written in the call.
+    /// let rows = |motion: &Motion<f64, Phase<f64, 1>>| {
+    ///     let passages = motion.events().iter().filter(|event| event.is(Oscillator::CENTER));
+    ///     [motion.q[0], passages.count() as f64]
+    /// };
+    /// let (table, summary) = (study.table(["end", "passages"], rows)?, study.summary(["end", "passages"], rows)?);
+    /// assert_eq!(table.column("passages"), Some(&[2.0, 2.0][..]));
+    /// assert_eq!(summary, study.summary(["end", "passages"], rows)?);
+    /// # Ok::<(), lagrangian_ensembles::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// If there are no points or they are invalid, or if two columns have one name.

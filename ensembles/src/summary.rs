@@ -18,7 +18,7 @@ use crate::table::{FailedMember, Table};
 /// missing values. Sums are formed chunk by chunk and merged pairwise, in a binary tree of the numbers of the chunks (Chan,
 /// Golub, `LeVeque`, "Updating formulae and a pairwise algorithm for computing sample variances", 1979), so that their bits
 /// do not depend on the number of threads.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
     columns: Vec<ColumnSummary>,
     /// The moments of the rows without missing values.
@@ -30,7 +30,7 @@ pub struct Summary {
 }
 
 /// Statistics of a column.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct ColumnSummary {
     column: Column,
     moments: Moments,

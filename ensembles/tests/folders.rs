@@ -112,7 +112,55 @@ fn a_folder_of_other_points() {
     others[17] += 1e-9;
     let complaint = write(others).unwrap_err().to_string();
     assert!(
-        complaint.contains("its fingerprint of parameters, initial states and ends is "),
+        complaint.contains("the fingerprint of parameters, initial states and ends: "),
+        "{complaint}"
+    );
+}
+
+#[derive(Lagrangian, Clone, Debug)]
+#[lagrangian(
+    taylor,
+    coordinates(x, y),
+    kinetic = 0.5 * (dot(x).powi(2) + dot(y).powi(2)),
+    potential = 0.5 * (x.powi(2) + y.powi(2)) + k * (x - y).powi(4),
+    dissipation = 0.5 * c * dot(x).powi(2),
+)]
+struct Coupled {
+    k: f64,
+    c: f64,
+}
+
+/// Motions that begin at rest, in a symmetric state: the derivative there depends neither on the damping nor on the
+/// coupling.
+#[test]
+fn a_folder_of_other_parameters_without_effect_at_the_start() {
+    let folder = folder();
+    let write = |k: f64, c: f64| {
+        let problem = |x| Problem::new(Coupled { k, c }, State::new(0.0, [x, x], [0.0; 2]));
+        let study = Study::new(vec![0.1, 0.2], problem, 1.0, Taylor::new());
+        study.write(folder.path(), ["end"], |motion| [motion.q[0]])
+    };
+    write(1.0, 0.1).unwrap();
+    write(1.0, 0.1).unwrap();
+    for (k, c) in [(1.0, 0.2), (1.1, 0.1)] {
+        let complaint = write(k, c).unwrap_err().to_string();
+        assert!(complaint.contains("the fingerprint of "), "{complaint}");
+    }
+}
+
+/// Shards of different studies are no study.
+#[test]
+fn folders_of_two_studies() {
+    let folders = [folder(), folder()];
+    for (seed, folder) in (1..).zip(&folders) {
+        study!(seed, 9.81)
+            .write(folder.path(), COLUMNS, row!())
+            .unwrap();
+    }
+    let complaint = Results::open(&folders).unwrap_err().to_string();
+    assert!(
+        complaint.contains("another study than")
+            && complaint.contains("name the folders of one study"),
         "{complaint}"
     );
 }
@@ -132,7 +180,7 @@ fn a_folder_of_other_ends() {
     assert!((ends.column("end").unwrap()[8] - 1.2).abs() < 1e-15);
     let complaint = write(1.1).unwrap_err().to_string();
     assert!(
-        complaint.contains("its fingerprint of parameters, initial states and ends is "),
+        complaint.contains("the fingerprint of parameters, initial states and ends: "),
         "{complaint}"
     );
 }
@@ -290,21 +338,21 @@ fn folders_of_other_studies() {
     let path = folder.path();
     let seed = complain(study!(2, 9.81).write(path, COLUMNS, row!()));
     assert!(
-        seed.contains("its points is \"Latin hypercube of 500, seed 1: "),
+        seed.contains("the points: \"Latin hypercube of 500, seed 1: "),
         "{seed}"
     );
     let parameter = complain(study!(1, 9.8).write(path, COLUMNS, row!()));
     assert!(
-        parameter.contains("its fingerprint of parameters, initial states and ends is "),
+        parameter.contains("the fingerprint of parameters, initial states and ends: "),
         "{parameter}"
     );
     let method = complain(study!(1, 9.81, 1e-9).write(path, COLUMNS, row!()));
-    assert!(method.contains("its method is \"Taylor"), "{method}");
+    assert!(method.contains("the method: \"Taylor"), "{method}");
     let column = complain(study!(1, 9.81).write(path, ["t", "speed"], row!()));
-    assert!(column.contains("its columns is "), "{column}");
+    assert!(column.contains("the columns: "), "{column}");
     let chunk = complain(study!(1, 9.81).chunk(40).write(path, COLUMNS, row!()));
     assert!(
-        chunk.contains("its number of members in a chunk is 37, this study's is 40"),
+        chunk.contains("the number of members in a chunk: 37 there, 40 in this study"),
         "{chunk}"
     );
     let metadata = complain(
@@ -312,7 +360,7 @@ fn folders_of_other_studies() {
             .metadata("by", "us")
             .write(path, COLUMNS, row!()),
     );
-    assert!(metadata.contains("its metadata is "), "{metadata}");
+    assert!(metadata.contains("the metadata: "), "{metadata}");
     // A version that does not exist.
     let manifest = path.join("_manifest.json");
     let text = fs::read_to_string(&manifest).unwrap();
@@ -324,7 +372,7 @@ fn folders_of_other_studies() {
     .unwrap();
     let version = complain(study!(1, 9.81).write(path, COLUMNS, row!()));
     assert!(
-        version.contains("its version of lagrangian is \"0.0.9\""),
+        version.contains("the version of lagrangian: \"0.0.9\" there"),
         "{version}"
     );
     fs::write(&manifest, &text[..100]).unwrap();
