@@ -96,6 +96,7 @@ impl<P, F, E, I> Study<'_, Integrated<P, F, E, I, 4>> {
         P: Points,
         F: Fn(P::Point) -> lagrangian::Problem<f64, D, K, C, R, O>,
         D: lagrangian::Dynamics<f64>,
+        Integrated<P, F, E, I, 4>: Members,
     {
         Self {
             members: Integrated {
