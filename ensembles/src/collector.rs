@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-use crate::workers::lock;
+use crate::mutex::lock;
 
 /// Takes what is kept of the chunks, as soon as each is finished, on all threads.
 pub(crate) trait Collector<P>: Sync {

@@ -17,7 +17,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, CommunicatorCollectives as _, Destination as _, Source as _};
 
 use crate::chunks::{Queue, Source};
-use crate::study::Ended;
+use crate::progress::Ended;
 
 /// What a rank asks of rank 0.
 const WANTS_CHUNK: u64 = 0;

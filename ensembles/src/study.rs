@@ -14,13 +14,15 @@ use crate::error::Error;
 use crate::members::{Integrated, Members};
 use crate::metadata;
 use crate::motion::{Failure, Motion};
+use crate::mutex::lock;
 use crate::points::Points;
+use crate::progress::{Ended, Progress};
 use crate::rows::Rows;
 use crate::sinks::{Motions, Summaries, Tables};
 use crate::summary::Summary;
 use crate::table::{self, Table};
 use crate::tree::Tree;
-use crate::workers::{self, Sink, Work, lock};
+use crate::workers::{self, Sink, Work};
 
 /// Many motions: one problem for each point, until an end, by a method.
 ///
@@ -69,24 +71,6 @@ type Observer<'a> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 'a;
 struct Observed<'a> {
     observer: Box<Observer<'a>>,
     progress: Progress,
-}
-
-/// Members that have ended.
-pub(crate) struct Ended {
-    pub(crate) ended: usize,
-    /// Those of them that have failed.
-    pub(crate) failed: usize,
-}
-
-/// The progress of a study.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Progress {
-    /// The number of members that have ended, including those that failed.
-    pub ended: usize,
-    /// The number of members that have failed.
-    pub failed: usize,
-    /// The number of all members that this run integrates.
-    pub members: usize,
 }
 
 impl<P, F, E, I> Study<'_, Integrated<P, F, E, I, 4>> {

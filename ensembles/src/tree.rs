@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 
 use crate::collector::Collector;
-use crate::workers::lock;
+use crate::mutex::lock;
 
 /// Merges the parts of chunks in the shape of a binary tree.
 ///

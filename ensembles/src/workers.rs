@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use std::iter;
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use rayon::{Scope, ThreadPool};
@@ -14,7 +14,8 @@ use crate::chunks::{Chunks, Source};
 use crate::collector::Collector;
 use crate::error::Error;
 use crate::members::{Found, Members};
-use crate::study::Ended;
+use crate::mutex::lock;
+use crate::progress::Ended;
 
 /// What is kept of the members of a study.
 pub(crate) trait Sink<M: Members>: Sync {
@@ -253,9 +254,4 @@ impl<Q: Source> Drop for Leaving<'_, Q> {
         }
         self.source.leave();
     }
-}
-
-/// Locks a mutex. A thread that panics with the lock ends the study with its panic, so that what it leaves is not used.
-pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
