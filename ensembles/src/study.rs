@@ -149,7 +149,7 @@ impl<'a, M: Members> Study<'a, M> {
     /// Calls `observer` after each member, on the thread that has integrated it. It returns nothing, or
     /// `ControlFlow::Break(())` to cancel the study: members that have begun are then finished, and others are left out.
     ///
-    /// On [ranks of MPI](crate::Folder::ranks) it is called on rank 0 alone, with the progress of all ranks, of whose members it
+    /// On ranks of MPI (feature `mpi`) it is called on rank 0 alone, with the progress of all ranks, of whose members it
     /// is told chunk by chunk. A progress bar is thus one line, and to cancel stops all ranks.
     ///
     /// ```no_run
