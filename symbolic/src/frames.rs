@@ -1,5 +1,7 @@
 //! Vector algebra: products, rotations, angular velocities, and vectors in frames.
 
+pub(crate) mod frame_tree;
+pub(crate) mod vector_in_frames;
 pub(crate) mod geometry;
 pub(crate) mod elementwise;
 pub(crate) mod merging;

@@ -9,13 +9,13 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::frame_tree::Frame;
 use crate::frames::unresolved::along;
+use crate::frames::vector_in_frames::{Term, VectorInFrames};
 use crate::limits::MAX_TURNS_OF_A_BASE;
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
-use crate::matrix::frame_tree::Frame;
-use crate::matrix::vector_in_frames::{Term, VectorInFrames};
 use crate::{Expression, Geometry, Graph, Rational, Symbol};
 
 type Vector = [Expression; 3];

@@ -1,6 +1,6 @@
 //! Vectors, matrices and rotations, with their frames, above the expressions of their components.
 
-use crate::matrix::vector_in_frames::{KnownFrames, UnresolvedVectors};
+use crate::frames::vector_in_frames::{KnownFrames, UnresolvedVectors};
 use crate::{Expression, Graph};
 
 /// An arena of expressions, and what is known of vectors and matrices of them besides their components: the frames in

@@ -5,12 +5,12 @@
 //! matrices that are rotations for all values of their symbols count, no parameters that are trusted to be
 //! rotations: other matrices are part of vᵢ.
 
+use crate::frames::frame_tree::Frame;
+use crate::frames::vector_in_frames::{Term, VectorInFrames};
 use crate::limits::{MAX_FACTORS, MAX_FACTORS_IN_SUM, MAX_FRAMES_IN_SUM};
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::frame_tree::Frame;
-use crate::matrix::vector_in_frames::{Term, VectorInFrames};
 use crate::{Expression, Geometry, Graph, Node, Rational};
 
 type Vector = [Expression; 3];

@@ -7,10 +7,10 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::frame_tree::Frame;
+use crate::frames::vector_in_frames::{Term, VectorId, VectorInFrames};
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::frame_tree::Frame;
-use crate::matrix::vector_in_frames::{Term, VectorId, VectorInFrames};
 use crate::{Expression, Geometry, Graph, Node, Rational, Symbol};
 
 type Vector = [Expression; 3];

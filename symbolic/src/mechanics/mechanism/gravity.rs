@@ -5,8 +5,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::matrix::frame_tree::Frame;
-use crate::matrix::vector_in_frames::{Term, VectorId};
+use crate::frames::frame_tree::Frame;
+use crate::frames::vector_in_frames::{Term, VectorId};
 use crate::mechanics::energy_forms::quasi_velocities::is_constant;
 use crate::mechanics::mechanism::Vector;
 use crate::mechanics::mechanism::reading::{Point, Reader};

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::frame_tree::Frame;
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::frame_tree::Frame;
 use crate::mechanics::mechanism::reading::{Point, Reader};
 use crate::mechanics::mechanism::{Inertia, Link, Turn, Vector};
 use crate::{Expression, Graph, Node};

@@ -10,9 +10,9 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::frame_tree::Frame;
+use crate::frames::vector_in_frames::{Term, UnresolvedVectors, VectorId};
 use crate::limits::MAX_TURNS_OF_A_BASE;
-use crate::matrix::frame_tree::Frame;
-use crate::matrix::vector_in_frames::{Term, UnresolvedVectors, VectorId};
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Turn, Vector};
 use crate::{EnergiesInFrames, Expression, Geometry, Graph, Model, Node, Rational, Symbol};
