@@ -20,7 +20,7 @@ mod ablation;
 
 use core::mem;
 
-use lagrangian_symbolic::{Energies, Expression, Graph, Model};
+use lagrangian_symbolic::{Energies, Expression, Geometry, Graph, Model};
 use proc_macro2::Ident;
 use syn::Expr;
 
@@ -54,12 +54,12 @@ pub(crate) struct Lowered {
 
 /// Resolves a declaration.
 pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) -> Lowered {
-    let mut graph = Graph::new();
-    graph.passes = passes(diagnostics);
+    let mut geometry = Geometry::new();
+    geometry.graph.passes = passes(diagnostics);
     let quantities = Quantities::new(declaration);
     let mut lowerer = Lowerer {
-        scope: Scope::new(declaration, &mut graph),
-        graph,
+        scope: Scope::new(declaration, &mut geometry.graph),
+        geometry,
         coordinates: count(quantities.coordinates.len()),
         diagnostics,
         repetitions: 0,
@@ -83,7 +83,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
     let in_frames = (complete && lowerer.rotations > 0)
         .then(|| energies_in_frames(&mut lowerer, declaration))
         .flatten();
-    let mut graph = lowerer.graph;
+    let mut graph = lowerer.geometry.graph;
     let model = parts.complete().filter(|_| complete).map(|parts| Model {
         coordinates,
         inputs: count(quantities.inputs.len()),

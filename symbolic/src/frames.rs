@@ -1,6 +1,10 @@
 //! Vector algebra: products, rotations, angular velocities, and vectors in frames.
 
+pub(crate) mod frame_tree;
+pub(crate) mod vector_in_frames;
+pub(crate) mod geometry;
 pub(crate) mod elementwise;
+pub(crate) mod merging;
 pub(crate) mod matrix_product;
 pub(crate) mod vector_product;
 pub(crate) mod resolution;

@@ -23,6 +23,7 @@ pub use algebra::graph::Graph;
 pub use algebra::node::{Expression, Node};
 pub use algebra::rational::Rational;
 pub use algebra::symbol::Symbol;
+pub use frames::geometry::Geometry;
 pub use frames::inverse::NoInverse;
 pub use frames::rotation::NoRotation;
 pub use identity::modular_point::ModularPoint;

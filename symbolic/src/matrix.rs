@@ -2,8 +2,6 @@
 
 pub(crate) mod axis;
 pub(crate) mod factor;
-pub(crate) mod frame_tree;
-pub(crate) mod vector_in_frames;
 pub(crate) mod dense;
 pub(crate) mod rows;
 pub(crate) mod determinant;

@@ -7,7 +7,7 @@
 
 use core::mem;
 
-use lagrangian_symbolic::Graph;
+use lagrangian_symbolic::Geometry;
 use proc_macro2::Ident;
 
 use crate::lower::expression::Lowerer;
@@ -17,7 +17,7 @@ use crate::syntax::declaration::Declaration;
 
 /// The definitions of a declaration at rest.
 pub(super) struct AtRest {
-    graph: Graph,
+    geometry: Geometry,
     scope: Scope,
     rest: Rest,
 }
@@ -25,10 +25,10 @@ pub(super) struct AtRest {
 impl AtRest {
     /// Translates the definitions, all of which are free of errors.
     pub(super) fn new(lowerer: &mut Lowerer<'_>, declaration: &Declaration) -> Self {
-        let mut graph = Graph::new();
-        let scope = Scope::new(declaration, &mut graph);
+        let mut geometry = Geometry::new();
+        let scope = Scope::new(declaration, &mut geometry.graph);
         let mut at_rest = Self {
-            graph,
+            geometry,
             scope,
             rest: Rest::default(),
         };
@@ -50,7 +50,7 @@ impl AtRest {
     }
 
     fn exchange(&mut self, lowerer: &mut Lowerer<'_>) {
-        mem::swap(&mut self.graph, &mut lowerer.graph);
+        mem::swap(&mut self.geometry, &mut lowerer.geometry);
         mem::swap(&mut self.scope, &mut lowerer.scope);
     }
 
@@ -69,7 +69,7 @@ impl AtRest {
         value.is_none_or(|value| {
             let components = value.components();
             self.rest
-                .depends_on_position(&mut self.graph, components, component)
+                .depends_on_position(&mut self.geometry.graph, components, component)
         })
     }
 }

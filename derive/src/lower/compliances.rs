@@ -24,7 +24,7 @@ impl Lowerer<'_> {
             understood &= done.is_some();
         }
         if understood && let Some(known) = &mut self.known_constraints {
-            let one = self.graph.constant(&Rational::ONE);
+            let one = self.geometry.graph.constant(&Rational::ONE);
             let all = found.into_iter().map(|found| found.unwrap_or(one));
             known.compliances = Some(all.collect());
         }
@@ -107,14 +107,16 @@ impl Lowerer<'_> {
                 return self.reject(written, message);
             }
         };
-        let symbols = self.graph.symbols(&components);
+        let symbols = self.geometry.graph.symbols(&components);
         let is_other = |symbol: &Symbol| !matches!(symbol, Symbol::Parameter(_));
         if symbols.iter().any(is_other) {
             let message = "a compliance depends on parameters alone: write a positive number, such as `1.0 / k` with the \
                            stiffness of the part that holds the constraint";
             return self.reject(written, message);
         }
-        let mut constants = components.iter().filter_map(|x| self.graph.as_constant(*x));
+        let mut constants = components
+            .iter()
+            .filter_map(|x| self.geometry.graph.as_constant(*x));
         if constants.any(|constant| *constant <= Rational::ZERO) {
             let message = "a compliance is positive: a part that does not yield has a small one";
             return self.reject(written, message);

@@ -221,7 +221,7 @@ impl Lowerer<'_> {
         };
         let multipliers = constraint.indices().map(|i| {
             let index = self.coordinates + count(i);
-            self.graph.symbol(Symbol::Acceleration(index))
+            self.geometry.graph.symbol(Symbol::Acceleration(index))
         });
         let multipliers: Vec<_> = multipliers.collect();
         let value = match constraint.shape {

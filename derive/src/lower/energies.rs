@@ -12,10 +12,10 @@ impl Lowerer<'_> {
             .iter()
             .map(|clause| self.scalar(&clause.expression, ExpressionContext::Energy))
             .collect();
-        let zero = self.graph.zero();
-        values
-            .into_iter()
-            .try_fold(zero, |total, value| Some(self.graph.add(total, value?)))
+        let zero = self.geometry.graph.zero();
+        values.into_iter().try_fold(zero, |total, value| {
+            Some(self.geometry.graph.add(total, value?))
+        })
     }
 
     /// T and V.
@@ -37,7 +37,7 @@ impl Lowerer<'_> {
         if self.coordinates == 0 {
             return;
         }
-        let moving = self.graph.contents(energy).has_velocity();
+        let moving = self.geometry.graph.contents(energy).has_velocity();
         if let (false, Some(clause)) = (moving, clauses.first()) {
             self.diagnostics.error(
                 &clause.expression,
@@ -49,22 +49,22 @@ impl Lowerer<'_> {
 
     /// Rayleigh's dissipation function, whose forces −∂D/∂q̇ are to depend on the velocities.
     pub(super) fn dissipation(&mut self, clauses: &[Clause]) -> Option<Expression> {
-        let mut total = Some(self.graph.zero());
+        let mut total = Some(self.geometry.graph.zero());
         for clause in clauses {
             let value = self.scalar(&clause.expression, ExpressionContext::Energy);
             let value = value.filter(|value| self.check_dissipation(clause, *value).is_some());
             total = total
                 .zip(value)
-                .map(|(total, value)| self.graph.add(total, value));
+                .map(|(total, value)| self.geometry.graph.add(total, value));
         }
         total
     }
 
     fn check_dissipation(&mut self, clause: &Clause, value: Expression) -> Option<()> {
-        if self.graph.is_zero(value) {
+        if self.geometry.graph.is_zero(value) {
             return Some(());
         }
-        if !self.graph.contents(value).has_velocity() {
+        if !self.geometry.graph.contents(value).has_velocity() {
             return self.reject(
                 &clause.expression,
                 "this contains no velocity, so that it has no effect: write velocities as `dot(q)`, as in \
@@ -72,7 +72,7 @@ impl Lowerer<'_> {
             );
         }
         // On a copy: what is built for a check stays out of the equations.
-        let mut graph = self.graph.clone();
+        let mut graph = self.geometry.graph.clone();
         let velocities: Vec<_> = (0..self.coordinates).map(Symbol::Velocity).collect();
         let slopes = graph.jacobian(&[value], &velocities).concat();
         if slopes

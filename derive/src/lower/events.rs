@@ -20,7 +20,7 @@ impl Lowerer<'_> {
             }
             let components = value.iter().flat_map(Value::components);
             let constant = components
-                .filter(|component| !self.graph.contents(**component).varies_in_motion())
+                .filter(|component| !self.geometry.graph.contents(**component).varies_in_motion())
                 .count();
             if constant > 0 {
                 self.diagnostics.error(

@@ -17,7 +17,7 @@ mod repetition;
 mod rotation;
 
 pub(crate) use component::base_and_indices;
-use lagrangian_symbolic::{Expression, Graph, Rational};
+use lagrangian_symbolic::{Expression, Geometry, Rational};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprLit, ExprUnary, Lit, Stmt, UnOp};
@@ -44,7 +44,7 @@ pub(crate) enum ExpressionContext {
 
 /// The lowering of one declaration.
 pub(crate) struct Lowerer<'a> {
-    pub(crate) graph: Graph,
+    pub(crate) geometry: Geometry,
     pub(crate) scope: Scope,
     pub(crate) coordinates: u32,
     pub(crate) diagnostics: &'a mut Diagnostics,
@@ -111,7 +111,7 @@ impl Lowerer<'_> {
     pub(crate) fn as_scalar(&mut self, value: &Value, tokens: impl ToTokens) -> Option<Expression> {
         match value {
             Value::Scalar(expression) => Some(*expression),
-            Value::EmptySum => Some(self.graph.zero()),
+            Value::EmptySum => Some(self.geometry.graph.zero()),
             Value::Array(_) => {
                 let message = format!(
                     "this is {}, and a scalar belongs here: write one of its components, as in `v[0]` or \
@@ -130,7 +130,7 @@ impl Lowerer<'_> {
         let value = self.scalar(expression, ExpressionContext::Observation);
         self.within_index = outside;
         let value = value?;
-        let constant = self.graph.as_constant(value);
+        let constant = self.geometry.graph.as_constant(value);
         match constant.map(Rational::to_integer) {
             Some(Some(integer)) => Some(integer),
             Some(None) => self.reject(
@@ -174,7 +174,7 @@ impl Lowerer<'_> {
             return self.reject(literal, format!("numbers here are real: write `{digits}`"));
         }
         match Rational::from_decimal(digits) {
-            Some(value) if in_range(&value) => Some(self.graph.constant(&value)),
+            Some(value) if in_range(&value) => Some(self.geometry.graph.constant(&value)),
             _ => self.reject(
                 literal,
                 "this number is outside of the range of `f64`, 5e-324 to 1.8e308: choose units in which \
@@ -297,10 +297,10 @@ impl Lowerer<'_> {
     fn negation(&mut self, unary: &ExprUnary, context: ExpressionContext) -> Option<Value> {
         match unary.op {
             UnOp::Neg(_) => Some(match self.lower(&unary.expr, context)? {
-                Value::Scalar(operand) => Value::Scalar(self.graph.negate(operand)),
+                Value::Scalar(operand) => Value::Scalar(self.geometry.graph.negate(operand)),
                 Value::Array(operand) => {
-                    let opposite = self.graph.constant(&Rational::MINUS_ONE);
-                    Value::Array(self.graph.matrix_scaled(&operand, opposite))
+                    let opposite = self.geometry.graph.constant(&Rational::MINUS_ONE);
+                    Value::Array(self.geometry.matrix_scaled(&operand, opposite))
                 }
                 Value::EmptySum => Value::EmptySum,
             }),
@@ -317,7 +317,7 @@ impl Lowerer<'_> {
 
     pub(crate) fn has_acceleration(&self, value: &Value) -> bool {
         let mut components = value.components().iter();
-        components.any(|component| self.graph.contents(*component).has_acceleration())
+        components.any(|component| self.geometry.graph.contents(*component).has_acceleration())
     }
 }
 

@@ -43,7 +43,7 @@ struct GeneralizedForces<'a> {
 impl Lowerer<'_> {
     /// The generalized force of each coordinate: the sum of what the clauses say.
     pub(super) fn forces(&mut self, declaration: &Declaration) -> Option<Vec<Expression>> {
-        let zero = self.graph.zero();
+        let zero = self.geometry.graph.zero();
         let mut totals = GeneralizedForces {
             declaration,
             forces: vec![zero; self.coordinates as usize],
@@ -89,13 +89,13 @@ impl Lowerer<'_> {
                              another `force(…)`, which adds to this one",
                         );
                     }
-                    totals.forces[i] = self.graph.add(totals.forces[i], component);
+                    totals.forces[i] = self.geometry.graph.add(totals.forces[i], component);
                 }
             }
             Target::Defined(target) => {
                 let work = self.generalized_force(force, &value?, &target, totals)?;
                 for (total, work) in totals.forces.iter_mut().zip(work) {
-                    *total = self.graph.add(*total, work);
+                    *total = self.geometry.graph.add(*total, work);
                 }
             }
         }
@@ -112,7 +112,7 @@ impl Lowerer<'_> {
         if shape == Shape::Scalar {
             return Some(vec![self.as_scalar(&value, &force.expression)?]);
         }
-        let zero = self.graph.zero();
+        let zero = self.geometry.graph.zero();
         let value = match value {
             Value::EmptySum => shape.filled(zero),
             other => other,
@@ -142,7 +142,7 @@ impl Lowerer<'_> {
         target: &DefinedTarget,
         totals: &mut GeneralizedForces<'_>,
     ) -> Option<Vec<Expression>> {
-        let zero = self.graph.zero();
+        let zero = self.geometry.graph.zero();
         if *value == Value::EmptySum {
             return Some(vec![zero; self.coordinates as usize]);
         }
@@ -151,12 +151,12 @@ impl Lowerer<'_> {
         let acted_on = target.value.components().iter();
         for (i, (component, acted_on)) in value.components().iter().zip(acted_on).enumerate() {
             let partial_derivatives = self.partial_derivatives(*acted_on, target.is_velocity);
-            if target.is_velocity && self.graph.contents(*acted_on).has_velocity() {
+            if target.is_velocity && self.geometry.graph.contents(*acted_on).has_velocity() {
                 self.check_velocity(force, target, i, *acted_on, totals)?;
             }
             for (total, derivative) in work.iter_mut().zip(partial_derivatives) {
-                let part = self.graph.multiply(*component, derivative);
-                *total = self.graph.add(*total, part);
+                let part = self.geometry.graph.multiply(*component, derivative);
+                *total = self.geometry.graph.add(*total, part);
             }
         }
         Some(work)
@@ -170,7 +170,7 @@ impl Lowerer<'_> {
             Symbol::Coordinate
         };
         let symbols: Vec<_> = (0..self.coordinates).map(symbol).collect();
-        let columns = self.graph.jacobian(&[acted_on], &symbols);
+        let columns = self.geometry.graph.jacobian(&[acted_on], &symbols);
         columns.into_iter().flatten().collect()
     }
 
@@ -185,7 +185,7 @@ impl Lowerer<'_> {
         totals: &mut GeneralizedForces<'_>,
     ) -> Option<()> {
         let name = &force.name;
-        let degree = self.graph.velocity_degree(velocity);
+        let degree = self.geometry.graph.velocity_degree(velocity);
         if degree.is_none_or(|degree| degree > 1) {
             let message = format!(
                 "`{name}` is not linear in the velocities, so that no force gives power with it: a force acts on a \
@@ -260,7 +260,7 @@ impl Lowerer<'_> {
     fn on_coordinates(&mut self, value: Value, indices: &[syn::Expr]) -> Option<Target> {
         let indices: Vec<&syn::Expr> = indices.iter().collect();
         let value = self.components(value, &indices)?;
-        let index = |component: &Expression| match self.graph.node(*component) {
+        let index = |component: &Expression| match self.geometry.graph.node(*component) {
             Node::Symbol(Symbol::Coordinate(i)) => Some(*i as usize),
             _ => None,
         };
@@ -273,7 +273,7 @@ impl Lowerer<'_> {
 
     fn has_velocity(&self, value: &Value) -> bool {
         let mut components = value.components().iter();
-        components.any(|component| self.graph.contents(*component).has_velocity())
+        components.any(|component| self.geometry.graph.contents(*component).has_velocity())
     }
 
     /// A position or a velocity, where a force can act on it.
@@ -296,13 +296,13 @@ impl Lowerer<'_> {
             return self.reject(name, message);
         }
         let moves = |symbol| matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_));
-        if !self.graph.contains(value.components(), moves) {
+        if !self.geometry.graph.contains(value.components(), moves) {
             let message = format!("no coordinate moves `{name}`: a force on it does no work");
             return self.reject(name, message);
         }
         // Another name of a coordinate.
         if let Value::Scalar(expression) = value
-            && let Node::Symbol(Symbol::Coordinate(_)) = self.graph.node(expression)
+            && let Node::Symbol(Symbol::Coordinate(_)) = self.geometry.graph.node(expression)
             && !is_velocity
         {
             return self.on_coordinates(value, &[]);

@@ -5,7 +5,7 @@
 
 use core::mem;
 
-use lagrangian_symbolic::{EnergiesInFrames, Graph};
+use lagrangian_symbolic::{EnergiesInFrames, Geometry};
 
 use crate::lower::expression::Lowerer;
 use crate::lower::scope::Scope;
@@ -20,10 +20,10 @@ pub(super) fn energies_in_frames(
     if !clauses.lagrangian.is_empty() {
         return None;
     }
-    let mut graph = Graph::with_unresolved_vectors(lowerer.coordinates);
-    graph.passes = lowerer.graph.passes;
-    let mut scope = Scope::new(declaration, &mut graph);
-    mem::swap(&mut graph, &mut lowerer.graph);
+    let mut geometry = Geometry::with_unresolved_vectors(lowerer.coordinates);
+    geometry.graph.passes = lowerer.geometry.graph.passes;
+    let mut scope = Scope::new(declaration, &mut geometry.graph);
+    mem::swap(&mut geometry, &mut lowerer.geometry);
     mem::swap(&mut scope, &mut lowerer.scope);
     let before = mem::take(lowerer.diagnostics);
     let repetitions = mem::take(&mut lowerer.repetitions);
@@ -38,10 +38,10 @@ pub(super) fn energies_in_frames(
     *lowerer.diagnostics = before;
     lowerer.repetitions = repetitions;
     lowerer.rotations = rotations;
-    mem::swap(&mut graph, &mut lowerer.graph);
+    mem::swap(&mut geometry, &mut lowerer.geometry);
     mem::swap(&mut scope, &mut lowerer.scope);
     Some(EnergiesInFrames {
-        graph,
+        geometry,
         kinetic: kinetic?,
         potential: potential?,
     })

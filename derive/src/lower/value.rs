@@ -1,6 +1,6 @@
 //! The value of an expression of the declaration: a scalar, a vector or a matrix.
 
-use lagrangian_symbolic::{Expression, Graph, Matrix, Rational};
+use lagrangian_symbolic::{Expression, Geometry, Matrix, Rational};
 
 use crate::syntax::label::Index;
 use crate::syntax::shape::Shape;
@@ -94,13 +94,13 @@ impl Sum {
         Ok(())
     }
 
-    pub(crate) fn value(self, graph: &mut Graph) -> Value {
+    pub(crate) fn value(self, geometry: &mut Geometry) -> Value {
         if !self.scalars.is_empty() {
-            return Value::Scalar(graph.sum(self.scalars));
+            return Value::Scalar(geometry.graph.sum(self.scalars));
         }
         let terms = self.arrays.iter();
         let terms: Vec<_> = terms.map(|(term, sign)| (term, sign.clone())).collect();
-        match graph.matrix_sum(&terms) {
+        match geometry.matrix_sum(&terms) {
             Some(sum) if !terms.is_empty() => Value::Array(sum),
             _ => Value::EmptySum,
         }
@@ -120,7 +120,7 @@ impl Product {
     /// it, if that does not fit.
     pub(crate) fn multiply(
         &mut self,
-        graph: &mut Graph,
+        geometry: &mut Geometry,
         value: Value,
         exponent: Rational,
     ) -> Result<(), Shape> {
@@ -132,7 +132,7 @@ impl Product {
             }
             Value::Array(right) => match self.array.take() {
                 None => self.array = Some(right),
-                Some(left) => match graph.matrix_product(&left, &right) {
+                Some(left) => match geometry.matrix_product(&left, &right) {
                     Some(product) if product.elements().len() == 1 => {
                         self.scalars.push((product.elements()[0], Rational::ONE));
                     }
@@ -144,16 +144,16 @@ impl Product {
         Ok(())
     }
 
-    pub(crate) fn value(self, graph: &mut Graph) -> Value {
+    pub(crate) fn value(self, geometry: &mut Geometry) -> Value {
         if self.vanishes {
             return Value::EmptySum;
         }
         match (self.array, self.scalars) {
-            (None, scalars) => Value::Scalar(graph.product(scalars)),
+            (None, scalars) => Value::Scalar(geometry.graph.product(scalars)),
             (Some(array), scalars) if scalars.is_empty() => Value::Array(array),
             (Some(array), scalars) => {
-                let factor = graph.product(scalars);
-                Value::Array(graph.matrix_scaled(&array, factor))
+                let factor = geometry.graph.product(scalars);
+                Value::Array(geometry.matrix_scaled(&array, factor))
             }
         }
     }

@@ -22,7 +22,6 @@ use crate::algebra::interner::Interner;
 use crate::algebra::node::{Expression, Node};
 use crate::algebra::scaled_sum::KnownScales;
 use crate::algebra::sum::KnownSplits;
-use crate::matrix::vector_in_frames::KnownFrames;
 use crate::{Pass, Passes, Rational, Symbol};
 
 /// The arena of all expressions of a model.
@@ -48,8 +47,6 @@ pub struct Graph {
     pub(crate) squared_distances: BTreeSet<Expression>,
     /// Whether sums of exponentials stay as they are written, as in print.
     pub(crate) leaves_exponentials: bool,
-    /// The frames, and what is known of vectors and matrices beside their elements.
-    pub(crate) frames: KnownFrames,
     /// What derivatives are computed in.
     pub(crate) derivatives: DerivativeMemory,
 }
@@ -76,7 +73,6 @@ impl Graph {
             has_exponential: false,
             squared_distances: BTreeSet::new(),
             leaves_exponentials: false,
-            frames: KnownFrames::default(),
             derivatives: DerivativeMemory::default(),
         };
         graph.intern(Node::Constant(Rational::ZERO));

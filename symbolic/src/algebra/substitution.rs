@@ -68,8 +68,6 @@ impl Graph {
     }
 
     /// The roots of another graph in this one: symbols and external functions of the same numbers are the same.
-    ///
-    /// What the other graph knows of vectors and matrices besides, such as their frames, is not copied.
     pub fn imported(&mut self, from: &Self, roots: &[Expression]) -> Vec<Expression> {
         let descendants = from.descendants(roots);
         let length = descendants.last().map_or(0, |last| last.index() + 1);

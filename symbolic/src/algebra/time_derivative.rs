@@ -10,8 +10,7 @@ impl Graph {
     /// the chain rule through q, q̇ and t: q̇ for q, q̈ for q̇, 1 for t.
     pub fn time_derivatives(&mut self, roots: &[Expression], coordinates: u32) -> Vec<Expression> {
         let direction = self.time_direction(coordinates);
-        let roots = self.resolved(roots);
-        self.directional_derivatives(&roots, &direction)
+        self.directional_derivatives(roots, &direction)
     }
 
     /// The direction in which time goes on: q̇ for q, q̈ for q̇, 1 for t.

@@ -10,11 +10,11 @@ use crate::frames::rotation::NoRotation;
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
-use crate::{Direction, Expression, Graph, Rational, Symbol};
+use crate::{Direction, Expression, Geometry, Graph, Rational, Symbol};
 
 type Vector = [Expression; 3];
 
-impl Graph {
+impl Geometry {
     /// ω = vee(Aᵀ Ȧ), a column: the angular velocity resolved in the body frame, where A takes components in the
     /// body frame to components in the inertial frame.
     ///
@@ -58,7 +58,7 @@ impl Graph {
         }
         // In the body frame, the inertial frame rotates with the opposite angular velocity.
         let opposite = self.angular_velocity(&rotation.transpose(), coordinates)?;
-        let velocity = opposite.elements().iter().map(|x| self.negate(*x));
+        let velocity = opposite.elements().iter().map(|x| self.graph.negate(*x));
         let velocity = Matrix::vector(velocity.collect());
         // Known as the one in the body frame, rotated.
         let body = self.angular_velocity(rotation, coordinates)?;
@@ -66,6 +66,24 @@ impl Graph {
         Ok(self.with_parts(velocity, parts))
     }
 
+    /// The [angular velocity](Graph::angular_velocity_of_product) of a product of factors, which may contain components of
+    /// vectors that are resolved last.
+    pub(crate) fn angular_velocity_of_product(
+        &mut self,
+        factors: &[MatrixFactor],
+        coordinates: u32,
+    ) -> Result<Vector, NoRotation> {
+        if self.frames.unresolved.is_some() {
+            let factors = self.resolved_factors(factors);
+            return self
+                .graph
+                .angular_velocity_of_product(&factors, coordinates);
+        }
+        self.graph.angular_velocity_of_product(factors, coordinates)
+    }
+}
+
+impl Graph {
     /// The angular velocity of a product of factors.
     pub(crate) fn angular_velocity_of_product(
         &mut self,

@@ -9,14 +9,14 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::frame_tree::Frame;
 use crate::frames::unresolved::along;
+use crate::frames::vector_in_frames::{Term, VectorInFrames};
 use crate::limits::MAX_TURNS_OF_A_BASE;
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
-use crate::matrix::frame_tree::Frame;
-use crate::matrix::vector_in_frames::{Term, VectorInFrames};
-use crate::{Expression, Graph, Rational, Symbol};
+use crate::{Expression, Geometry, Graph, Rational, Symbol};
 
 type Vector = [Expression; 3];
 
@@ -33,7 +33,7 @@ impl VectorInFrames {
     }
 }
 
-impl Graph {
+impl Geometry {
     /// ω × r, or r × ω, of an angular velocity and a vector of the frame that turns with it: the rate of r, less that along
     /// the axes of the frame.
     pub(crate) fn unresolved_cross_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Matrix> {
@@ -41,7 +41,7 @@ impl Graph {
         if x.shape() != (3, 1) {
             return None;
         }
-        let moves = [x, y].map(|x| self.has_velocity(x));
+        let moves = [x, y].map(|x| self.graph.has_velocity(x));
         let (rate, place, sign) = match moves {
             [true, false] => (x, y, Rational::ONE),
             [false, true] => (y, x, Rational::MINUS_ONE),
@@ -62,7 +62,7 @@ impl Graph {
         if rate.axes != place.axes {
             return None;
         }
-        let factor = self.constant(&sign);
+        let factor = self.graph.constant(&sign);
         let mut terms = Vec::new();
         for term in place.terms {
             let Term::Fixed(frame, vector) = term else {
@@ -73,10 +73,10 @@ impl Graph {
             }
             let coordinates = self.frames.unresolved.as_ref()?.coordinates;
             let own = self.time_derivatives(&vector, coordinates);
-            let own = <[_; 3]>::try_from(own).ok()?.map(|x| self.negate(x));
+            let own = <[_; 3]>::try_from(own).ok()?.map(|x| self.graph.negate(x));
             for term in [Term::Rate(frame, vector), Term::Fixed(frame, own)] {
-                let term = self.scaled_term(&term, factor)?;
-                self.add_term(&mut terms, term);
+                let term = self.graph.scaled_term(&term, factor)?;
+                self.graph.add_term(&mut terms, term);
             }
         }
         let axes = rate.axes;
@@ -92,7 +92,7 @@ impl Graph {
         if vector.axes == axes {
             return Some(vector);
         }
-        if !vector.is_relative(self) {
+        if !vector.is_relative(&self.graph) {
             return None;
         }
         let base = self.frames.tree.factors(axes);
@@ -114,7 +114,7 @@ impl Graph {
     /// The same vector, with turned velocities put together: to the angular velocity of a frame, and to rates.
     pub(crate) fn with_known_velocities(&mut self, vector: VectorInFrames) -> VectorInFrames {
         let is_turned =
-            |graph: &Self, term: &Term| matches!(term, Term::Fixed(..)) && term.moves(graph);
+            |graph: &Self, term: &Term| matches!(term, Term::Fixed(..)) && term.moves(&graph.graph);
         if !vector.terms.iter().any(|term| is_turned(self, term)) {
             return vector;
         }
@@ -132,12 +132,12 @@ impl Graph {
             terms: vec![Term::AngularVelocity(frame, one)],
         };
         if self.turn_with(&vector.terms, vector.axes) {
-            return of_frame(vector.axes, self.one());
+            return of_frame(vector.axes, self.graph.one());
         }
-        if vector.is_relative(self)
+        if vector.is_relative(&self.graph)
             && let Some(frame) = self.frame_seen_from(&vector.terms)
         {
-            return of_frame(frame, self.one());
+            return of_frame(frame, self.graph.one());
         }
         vector
     }
@@ -148,7 +148,7 @@ impl Graph {
         rotations: &[MatrixFactor],
         column: &Matrix,
     ) -> Option<Matrix> {
-        if !self.has_velocity(column) {
+        if !self.graph.has_velocity(column) {
             return None;
         }
         let VectorInFrames { terms, .. } = along(Frame::INERTIAL, column)?;
@@ -159,31 +159,29 @@ impl Graph {
         turns.then(|| self.column_of(VectorInFrames { axes, terms }))?
     }
 
-    pub(crate) fn has_velocity(&self, column: &Matrix) -> bool {
-        let mut elements = column.elements().iter();
-        elements.any(|x| self.contents(*x).has_velocity())
-    }
-
     /// Terms of which those with velocities are brought towards the inertial frame, where a velocity is the rate of a place.
     fn with_rates_of_places(&mut self, terms: Vec<Term>) -> Vec<Term> {
         let mut sum = Vec::with_capacity(terms.len());
         for term in terms {
             match term {
-                Term::Fixed(frame, vector) if term.moves(self) => {
+                Term::Fixed(frame, vector) if term.moves(&self.graph) => {
                     for (frame, vector) in self.raised(frame, vector) {
-                        self.add_term(&mut sum, Term::Fixed(frame, vector));
+                        self.graph.add_term(&mut sum, Term::Fixed(frame, vector));
                     }
                 }
-                other => self.add_term(&mut sum, other),
+                other => self.graph.add_term(&mut sum, other),
             }
         }
-        let own = |term: &Term| matches!(term, Term::Fixed(Frame::INERTIAL, _)) && term.moves(self);
+        let own = |term: &Term| {
+            matches!(term, Term::Fixed(Frame::INERTIAL, _)) && term.moves(&self.graph)
+        };
         if let Some(i) = sum.iter().position(own)
             && let Term::Fixed(_, vector) = sum[i]
             && let Some(place) = self.integral(vector)
         {
             sum.swap_remove(i);
-            self.add_term(&mut sum, Term::Rate(Frame::INERTIAL, place));
+            self.graph
+                .add_term(&mut sum, Term::Rate(Frame::INERTIAL, place));
         }
         sum
     }
@@ -193,7 +191,7 @@ impl Graph {
         if frame == Frame::INERTIAL {
             return false;
         }
-        let expected = [Term::AngularVelocity(frame, self.one())];
+        let expected = [Term::AngularVelocity(frame, self.graph.one())];
         let Some(found) = self.turns(terms) else {
             return false;
         };
@@ -209,12 +207,12 @@ impl Graph {
             .zip(expected.into_values().flatten());
         let mut residuals = Vec::new();
         for (x, y) in pairs {
-            let difference = self.subtract(x, y);
-            if !self.is_zero(difference) {
+            let difference = self.graph.subtract(x, y);
+            if !self.graph.is_zero(difference) {
                 residuals.push(difference);
             }
         }
-        residuals.is_empty() || self.vanishes(&residuals)
+        residuals.is_empty() || self.graph.vanishes(&residuals)
     }
 
     /// A sum of turned vectors and of angular velocities by frame, each as near to the inertial frame as its components stay
@@ -229,18 +227,18 @@ impl Graph {
                 Term::AngularVelocity(frame, multiple) => {
                     for (frame, factor) in self.frames.tree.path(frame) {
                         let rate = self.angular_velocity_of_product(&[factor], coordinates);
-                        let rate = rate.ok()?.map(|x| self.multiply(multiple, x));
+                        let rate = rate.ok()?.map(|x| self.graph.multiply(multiple, x));
                         own.push((frame, rate));
                     }
                 }
             }
         }
         let mut sums: BTreeMap<Frame, Vector> = BTreeMap::new();
-        let zero = [self.zero(); 3];
+        let zero = [self.graph.zero(); 3];
         for (frame, vector) in own {
             for (frame, vector) in self.raised(frame, vector) {
                 let sum = sums.entry(frame).or_insert(zero);
-                *sum = [0, 1, 2].map(|i| self.add(sum[i], vector[i]));
+                *sum = [0, 1, 2].map(|i| self.graph.add(sum[i], vector[i]));
             }
         }
         sums.retain(|_, sum| *sum != zero);
@@ -251,10 +249,10 @@ impl Graph {
     /// its component along their axis.
     fn raised(&mut self, mut frame: Frame, mut vector: Vector) -> Vec<(Frame, Vector)> {
         let mut parts = Vec::new();
-        let zero = self.zero();
+        let zero = self.graph.zero();
         while let Some((before, factor)) = self.frames.tree.before(frame) {
-            if factor.is_constant(self) {
-                vector = factor.apply(self, vector);
+            if factor.is_constant(&self.graph) {
+                vector = factor.apply(&mut self.graph, vector);
             } else {
                 let MatrixFactor::Elementary(rotation) = factor else {
                     break;
@@ -302,7 +300,7 @@ impl Graph {
             let factors = self.frames.tree.factors(frame);
             let factors = self.merged(base.iter().copied().chain(factors));
             let frame = self.frames.tree.frame(&factors);
-            self.add_term(&mut behind, Term::Fixed(frame, vector));
+            self.graph.add_term(&mut behind, Term::Fixed(frame, vector));
         }
         Some(behind)
     }
@@ -310,7 +308,7 @@ impl Graph {
     /// A frame whose angular velocity along its own axes has these components: one that is known, or that is turned about a
     /// coordinate axis.
     fn frame_that_turns(&mut self, rate: Vector) -> Option<Frame> {
-        let zero = self.zero();
+        let zero = self.graph.zero();
         if rate == [zero; 3] {
             return None;
         }
@@ -337,23 +335,30 @@ impl Graph {
 
     /// The functions of the coordinates with these rates, which are linear in the velocities with constant coefficients.
     fn integral(&mut self, rates: Vector) -> Option<Vector> {
-        let mut integrals = [self.zero(); 3];
+        let mut integrals = [self.graph.zero(); 3];
         for (rate, integral) in rates.iter().zip(&mut integrals) {
             let mut found = Vec::new();
-            for symbol in self.symbols(&[*rate]) {
+            for symbol in self.graph.symbols(&[*rate]) {
                 if let Symbol::Velocity(i) = symbol {
-                    let slope = self.derivative(*rate, symbol);
-                    if self.contents(slope).varies() {
+                    let slope = self.graph.derivative(*rate, symbol);
+                    if self.graph.contents(slope).varies() {
                         return None;
                     }
-                    let coordinate = self.symbol(Symbol::Coordinate(i));
-                    found.push((self.multiply(slope, coordinate), Rational::ONE));
+                    let coordinate = self.graph.symbol(Symbol::Coordinate(i));
+                    found.push((self.graph.multiply(slope, coordinate), Rational::ONE));
                 }
             }
-            *integral = self.sum(found);
+            *integral = self.graph.sum(found);
         }
         let coordinates = self.frames.unresolved.as_ref()?.coordinates;
         let again = self.time_derivatives(&integrals, coordinates);
         (again == rates).then_some(integrals)
+    }
+}
+
+impl Graph {
+    pub(crate) fn has_velocity(&self, column: &Matrix) -> bool {
+        let mut elements = column.elements().iter();
+        elements.any(|x| self.contents(*x).has_velocity())
     }
 }

@@ -1,27 +1,9 @@
 //! Elementwise operations on matrices: sums, multiples, component products, time derivatives.
 
 use crate::matrix::dense::Matrix;
-use crate::{Expression, Graph, Rational};
+use crate::{Expression, Geometry, Graph, Rational};
 
-impl Graph {
-    /// The identity matrix.
-    #[must_use]
-    pub fn identity_matrix(&self, size: usize) -> Matrix {
-        let element = |i: usize, j: usize| if i == j { self.one() } else { self.zero() };
-        Matrix::from_function(size, size, element)
-    }
-
-    /// The matrix with the components of a vector, a row or a column, on its diagonal.
-    #[must_use]
-    pub fn diagonal_matrix(&self, vector: &Matrix) -> Option<Matrix> {
-        let components = vector.elements();
-        let element = |i: usize, j: usize| if i == j { components[i] } else { self.zero() };
-        let size = components.len();
-        vector
-            .is_vector()
-            .then(|| Matrix::from_function(size, size, element))
-    }
-
+impl Geometry {
     /// Σ cᵢ·Aᵢ of pairs (Aᵢ, cᵢ), unless there are none or their shapes differ.
     pub fn matrix_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Option<Matrix> {
         let [(first, number), others @ ..] = terms else {
@@ -44,7 +26,8 @@ impl Graph {
             return Some(sum);
         }
         let sum = Matrix::from_function(first.rows(), first.columns(), |i, j| {
-            self.sum(terms.iter().map(|(x, c)| (x.at(i, j), c.clone())))
+            self.graph
+                .sum(terms.iter().map(|(x, c)| (x.at(i, j), c.clone())))
         });
         let parts = self.parts_of_sum(terms);
         Some(self.with_parts(sum, parts))
@@ -52,7 +35,7 @@ impl Graph {
 
     /// A matrix with each of its elements multiplied by the same factor.
     pub fn matrix_scaled(&mut self, matrix: &Matrix, factor: Expression) -> Matrix {
-        if factor == self.one() {
+        if factor == self.graph.one() {
             return matrix.clone();
         }
         if let Some(multiple) = self.unresolved_multiple(matrix, factor) {
@@ -66,16 +49,10 @@ impl Graph {
             return multiple;
         }
         let scaled = Matrix::from_function(matrix.rows(), matrix.columns(), |i, j| {
-            self.multiply(factor, matrix.at(i, j))
+            self.graph.multiply(factor, matrix.at(i, j))
         });
         let parts = self.parts_scaled(matrix, factor);
         self.with_parts(scaled, parts)
-    }
-
-    /// The matrix of the products of elements in the same place, unless the shapes differ.
-    pub fn component_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Matrix> {
-        let element = |i: usize, j: usize| self.multiply(x.at(i, j), y.at(i, j));
-        (x.shape() == y.shape()).then(|| Matrix::from_function(x.rows(), x.columns(), element))
     }
 
     /// The total time derivative of a matrix of a system with `coordinates` degrees of freedom.
@@ -92,5 +69,31 @@ impl Graph {
         let derivative = Matrix::with_elements(matrix.rows(), matrix.columns(), derivatives);
         let parts = self.parts_of_derivative(matrix, coordinates);
         self.with_parts(derivative, parts)
+    }
+}
+
+impl Graph {
+    /// The identity matrix.
+    #[must_use]
+    pub fn identity_matrix(&self, size: usize) -> Matrix {
+        let element = |i: usize, j: usize| if i == j { self.one() } else { self.zero() };
+        Matrix::from_function(size, size, element)
+    }
+
+    /// The matrix with the components of a vector, a row or a column, on its diagonal.
+    #[must_use]
+    pub fn diagonal_matrix(&self, vector: &Matrix) -> Option<Matrix> {
+        let components = vector.elements();
+        let element = |i: usize, j: usize| if i == j { components[i] } else { self.zero() };
+        let size = components.len();
+        vector
+            .is_vector()
+            .then(|| Matrix::from_function(size, size, element))
+    }
+
+    /// The matrix of the products of elements in the same place, unless the shapes differ.
+    pub fn component_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Matrix> {
+        let element = |i: usize, j: usize| self.multiply(x.at(i, j), y.at(i, j));
+        (x.shape() == y.shape()).then(|| Matrix::from_function(x.rows(), x.columns(), element))
     }
 }

@@ -5,7 +5,7 @@
 
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
-use crate::{Expression, Graph, Rational};
+use crate::{Expression, Geometry, Graph, Rational};
 
 /// The blocks of a homogeneous matrix.
 struct Blocks {
@@ -13,6 +13,94 @@ struct Blocks {
     rotation: Matrix,
     /// p.
     place: Matrix,
+}
+
+impl Geometry {
+    /// A homogeneous matrix times another one, or times homogeneous coordinates.
+    pub(crate) fn homogeneous_product(&mut self, left: &Matrix, right: &Matrix) -> Option<Matrix> {
+        let first = self.graph.blocks(left)?;
+        if right.shape() == (4, 1) {
+            let (vector, last) = split(right)?;
+            let turned = self.matrix_product(&first.rotation, &vector)?;
+            let moved = self.matrix_scaled(&first.place, last);
+            let sum = self.matrix_sum(&[(&turned, Rational::ONE), (&moved, Rational::ONE)])?;
+            return joined(&sum, last);
+        }
+        let second = self.graph.blocks(right)?;
+        let rotation = self.matrix_product(&first.rotation, &second.rotation)?;
+        let turned = self.matrix_product(&first.rotation, &second.place)?;
+        let terms = [(&first.place, Rational::ONE), (&turned, Rational::ONE)];
+        let place = self.matrix_sum(&terms)?;
+        self.graph.homogeneous(&rotation, &place)
+    }
+
+    /// The inverse [Rᵀ −Rᵀ p; 0 1] of a homogeneous matrix whose R is a product of rotations.
+    pub(crate) fn homogeneous_inverse(&mut self, matrix: &Matrix) -> Option<Matrix> {
+        let Blocks { rotation, place } = self.graph.blocks(matrix)?;
+        let factors = self.matrix_factors(&rotation)?;
+        if !factors.iter().all(MatrixFactor::is_rotation) {
+            return None;
+        }
+        let back = rotation.transpose();
+        let place = self.matrix_product(&back, &place)?;
+        let opposite = self.graph.constant(&Rational::MINUS_ONE);
+        let place = self.matrix_scaled(&place, opposite);
+        self.graph.homogeneous(&back, &place)
+    }
+
+    /// Σ cᵢ xᵢ of homogeneous coordinates, one of which is a vector that is resolved last.
+    pub(crate) fn homogeneous_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Option<Matrix> {
+        let mut columns = Vec::with_capacity(terms.len());
+        let mut last = Vec::with_capacity(terms.len());
+        for (x, c) in terms {
+            let (vector, w) = self.unresolved_coordinates(x)?;
+            columns.push((vector, c.clone()));
+            last.push((w, c.clone()));
+        }
+        let columns: Vec<_> = columns.iter().map(|(x, c)| (x, c.clone())).collect();
+        let vector = self.unresolved_sum(&columns)?;
+        let last = self.graph.sum(last);
+        joined(&vector, last)
+    }
+
+    /// c x of homogeneous coordinates of a vector that is resolved last.
+    pub(crate) fn homogeneous_multiple(
+        &mut self,
+        column: &Matrix,
+        factor: Expression,
+    ) -> Option<Matrix> {
+        let (vector, last) = self.unresolved_coordinates(column)?;
+        let vector = self.unresolved_multiple(&vector, factor)?;
+        let last = self.graph.multiply(factor, last);
+        joined(&vector, last)
+    }
+
+    /// The time derivative of homogeneous coordinates of a vector that is resolved last.
+    pub(crate) fn homogeneous_rate(&mut self, column: &Matrix) -> Option<Matrix> {
+        let (vector, last) = self.unresolved_coordinates(column)?;
+        if self.graph.contents(last).varies() {
+            return None;
+        }
+        let rate = self.unresolved_rate(&vector)?;
+        joined(&rate, self.graph.zero())
+    }
+
+    /// x · y of homogeneous coordinates of vectors that are resolved last.
+    pub(crate) fn homogeneous_dot_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
+        let [(x, v), (y, w)] = [
+            self.unresolved_coordinates(x)?,
+            self.unresolved_coordinates(y)?,
+        ];
+        let product = self.unresolved_dot_product(&x, &y)?;
+        let last = self.graph.multiply(v, w);
+        Some(self.graph.add(product, last))
+    }
+
+    /// The vector and the last of four coordinates, where vectors are resolved last.
+    fn unresolved_coordinates(&self, column: &Matrix) -> Option<(Matrix, Expression)> {
+        self.frames.unresolved.as_ref()?;
+        split(column)
+    }
 }
 
 impl Graph {
@@ -50,92 +138,6 @@ impl Graph {
         Some(Matrix::from_function(rows, columns, |i, j| {
             matrix.at(row + i, column + j)
         }))
-    }
-
-    /// A homogeneous matrix times another one, or times homogeneous coordinates.
-    pub(crate) fn homogeneous_product(&mut self, left: &Matrix, right: &Matrix) -> Option<Matrix> {
-        let first = self.blocks(left)?;
-        if right.shape() == (4, 1) {
-            let (vector, last) = split(right)?;
-            let turned = self.matrix_product(&first.rotation, &vector)?;
-            let moved = self.matrix_scaled(&first.place, last);
-            let sum = self.matrix_sum(&[(&turned, Rational::ONE), (&moved, Rational::ONE)])?;
-            return joined(&sum, last);
-        }
-        let second = self.blocks(right)?;
-        let rotation = self.matrix_product(&first.rotation, &second.rotation)?;
-        let turned = self.matrix_product(&first.rotation, &second.place)?;
-        let terms = [(&first.place, Rational::ONE), (&turned, Rational::ONE)];
-        let place = self.matrix_sum(&terms)?;
-        self.homogeneous(&rotation, &place)
-    }
-
-    /// The inverse [Rᵀ −Rᵀ p; 0 1] of a homogeneous matrix whose R is a product of rotations.
-    pub(crate) fn homogeneous_inverse(&mut self, matrix: &Matrix) -> Option<Matrix> {
-        let Blocks { rotation, place } = self.blocks(matrix)?;
-        let factors = self.matrix_factors(&rotation)?;
-        if !factors.iter().all(MatrixFactor::is_rotation) {
-            return None;
-        }
-        let back = rotation.transpose();
-        let place = self.matrix_product(&back, &place)?;
-        let opposite = self.constant(&Rational::MINUS_ONE);
-        let place = self.matrix_scaled(&place, opposite);
-        self.homogeneous(&back, &place)
-    }
-
-    /// Σ cᵢ xᵢ of homogeneous coordinates, one of which is a vector that is resolved last.
-    pub(crate) fn homogeneous_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Option<Matrix> {
-        let mut columns = Vec::with_capacity(terms.len());
-        let mut last = Vec::with_capacity(terms.len());
-        for (x, c) in terms {
-            let (vector, w) = self.unresolved_coordinates(x)?;
-            columns.push((vector, c.clone()));
-            last.push((w, c.clone()));
-        }
-        let columns: Vec<_> = columns.iter().map(|(x, c)| (x, c.clone())).collect();
-        let vector = self.unresolved_sum(&columns)?;
-        let last = self.sum(last);
-        joined(&vector, last)
-    }
-
-    /// c x of homogeneous coordinates of a vector that is resolved last.
-    pub(crate) fn homogeneous_multiple(
-        &mut self,
-        column: &Matrix,
-        factor: Expression,
-    ) -> Option<Matrix> {
-        let (vector, last) = self.unresolved_coordinates(column)?;
-        let vector = self.unresolved_multiple(&vector, factor)?;
-        let last = self.multiply(factor, last);
-        joined(&vector, last)
-    }
-
-    /// The time derivative of homogeneous coordinates of a vector that is resolved last.
-    pub(crate) fn homogeneous_rate(&mut self, column: &Matrix) -> Option<Matrix> {
-        let (vector, last) = self.unresolved_coordinates(column)?;
-        if self.contents(last).varies() {
-            return None;
-        }
-        let rate = self.unresolved_rate(&vector)?;
-        joined(&rate, self.zero())
-    }
-
-    /// x · y of homogeneous coordinates of vectors that are resolved last.
-    pub(crate) fn homogeneous_dot_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
-        let [(x, v), (y, w)] = [
-            self.unresolved_coordinates(x)?,
-            self.unresolved_coordinates(y)?,
-        ];
-        let product = self.unresolved_dot_product(&x, &y)?;
-        let last = self.multiply(v, w);
-        Some(self.add(product, last))
-    }
-
-    /// The vector and the last of four coordinates, where vectors are resolved last.
-    fn unresolved_coordinates(&self, column: &Matrix) -> Option<(Matrix, Expression)> {
-        self.frames.unresolved.as_ref()?;
-        split(column)
     }
 
     /// The blocks of a matrix of four rows whose last one is 0 0 0 1.

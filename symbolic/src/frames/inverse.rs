@@ -7,7 +7,7 @@ use crate::limits::MAX_DETERMINANT;
 use crate::matrix::dense::Matrix;
 use crate::matrix::determinant::determinant;
 use crate::matrix::factor::MatrixFactor;
-use crate::{Expression, Graph, Rational};
+use crate::{Expression, Geometry, Graph, Rational};
 
 /// Why a matrix has no inverse.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -18,24 +18,18 @@ pub enum NoInverse {
     Singular,
 }
 
-impl Graph {
-    /// The sum of the elements on the diagonal of a square matrix.
-    pub fn trace(&mut self, matrix: &Matrix) -> Option<Expression> {
-        let diagonal = matrix.diagonal()?;
-        Some(self.sum(diagonal.elements().iter().map(|x| (*x, Rational::ONE))))
-    }
-
+impl Geometry {
     /// The determinant of a square matrix of at most four rows.
     pub fn determinant(&mut self, matrix: &Matrix) -> Option<Expression> {
         if !is_small_square(matrix) {
             return None;
         }
         if self.is_product_of_rotations(matrix) {
-            return Some(self.one());
+            return Some(self.graph.one());
         }
         let all: Vec<usize> = (0..matrix.rows()).collect();
-        let determinant = minor(self, matrix, &all, &all);
-        Some(self.reduced(determinant))
+        let determinant = minor(&mut self.graph, matrix, &all, &all);
+        Some(self.graph.reduced(determinant))
     }
 
     /// The inverse of a square matrix of at most four rows.
@@ -51,20 +45,20 @@ impl Graph {
             return Ok(inverse);
         }
         let determinant = self.determinant(matrix).ok_or(NoInverse::Shape)?;
-        if self.vanishes(&[determinant]) {
+        if self.graph.vanishes(&[determinant]) {
             return Err(NoInverse::Singular);
         }
         let size = matrix.rows();
         let others = |left_out: usize| (0..size).filter(move |i| *i != left_out).collect();
         Ok(Matrix::from_function(size, size, |i, j| {
             let (rows, columns): (Vec<usize>, Vec<usize>) = (others(j), others(i));
-            let minor = minor(self, matrix, &rows, &columns);
-            let minor = self.reduced(minor);
-            let quotient = self.divide(minor, determinant);
+            let minor = minor(&mut self.graph, matrix, &rows, &columns);
+            let minor = self.graph.reduced(minor);
+            let quotient = self.graph.divide(minor, determinant);
             if (i + j) % 2 == 0 {
                 quotient
             } else {
-                self.negate(quotient)
+                self.graph.negate(quotient)
             }
         }))
     }
@@ -73,6 +67,14 @@ impl Graph {
     fn is_product_of_rotations(&self, matrix: &Matrix) -> bool {
         let factors = self.known_factors(matrix);
         factors.is_some_and(|factors| factors.iter().all(MatrixFactor::is_rotation))
+    }
+}
+
+impl Graph {
+    /// The sum of the elements on the diagonal of a square matrix.
+    pub fn trace(&mut self, matrix: &Matrix) -> Option<Expression> {
+        let diagonal = matrix.diagonal()?;
+        Some(self.sum(diagonal.elements().iter().map(|x| (*x, Rational::ONE))))
     }
 }
 

@@ -6,9 +6,9 @@
 use crate::limits::MAX_SUCCESSIVE_FACTORS;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
-use crate::{Expression, Graph, Rational};
+use crate::{Expression, Geometry, Graph, Rational};
 
-impl Graph {
+impl Geometry {
     /// A·B, unless A has not as many columns as B has rows.
     pub fn matrix_product(&mut self, left: &Matrix, right: &Matrix) -> Option<Matrix> {
         if left.columns() != right.rows() {
@@ -32,7 +32,7 @@ impl Graph {
                 let product = self.product_with_columns(&matrix, &factors, &columns);
                 Some(product.transpose())
             }
-            (None, None) => Some(self.product_of_elements(left, right)),
+            (None, None) => Some(self.graph.product_of_elements(left, right)),
         }
     }
 
@@ -48,10 +48,10 @@ impl Graph {
         {
             return product;
         }
-        let mut product = self.product_of_elements(matrix, columns);
+        let mut product = self.graph.product_of_elements(matrix, columns);
         if let Some(factors) = self.known_factors(matrix)
-            && let Some(successive) = self.rotated(&factors, columns)
-            && self.cost(successive.elements()) <= self.cost(product.elements())
+            && let Some(successive) = self.graph.rotated(&factors, columns)
+            && self.graph.cost(successive.elements()) <= self.graph.cost(product.elements())
         {
             product = successive;
         }
@@ -62,7 +62,7 @@ impl Graph {
         let parts = self.rotated_parts(factors, columns);
         if is_known {
             let sum = self.sum_of_parts(&parts);
-            if self.cost(&sum) < self.cost(product.elements()) {
+            if self.graph.cost(&sum) < self.graph.cost(product.elements()) {
                 product = Matrix::vector(sum.to_vec());
             }
         }
@@ -82,17 +82,17 @@ impl Graph {
         if factors.len() < count {
             return self.product_of(factors);
         }
-        let product = self.product_of_elements(left, right);
+        let product = self.graph.product_of_elements(left, right);
         self.with_factors(product, factors)
     }
 
     /// The matrix that is the product of these factors, from the left to the right.
     pub(crate) fn product_of(&mut self, factors: Vec<MatrixFactor>) -> Matrix {
-        let mut product = self.identity_matrix(3);
+        let mut product = self.graph.identity_matrix(3);
         for factor in &factors {
-            let elements = factor.elements(self).to_vec();
+            let elements = factor.elements(&mut self.graph).to_vec();
             let factor = Matrix::with_elements(3, 3, elements);
-            product = self.product_of_elements(&product, &factor);
+            product = self.graph.product_of_elements(&product, &factor);
         }
         self.with_factors(product, factors)
     }
@@ -104,7 +104,9 @@ impl Graph {
         }
         product
     }
+}
 
+impl Graph {
     /// The matrix with the elements Σⱼ Aᵢⱼ Bⱼₖ.
     fn product_of_elements(&mut self, left: &Matrix, right: &Matrix) -> Matrix {
         Matrix::from_function(left.rows(), right.columns(), |i, k| {

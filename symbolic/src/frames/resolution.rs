@@ -5,20 +5,20 @@
 //! matrices that are rotations for all values of their symbols count, no parameters that are trusted to be
 //! rotations: other matrices are part of vᵢ.
 
+use crate::frames::frame_tree::Frame;
+use crate::frames::vector_in_frames::{Term, VectorInFrames};
 use crate::limits::{MAX_FACTORS, MAX_FACTORS_IN_SUM, MAX_FRAMES_IN_SUM};
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::frame_tree::Frame;
-use crate::matrix::vector_in_frames::{Term, VectorInFrames};
-use crate::{Expression, Graph, Node, Rational};
+use crate::{Expression, Geometry, Graph, Node, Rational};
 
 type Vector = [Expression; 3];
 
 /// A vector R v, by the frame of R and its components v there.
 type Part = (Frame, Vector);
 
-impl Graph {
+impl Geometry {
     /// Whether a vector is known as a sum of vectors in frames.
     pub(crate) fn is_known_in_frames(&self, vector: &Matrix) -> bool {
         self.frames.vectors.contains_key(vector.elements())
@@ -40,8 +40,8 @@ impl Graph {
         let is_rotated = parts.iter().any(|(frame, _)| *frame != Frame::INERTIAL);
         // Such as (0, 0, 1), which may mean another vector elsewhere.
         let is_written = |x: &Expression| {
-            let is_leaf = matches!(self.node(*x), Node::Constant(_) | Node::Symbol(_));
-            is_leaf && !self.contents(*x).varies()
+            let is_leaf = matches!(self.graph.node(*x), Node::Constant(_) | Node::Symbol(_));
+            is_leaf && !self.graph.contents(*x).varies()
         };
         if let Some(components) = vector.components()
             && is_short
@@ -91,13 +91,12 @@ impl Graph {
             let mut rotation = self.merged(factors.iter().copied().chain(own));
             let count = rotation.iter().take_while(|factor| factor.is_rotation());
             let others = rotation.split_off(count.count());
-            let vector = others
-                .into_iter()
-                .rev()
-                .fold(vector, |vector, factor| factor.apply(self, vector));
+            let vector = others.into_iter().rev().fold(vector, |vector, factor| {
+                factor.apply(&mut self.graph, vector)
+            });
             parts.push((self.frames.tree.frame(&rotation), vector));
         }
-        self.added_by_frame(parts)
+        self.graph.added_by_frame(parts)
     }
 
     /// The parts of Σ cᵢ xᵢ of pairs (xᵢ, cᵢ).
@@ -108,17 +107,17 @@ impl Graph {
         let mut parts = Vec::new();
         for (x, c) in terms {
             for (frame, vector) in self.parts_of(x) {
-                parts.push((frame, vector.map(|x| self.scale(x, c))));
+                parts.push((frame, vector.map(|x| self.graph.scale(x, c))));
             }
         }
-        self.added_by_frame(parts)
+        self.graph.added_by_frame(parts)
     }
 
     /// The parts of a multiple of a vector.
     pub(crate) fn parts_scaled(&mut self, vector: &Matrix, factor: Expression) -> Vec<Part> {
         let mut parts = self.known_parts(vector);
         for (_, vector) in &mut parts {
-            *vector = vector.map(|x| self.multiply(factor, x));
+            *vector = vector.map(|x| self.graph.multiply(factor, x));
         }
         parts
     }
@@ -132,11 +131,11 @@ impl Graph {
             let Ok(velocity) = self.angular_velocity_of_product(&factors, coordinates) else {
                 return Vec::new();
             };
-            let transport = self.cross(velocity, *vector);
+            let transport = self.graph.cross(velocity, *vector);
             let rates = self.time_derivatives(vector, coordinates);
-            *vector = [0, 1, 2].map(|i| self.add(transport[i], rates[i]));
+            *vector = [0, 1, 2].map(|i| self.graph.add(transport[i], rates[i]));
         }
-        self.added_by_frame(parts)
+        self.graph.added_by_frame(parts)
     }
 
     /// The parts of x × y: R a × R b is R (a × b), for the rotation R that both begin with.
@@ -147,7 +146,7 @@ impl Graph {
             return Vec::new();
         }
         let [a, b] = [first, second].map(|parts| self.resolve_in(frame, &parts));
-        vec![(frame, self.cross(a, b))]
+        vec![(frame, self.graph.cross(a, b))]
     }
 
     /// The cheapest x · y in the frame that all parts of both have in common, or in that of one of the parts;
@@ -168,9 +167,11 @@ impl Graph {
         for frame in frames {
             let a = self.resolve_in(frame, &first);
             let b = self.resolve_in(frame, &second);
-            candidates.push(self.sum_of_products(a.into_iter().zip(b)));
+            candidates.push(self.graph.sum_of_products(a.into_iter().zip(b)));
         }
-        candidates.into_iter().min_by_key(|x| self.cost(&[*x]))
+        candidates
+            .into_iter()
+            .min_by_key(|x| self.graph.cost(&[*x]))
     }
 
     /// The vector that parts add up to.
@@ -192,21 +193,29 @@ impl Graph {
             waiting.push((relative, *vector));
         }
         loop {
-            waiting = self.added_by_frame(waiting);
+            waiting = self.graph.added_by_frame(waiting);
             let longest = waiting
                 .iter_mut()
                 .max_by_key(|(rotation, _)| rotation.len());
             let Some((rotation, vector)) = longest else {
-                return [self.zero(); 3];
+                return [self.graph.zero(); 3];
             };
             match rotation.pop() {
-                Some(factor) => *vector = factor.apply(self, *vector),
+                Some(factor) => *vector = factor.apply(&mut self.graph, *vector),
                 // All are in the frame asked for, and so added up.
                 None => return *vector,
             }
         }
     }
 
+    /// The last frame that all parts have in common.
+    fn common_frame(&self, first: &[Part], second: &[Part]) -> Frame {
+        let frames = first.iter().chain(second).map(|(frame, _)| *frame);
+        self.frames.tree.last_in_common(frames)
+    }
+}
+
+impl Graph {
     /// The same vectors, those of one frame added up, without zeros.
     fn added_by_frame<F: PartialEq>(&mut self, parts: Vec<(F, Vector)>) -> Vec<(F, Vector)> {
         let mut added: Vec<(F, Vector)> = Vec::new();
@@ -218,12 +227,6 @@ impl Graph {
         }
         added.retain(|(_, vector)| *vector != [self.zero(); 3]);
         added
-    }
-
-    /// The last frame that all parts have in common.
-    fn common_frame(&self, first: &[Part], second: &[Part]) -> Frame {
-        let frames = first.iter().chain(second).map(|(frame, _)| *frame);
-        self.frames.tree.last_in_common(frames)
     }
 
     /// x × y.

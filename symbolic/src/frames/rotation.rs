@@ -6,7 +6,7 @@ use crate::limits::ROUNDED_CONSTANT;
 use crate::matrix::axis::Axis;
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
-use crate::{Expression, Graph, Symbol};
+use crate::{Expression, Geometry, Graph, Symbol};
 
 /// Why a matrix is no rotation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -19,7 +19,7 @@ pub enum NoRotation {
     Reflection,
 }
 
-impl Graph {
+impl Geometry {
     /// The product R₁ R₂ … of elementary rotations (intrinsic Euler angles): it takes components in a frame that was
     /// rotated by the first angle about its first axis, then about its own new second axis, and so on, to
     /// components in the original frame. With the angles (φ, θ, ψ) about z, x, z it takes components in the body
@@ -56,13 +56,38 @@ impl Graph {
             return Some(factors);
         }
         let elements = matrix.elements().try_into().ok()?;
-        Some(vec![if self.is_rotation(&elements) {
+        Some(vec![if self.graph.is_rotation(&elements) {
             MatrixFactor::Rotation(elements)
         } else {
             MatrixFactor::General(elements)
         }])
     }
 
+    /// Whether a matrix is a rotation, identically in all that it depends on: each factor of a product is, or all together are.
+    ///
+    /// # Errors
+    ///
+    /// If it is none. Constant factors with parameters are taken for rotations.
+    pub fn check_rotation(&mut self, matrix: &Matrix) -> Result<(), NoRotation> {
+        let factors = self.matrix_factors(matrix).ok_or(NoRotation::Shape)?;
+        let others: Vec<_> = factors
+            .iter()
+            .filter(|factor| !factor.is_rotation())
+            .map(|factor| factor.elements(&mut self.graph))
+            .collect();
+        let found = others
+            .iter()
+            .try_for_each(|x| self.graph.verify_rotation(x));
+        if found.is_ok() || others.len() == 1 && factors.len() == 1 {
+            return found;
+        }
+        let elements = matrix.elements().try_into();
+        self.graph
+            .verify_rotation(&elements.map_err(|_| NoRotation::Shape)?)
+    }
+}
+
+impl Graph {
     /// Whether a matrix of nine elements is a rotation whatever the values of all symbols are, parameters
     /// among them.
     pub(crate) fn is_rotation(&self, elements: &[Expression; 9]) -> bool {
@@ -89,26 +114,6 @@ impl Graph {
             return Err(NoRotation::Reflection);
         }
         Ok(())
-    }
-
-    /// Whether a matrix is a rotation, identically in all that it depends on: each factor of a product is, or all together are.
-    ///
-    /// # Errors
-    ///
-    /// If it is none. Constant factors with parameters are taken for rotations.
-    pub fn check_rotation(&mut self, matrix: &Matrix) -> Result<(), NoRotation> {
-        let factors = self.matrix_factors(matrix).ok_or(NoRotation::Shape)?;
-        let others: Vec<_> = factors
-            .iter()
-            .filter(|factor| !factor.is_rotation())
-            .map(|factor| factor.elements(self))
-            .collect();
-        let found = others.iter().try_for_each(|x| self.verify_rotation(x));
-        if found.is_ok() || others.len() == 1 && factors.len() == 1 {
-            return found;
-        }
-        let elements = matrix.elements().try_into();
-        self.verify_rotation(&elements.map_err(|_| NoRotation::Shape)?)
     }
 
     fn verify_constant_rotation(&mut self, elements: &[Expression; 9]) -> Result<(), NoRotation> {

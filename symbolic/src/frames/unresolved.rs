@@ -3,27 +3,19 @@
 //! A rotation that is applied to one changes the axes along which it will be resolved, a sum gathers terms, a time
 //! derivative is one of each term, and a product of two is resolved along the axes of the frame that is turned most:
 //! of the velocity of a point of a body and of an angular velocity, these are the axes of the body. What does not fit is
-//! computed with the components, which are symbols until [`Graph::resolved`] replaces them.
+//! computed with the components, which are symbols until [`Geometry::resolved`] replaces them.
 
 use std::collections::BTreeMap;
 
+use crate::frames::frame_tree::Frame;
+use crate::frames::vector_in_frames::{Term, VectorId, VectorInFrames};
 use crate::matrix::dense::Matrix;
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::frame_tree::Frame;
-use crate::matrix::vector_in_frames::{Term, UnresolvedVectors, VectorId, VectorInFrames};
-use crate::{Expression, Graph, Node, Rational, Symbol};
+use crate::{Expression, Geometry, Graph, Node, Rational, Symbol};
 
 type Vector = [Expression; 3];
 
-impl Graph {
-    /// An arena in which vectors in frames are resolved last, for a system with so many coordinates.
-    #[must_use]
-    pub fn with_unresolved_vectors(coordinates: u32) -> Self {
-        let mut graph = Self::new();
-        graph.frames.unresolved = Some(UnresolvedVectors::new(coordinates));
-        graph
-    }
-
+impl Geometry {
     /// The product of a matrix of three rows that has these factors with a column, from the right to the left.
     pub(crate) fn unresolved_product(
         &mut self,
@@ -35,7 +27,8 @@ impl Graph {
         let mut rest = factors;
         while let Some(last) = rest.last() {
             if !last.is_rotation() {
-                product = Matrix::vector(last.apply(self, product.components()?).to_vec());
+                product =
+                    Matrix::vector(last.apply(&mut self.graph, product.components()?).to_vec());
                 rest = &rest[..rest.len() - 1];
                 continue;
             }
@@ -72,18 +65,18 @@ impl Graph {
         self.frames.unresolved.as_ref()?;
         let known = columns.iter().filter_map(|(x, _)| self.unresolved_of(x));
         let known: Vec<_> = known.collect();
-        let whole = known.iter().find(|vector| !vector.is_relative(self));
+        let whole = known.iter().find(|vector| !vector.is_relative(&self.graph));
         let axes = whole.or(known.first())?.axes;
         let mut terms = Vec::new();
         for (x, c) in columns {
-            let factor = self.constant(c);
+            let factor = self.graph.constant(c);
             let vector = match self.unresolved_of(x) {
                 Some(vector) => self.seen_from(vector, axes)?,
                 None => along(axes, x)?,
             };
             for term in vector.terms {
-                let term = self.scaled_term(&term, factor)?;
-                self.add_term(&mut terms, term);
+                let term = self.graph.scaled_term(&term, factor)?;
+                self.graph.add_term(&mut terms, term);
             }
         }
         self.column_of(VectorInFrames { axes, terms })
@@ -98,7 +91,7 @@ impl Graph {
         let VectorInFrames { axes, terms } = self.unresolved_of(column)?;
         let mut scaled = Vec::with_capacity(terms.len());
         for term in terms {
-            scaled.push(self.scaled_term(&term, factor)?);
+            scaled.push(self.graph.scaled_term(&term, factor)?);
         }
         self.column_of(VectorInFrames {
             axes,
@@ -123,7 +116,9 @@ impl Graph {
                 return None;
             };
             let components = self.resolved_vector(components);
-            let moves = components.iter().any(|x| self.contents(*x).has_velocity());
+            let moves = components
+                .iter()
+                .any(|x| self.graph.contents(*x).has_velocity());
             if moves {
                 return None;
             }
@@ -149,7 +144,7 @@ impl Graph {
         let factors = self.merged(factors);
         let frame = self.frames.tree.frame(&factors);
         let axes = if is_inertial { Frame::INERTIAL } else { frame };
-        let terms = vec![Term::AngularVelocity(frame, self.one())];
+        let terms = vec![Term::AngularVelocity(frame, self.graph.one())];
         self.column_of(VectorInFrames { axes, terms })
     }
 
@@ -158,15 +153,15 @@ impl Graph {
         self.frames.unresolved.as_ref()?;
         let (first, second) = match (self.unresolved_of(x), self.unresolved_of(y)) {
             (Some(first), Some(second)) => (first, second),
-            (Some(first), None) if self.has_velocity(y) => {
+            (Some(first), None) if self.graph.has_velocity(y) => {
                 let axes = first.axes;
                 (first, along(axes, y)?)
             }
-            (None, Some(second)) if self.has_velocity(x) => (along(second.axes, x)?, second),
+            (None, Some(second)) if self.graph.has_velocity(x) => (along(second.axes, x)?, second),
             _ => return None,
         };
         let terms = || first.terms.iter().chain(&second.terms);
-        if first.axes != second.axes || !terms().any(|term| term.moves(self)) {
+        if first.axes != second.axes || !terms().any(|term| term.moves(&self.graph)) {
             return None;
         }
         let frames = terms().map(Term::frame);
@@ -178,16 +173,19 @@ impl Graph {
             column.components()
         };
         let (a, b) = (resolve(first)?, resolve(second)?);
-        Some(self.sum_of_products(a.into_iter().zip(b)))
+        Some(self.graph.sum_of_products(a.into_iter().zip(b)))
     }
 
     /// Expressions with the components of vectors that are resolved last in terms of q and q̇.
     pub(crate) fn resolved(&mut self, roots: &[Expression]) -> Vec<Expression> {
         let mut roots = roots.to_vec();
         // A vector may contain components of those before it.
-        while roots.iter().any(|x| self.contents(*x).has_component()) {
+        while roots
+            .iter()
+            .any(|x| self.graph.contents(*x).has_component())
+        {
             let mut values = BTreeMap::new();
-            for symbol in self.symbols(&roots) {
+            for symbol in self.graph.symbols(&roots) {
                 if let Symbol::PositionComponent(i) | Symbol::VelocityComponent(i) = symbol
                     && let Some(value) = self.component_value(i)
                 {
@@ -197,7 +195,7 @@ impl Graph {
             if values.is_empty() {
                 break;
             }
-            roots = self.substitute(&roots, &values);
+            roots = self.graph.substitute(&roots, &values);
         }
         roots
     }
@@ -208,13 +206,13 @@ impl Graph {
         let (number, axis) = VectorId::of_component(index);
         let vector = vectors.vector(number).clone();
         let axes = self.frames.tree.factors(vector.axes);
-        let mut sum = [self.zero(); 3];
+        let mut sum = [self.graph.zero(); 3];
         for term in vector.terms {
             let value = self.term_value(&term)?;
-            sum = [0, 1, 2].map(|i| self.add(sum[i], value[i]));
+            sum = [0, 1, 2].map(|i| self.graph.add(sum[i], value[i]));
         }
         for factor in &axes {
-            sum = factor.transpose().apply(self, sum);
+            sum = factor.transpose().apply(&mut self.graph, sum);
         }
         Some(sum[axis])
     }
@@ -229,11 +227,13 @@ impl Graph {
                 let velocity = self
                     .angular_velocity_of_product(&factors, coordinates)
                     .ok()?;
-                velocity.map(|x| self.multiply(*factor, x))
+                velocity.map(|x| self.graph.multiply(*factor, x))
             }
         };
         let turns = factors.iter().rev();
-        let value = turns.fold(vector, |vector, factor| factor.apply(self, vector));
+        let value = turns.fold(vector, |vector, factor| {
+            factor.apply(&mut self.graph, vector)
+        });
         match term {
             Term::Rate(..) => {
                 let rates = self.time_derivatives(&value, coordinates);
@@ -246,7 +246,7 @@ impl Graph {
     /// The vector of which a column or row has the components.
     pub(crate) fn unresolved_of(&self, column: &Matrix) -> Option<VectorInFrames> {
         let vectors = self.frames.unresolved.as_ref()?;
-        let component = |x: &Expression| match self.node(*x) {
+        let component = |x: &Expression| match self.graph.node(*x) {
             Node::Symbol(Symbol::PositionComponent(i) | Symbol::VelocityComponent(i)) => Some(*i),
             _ => None,
         };
@@ -259,11 +259,11 @@ impl Graph {
     /// The column of the components of a vector.
     pub(crate) fn column_of(&mut self, vector: VectorInFrames) -> Option<Matrix> {
         let mut vector = self.with_known_velocities(vector);
-        let zero = self.zero();
+        let zero = self.graph.zero();
         vector.terms.retain(|term| match term {
             Term::Fixed(_, components) => *components != [zero; 3],
             Term::Rate(frame, components) => {
-                let is_constant = components.iter().all(|x| !self.contents(*x).varies());
+                let is_constant = components.iter().all(|x| !self.graph.contents(*x).varies());
                 !(is_constant && *frame == Frame::INERTIAL)
             }
             Term::AngularVelocity(frame, factor) => *factor != zero && *frame != Frame::INERTIAL,
@@ -276,17 +276,52 @@ impl Graph {
             }
             _ => {}
         }
-        let moves = vector.terms.iter().any(|term| term.moves(self));
+        let moves = vector.terms.iter().any(|term| term.moves(&self.graph));
         let number = self.frames.unresolved.as_mut()?.number(vector);
         let symbol = if moves {
             Symbol::VelocityComponent
         } else {
             Symbol::PositionComponent
         };
-        let components = number.components().map(|i| self.symbol(symbol(i)));
+        let components = number.components().map(|i| self.graph.symbol(symbol(i)));
         Some(Matrix::vector(components.to_vec()))
     }
 
+    fn resolved_vector(&mut self, vector: Vector) -> Vector {
+        if vector
+            .iter()
+            .any(|x| self.graph.contents(*x).has_component())
+        {
+            let values = self.resolved(&vector);
+            return values.try_into().unwrap_or(vector);
+        }
+        vector
+    }
+
+    /// Factors whose angles and elements are functions of q, with rotations that were written out recognized.
+    pub(crate) fn resolved_factors(&mut self, factors: &[MatrixFactor]) -> Vec<MatrixFactor> {
+        let mut found = Vec::with_capacity(factors.len());
+        for factor in factors {
+            match *factor {
+                MatrixFactor::Elementary(mut rotation) => {
+                    rotation.angle = self.resolved(&[rotation.angle])[0];
+                    found.push(MatrixFactor::Elementary(rotation));
+                }
+                MatrixFactor::Rotation(elements) => {
+                    let values = self.resolved(&elements);
+                    found.extend(
+                        self.graph
+                            .recognized_factors(values.try_into().unwrap_or(elements)),
+                    );
+                }
+                general @ MatrixFactor::General(_) => found.push(general),
+            }
+        }
+        found
+    }
+}
+
+impl Graph {
     /// A multiple of a term; of one with velocities, by a constant.
     pub(crate) fn scaled_term(&mut self, term: &Term, factor: Expression) -> Option<Term> {
         let is_constant = !self.contents(factor).varies();
@@ -319,33 +354,6 @@ impl Graph {
             return;
         }
         terms.push(term);
-    }
-
-    fn resolved_vector(&mut self, vector: Vector) -> Vector {
-        if vector.iter().any(|x| self.contents(*x).has_component()) {
-            let values = self.resolved(&vector);
-            return values.try_into().unwrap_or(vector);
-        }
-        vector
-    }
-
-    /// Factors whose angles and elements are functions of q, with rotations that were written out recognized.
-    fn resolved_factors(&mut self, factors: &[MatrixFactor]) -> Vec<MatrixFactor> {
-        let mut found = Vec::with_capacity(factors.len());
-        for factor in factors {
-            match *factor {
-                MatrixFactor::Elementary(mut rotation) => {
-                    rotation.angle = self.resolved(&[rotation.angle])[0];
-                    found.push(MatrixFactor::Elementary(rotation));
-                }
-                MatrixFactor::Rotation(elements) => {
-                    let values = self.resolved(&elements);
-                    found.extend(self.recognized_factors(values.try_into().unwrap_or(elements)));
-                }
-                general @ MatrixFactor::General(_) => found.push(general),
-            }
-        }
-        found
     }
 }
 

@@ -1,7 +1,7 @@
 //! Matrices of expressions.
 //!
 //! What is known of them besides, as the factors of a product of rotations or the frames of a vector, the graph finds by their
-//! [elements](crate::matrix::vector_in_frames::KnownFrames).
+//! [elements](crate::frames::vector_in_frames::KnownFrames).
 
 use crate::Expression;
 

@@ -57,7 +57,7 @@ impl MatrixFactor {
     }
 
     /// Whether this is the identity.
-    fn is_identity(self, graph: &Graph) -> bool {
+    pub(crate) fn is_identity(self, graph: &Graph) -> bool {
         match self {
             Self::Elementary(rotation) => graph.is_zero(rotation.angle),
             Self::Rotation(elements) | Self::General(elements) => elements == identity(graph),
@@ -75,7 +75,7 @@ impl MatrixFactor {
     }
 
     /// The product with the next factor as one factor, if that is known without multiplication.
-    fn then(self, next: Self, graph: &mut Graph) -> Option<Self> {
+    pub(crate) fn then(self, next: Self, graph: &mut Graph) -> Option<Self> {
         match (self, next) {
             (Self::Elementary(rotation), Self::Elementary(next)) => {
                 rotation.then(next, graph).map(Self::Elementary)
@@ -112,7 +112,7 @@ impl ElementaryRotation {
     }
 
     /// The product with the next rotation as one, if both are about the same axis.
-    fn then(self, next: Self, graph: &mut Graph) -> Option<Self> {
+    pub(crate) fn then(self, next: Self, graph: &mut Graph) -> Option<Self> {
         let next_sign = if self.reversed == next.reversed {
             Rational::ONE
         } else {
@@ -139,55 +139,4 @@ fn identity(graph: &Graph) -> [Expression; 9] {
             graph.zero()
         }
     })
-}
-
-impl Graph {
-    /// The same product with fewer factors, as [combined](Self::combined); where vectors are resolved last, parallel
-    /// joints stay two.
-    pub(crate) fn merged(
-        &mut self,
-        factors: impl IntoIterator<Item = MatrixFactor>,
-    ) -> Vec<MatrixFactor> {
-        let keeps_joints = self.frames.unresolved.is_some();
-        self.combined_where(factors, |graph, both| {
-            !keeps_joints || both.is_constant(graph)
-        })
-    }
-
-    /// The same product with fewer factors: adjacent rotations about one axis are combined, and rotations next to
-    /// their transposes cancel, as identities do.
-    pub(crate) fn combined(
-        &mut self,
-        factors: impl IntoIterator<Item = MatrixFactor>,
-    ) -> Vec<MatrixFactor> {
-        self.combined_where(factors, |_, _| true)
-    }
-
-    fn combined_where(
-        &mut self,
-        factors: impl IntoIterator<Item = MatrixFactor>,
-        is_one: impl Fn(&Self, MatrixFactor) -> bool,
-    ) -> Vec<MatrixFactor> {
-        let mut merged: Vec<MatrixFactor> = Vec::new();
-        for mut factor in factors {
-            // Where vectors are resolved last, a turn back is one by the opposite angle: each frame has one path.
-            if self.frames.unresolved.is_some()
-                && let MatrixFactor::Elementary(rotation) = &mut factor
-                && core::mem::take(&mut rotation.reversed)
-            {
-                rotation.angle = self.negate(rotation.angle);
-            }
-            if let Some(last) = merged.last()
-                && let Some(both) = last.then(factor, self)
-                && is_one(self, both)
-            {
-                merged.pop();
-                factor = both;
-            }
-            if !factor.is_identity(self) {
-                merged.push(factor);
-            }
-        }
-        merged
-    }
 }

@@ -3,12 +3,12 @@
 use std::cell::{RefCell, RefMut};
 
 use super::Quantity;
-use crate::{Axis, Energies, Expression, Graph, Matrix, Model, Rational, Symbol};
+use crate::{Axis, Energies, Expression, Geometry, Graph, Matrix, Model, Rational, Symbol};
 
 /// The graph of a model, of which [`Quantity`] is a handle with operators.
 #[derive(Debug)]
 pub struct Draft {
-    graph: RefCell<Graph>,
+    geometry: RefCell<Geometry>,
     coordinates: u32,
 }
 
@@ -21,14 +21,19 @@ impl Draft {
     /// A model that goes on from a graph.
     pub fn of(graph: Graph, coordinates: u32) -> Self {
         Self {
-            graph: RefCell::new(graph),
+            geometry: RefCell::new(Geometry::from(graph)),
             coordinates,
         }
     }
 
     /// The graph, for what has no operator. It is borrowed: hold it for one statement.
     pub fn graph(&self) -> RefMut<'_, Graph> {
-        self.graph.borrow_mut()
+        RefMut::map(self.geometry.borrow_mut(), |geometry| &mut geometry.graph)
+    }
+
+    /// The graph with vectors above it. It is borrowed: hold it for one statement.
+    pub fn geometry(&self) -> RefMut<'_, Geometry> {
+        self.geometry.borrow_mut()
     }
 
     /// How many coordinates there are.
@@ -46,7 +51,7 @@ impl Draft {
 
     /// What is made in the graph.
     pub fn make(&self, make: impl FnOnce(&mut Graph) -> Expression) -> Quantity<'_> {
-        let expression = make(&mut self.graph.borrow_mut());
+        let expression = make(&mut self.graph());
         self.quantity(expression)
     }
 
@@ -131,7 +136,7 @@ impl Draft {
     /// The rotation about these axes, one after the other.
     pub fn rotation<const N: usize>(&self, turns: [(Axis, Quantity<'_>); N]) -> Matrix {
         let turns = turns.map(|(axis, angle)| (axis, angle.expression));
-        self.graph().rotation(&turns)
+        self.geometry().rotation(&turns)
     }
 
     /// The model with L = T − V, to which the graph goes.
@@ -148,7 +153,7 @@ impl Draft {
     }
 
     fn model(&self, energies: Energies) -> Model {
-        let graph = self.graph.take();
+        let graph = self.geometry.take().graph;
         let zero = graph.zero();
         Model {
             coordinates: self.coordinates,

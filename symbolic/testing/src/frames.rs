@@ -1,6 +1,6 @@
 //! Rotation matrices of numbers, by plain loops that know nothing of the library's.
 
-use lagrangian_symbolic::{Axis, Expression, Graph, Matrix, Symbol};
+use lagrangian_symbolic::{Axis, Expression, Geometry, Matrix, Symbol};
 
 use crate::value;
 
@@ -86,21 +86,21 @@ pub fn moving(coordinate: u32, time: f64) -> f64 {
 }
 
 /// The rows of a matrix of three columns, with the values of [`value`].
-pub fn rows(graph: &Graph, matrix: &Matrix) -> Vec<[f64; 3]> {
-    let values = graph.evaluate(matrix.elements(), value);
+pub fn rows(geometry: &Geometry, matrix: &Matrix) -> Vec<[f64; 3]> {
+    let values = geometry.graph.evaluate(matrix.elements(), value);
     let height = matrix.rows();
     let row = |i: usize| core::array::from_fn(|j| values[j * height + i]);
     (0..height).map(row).collect()
 }
 
 /// The rotation by a sequence of axes through the coordinates from the first on.
-pub fn by_coordinates(graph: &mut Graph, sequence: &str, first: u32) -> Matrix {
+pub fn by_coordinates(geometry: &mut Geometry, sequence: &str, first: u32) -> Matrix {
     let turns: Vec<(Axis, Expression)> = sequence
         .chars()
         .zip(first..)
-        .map(|(letter, i)| (axis(letter), graph.symbol(Symbol::Coordinate(i))))
+        .map(|(letter, i)| (axis(letter), geometry.graph.symbol(Symbol::Coordinate(i))))
         .collect();
-    graph.rotation(&turns)
+    geometry.rotation(&turns)
 }
 
 #[track_caller]
@@ -112,9 +112,12 @@ pub fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
 }
 
 /// The elements of a matrix that another graph computed: of its factors this one knows nothing.
-pub fn written_out(graph: &mut Graph, compute: impl FnOnce(&mut Graph) -> Matrix) -> Matrix {
-    let mut other = Graph::new();
+pub fn written_out(
+    geometry: &mut Geometry,
+    compute: impl FnOnce(&mut Geometry) -> Matrix,
+) -> Matrix {
+    let mut other = Geometry::new();
     let matrix = compute(&mut other);
-    let elements = graph.imported(&other, matrix.elements());
+    let elements = geometry.graph.imported(&other.graph, matrix.elements());
     Matrix::new(matrix.rows(), matrix.columns(), elements).expect("as many elements")
 }

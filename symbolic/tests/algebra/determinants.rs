@@ -1,6 +1,6 @@
 //! Traces, determinants and inverses, against numerical elimination.
 
-use lagrangian_symbolic::{Graph, Matrix, NoInverse, Rational};
+use lagrangian_symbolic::{Geometry, Matrix, NoInverse, Rational};
 use lagrangian_symbolic_testing::rows::{
     POINTS, Rows, assert_close, assert_value, evaluate, numbers, parameters, product,
 };
@@ -31,64 +31,66 @@ fn determinant(mut rows: Rows) -> f64 {
 #[test]
 fn determinants_and_inverses_up_to_four_rows() {
     for n in 1..=4 {
-        let mut graph = Graph::new();
-        let a = parameters(&mut graph, n, n, 0);
+        let mut geometry = Geometry::new();
+        let a = parameters(&mut geometry.graph, n, n, 0);
         let at = |point| numbers(n, n, 0, point);
-        let found = graph.determinant(&a).unwrap();
-        assert_value(&graph, found, |point| determinant(at(point)));
-        let inverse = graph.inverse(&a).unwrap();
-        let identity = graph.identity_matrix(n);
+        let found = geometry.determinant(&a).unwrap();
+        assert_value(&geometry.graph, found, |point| determinant(at(point)));
+        let inverse = geometry.inverse(&a).unwrap();
+        let identity = geometry.graph.identity_matrix(n);
         for point in 0..POINTS {
-            let inverse = evaluate(&graph, &inverse, point);
-            let one = evaluate(&graph, &identity, point);
+            let inverse = evaluate(&geometry.graph, &inverse, point);
+            let one = evaluate(&geometry.graph, &identity, point);
             assert_close(&product(&inverse, &at(point)), &one);
             assert_close(&product(&at(point), &inverse), &one);
         }
-        let trace = graph.trace(&a).unwrap();
-        assert_value(&graph, trace, |point| (0..n).map(|i| at(point)[i][i]).sum());
+        let trace = geometry.graph.trace(&a).unwrap();
+        assert_value(&geometry.graph, trace, |point| {
+            (0..n).map(|i| at(point)[i][i]).sum()
+        });
     }
 }
 
 #[test]
 fn other_shapes_have_neither() {
-    let mut graph = Graph::new();
-    let wide = parameters(&mut graph, 2, 3, 0);
-    assert_eq!(graph.determinant(&wide), None);
-    assert_eq!(graph.trace(&wide), None);
-    assert_eq!(graph.inverse(&wide), Err(NoInverse::Shape));
-    let large = parameters(&mut graph, 5, 5, 0);
-    assert_eq!(graph.determinant(&large), None);
-    assert_eq!(graph.inverse(&large), Err(NoInverse::Shape));
-    assert!(graph.trace(&large).is_some());
+    let mut geometry = Geometry::new();
+    let wide = parameters(&mut geometry.graph, 2, 3, 0);
+    assert_eq!(geometry.determinant(&wide), None);
+    assert_eq!(geometry.graph.trace(&wide), None);
+    assert_eq!(geometry.inverse(&wide), Err(NoInverse::Shape));
+    let large = parameters(&mut geometry.graph, 5, 5, 0);
+    assert_eq!(geometry.determinant(&large), None);
+    assert_eq!(geometry.inverse(&large), Err(NoInverse::Shape));
+    assert!(geometry.graph.trace(&large).is_some());
 }
 
 #[test]
 fn a_determinant_that_vanishes_is_found_however_it_is_written() {
-    let mut graph = Graph::new();
-    let v = parameters(&mut graph, 3, 1, 0);
+    let mut geometry = Geometry::new();
+    let v = parameters(&mut geometry.graph, 3, 1, 0);
     // [v]× v = 0, and v vᵀ has one dimension only.
-    let cross = graph.cross_matrix(&v).unwrap();
-    assert_eq!(graph.inverse(&cross), Err(NoInverse::Singular));
-    let outer = graph.outer_product(&v, &v).unwrap();
-    assert_eq!(graph.inverse(&outer), Err(NoInverse::Singular));
+    let cross = geometry.graph.cross_matrix(&v).unwrap();
+    assert_eq!(geometry.inverse(&cross), Err(NoInverse::Singular));
+    let outer = geometry.graph.outer_product(&v, &v).unwrap();
+    assert_eq!(geometry.inverse(&outer), Err(NoInverse::Singular));
     // sin 2x = 2 sin x cos x is no rule of the graph.
     let draft = Draft::new(1);
     let x = draft.q(0);
     let elements = [2 * x.sin(), (2 * x).sin(), draft.one(), x.cos()];
     let matrix = Matrix::new(2, 2, elements.map(Quantity::expression).into()).unwrap();
-    assert_eq!(draft.graph().inverse(&matrix), Err(NoInverse::Singular));
+    assert_eq!(draft.geometry().inverse(&matrix), Err(NoInverse::Singular));
 }
 
 #[test]
 fn an_inverse_divides_no_more_than_it_must() {
-    let mut graph = Graph::new();
-    let v = parameters(&mut graph, 3, 1, 0);
-    let diagonal = graph.diagonal_matrix(&v).unwrap();
-    let inverse = graph.inverse(&diagonal).unwrap();
+    let mut geometry = Geometry::new();
+    let v = parameters(&mut geometry.graph, 3, 1, 0);
+    let diagonal = geometry.graph.diagonal_matrix(&v).unwrap();
+    let inverse = geometry.inverse(&diagonal).unwrap();
     let reciprocals = v.elements().iter();
     let reciprocals = reciprocals
-        .map(|x| graph.power(*x, &Rational::MINUS_ONE))
+        .map(|x| geometry.graph.power(*x, &Rational::MINUS_ONE))
         .collect();
-    let expected = graph.diagonal_matrix(&Matrix::vector(reciprocals));
+    let expected = geometry.graph.diagonal_matrix(&Matrix::vector(reciprocals));
     assert_eq!(Some(inverse), expected);
 }

@@ -1,6 +1,6 @@
 //! Matrices and vectors of expressions, against plain loops over numbers.
 
-use lagrangian_symbolic::{Graph, Matrix, Rational};
+use lagrangian_symbolic::{Geometry, Matrix, Rational};
 use lagrangian_symbolic_testing::rows::{
     Rows, assert_value, assert_values, numbers, parameters, product,
 };
@@ -8,8 +8,8 @@ use lagrangian_symbolic_testing::{Draft, Quantity};
 
 #[test]
 fn elements_are_counted_column_by_column() {
-    let mut graph = Graph::new();
-    let matrix = parameters(&mut graph, 2, 3, 0);
+    let mut geometry = Geometry::new();
+    let matrix = parameters(&mut geometry.graph, 2, 3, 0);
     let [a, b, c, d, e, f] = *matrix.elements() else {
         panic!("there are six elements");
     };
@@ -29,8 +29,8 @@ fn elements_are_counted_column_by_column() {
 
 #[test]
 fn shapes_must_fit_their_elements() {
-    let graph = Graph::new();
-    let one = graph.one();
+    let geometry = Geometry::new();
+    let one = geometry.graph.one();
     assert_eq!(Matrix::new(2, 2, vec![one; 3]), None);
     assert_eq!(Matrix::new(2, 2, vec![one; 5]), None);
     assert_eq!(Matrix::new(0, 3, Vec::new()), None);
@@ -41,8 +41,8 @@ fn shapes_must_fit_their_elements() {
 
 #[test]
 fn sums_and_multiples_are_by_element() {
-    let mut graph = Graph::new();
-    let [a, b] = [0, 6].map(|first| parameters(&mut graph, 2, 3, first));
+    let mut geometry = Geometry::new();
+    let [a, b] = [0, 6].map(|first| parameters(&mut geometry.graph, 2, 3, first));
     let by_element = |point: u64, combine: fn(f64, f64) -> f64| {
         let (a, b) = (numbers(2, 3, 0, point), numbers(2, 3, 6, point));
         let rows = a.into_iter().zip(b);
@@ -50,46 +50,52 @@ fn sums_and_multiples_are_by_element() {
         rows.map(|pair| row(pair).collect()).collect()
     };
     let terms = [(&a, Rational::integer(2)), (&b, -&Rational::HALF)];
-    let sum = graph.matrix_sum(&terms).unwrap();
-    assert_values(&graph, &sum, |point| {
+    let sum = geometry.matrix_sum(&terms).unwrap();
+    assert_values(&geometry.graph, &sum, |point| {
         by_element(point, |x, y| 2.0 * x - 0.5 * y)
     });
-    let halved = graph.matrix_sum(&[(&a, Rational::HALF)]).unwrap();
-    assert_values(&graph, &halved, |point| by_element(point, |x, _| 0.5 * x));
-    let both = graph.component_product(&a, &b).unwrap();
-    assert_values(&graph, &both, |point| by_element(point, |x, y| x * y));
-    let three = graph.integer(3);
-    let scaled = graph.matrix_scaled(&a, three);
-    assert_values(&graph, &scaled, |point| by_element(point, |x, _| 3.0 * x));
+    let halved = geometry.matrix_sum(&[(&a, Rational::HALF)]).unwrap();
+    assert_values(&geometry.graph, &halved, |point| {
+        by_element(point, |x, _| 0.5 * x)
+    });
+    let both = geometry.graph.component_product(&a, &b).unwrap();
+    assert_values(&geometry.graph, &both, |point| {
+        by_element(point, |x, y| x * y)
+    });
+    let three = geometry.graph.integer(3);
+    let scaled = geometry.matrix_scaled(&a, three);
+    assert_values(&geometry.graph, &scaled, |point| {
+        by_element(point, |x, _| 3.0 * x)
+    });
     // Other shapes do not fit, and no terms have none.
     let other = a.transpose();
     let terms = [(&a, Rational::ONE), (&other, Rational::ONE)];
-    assert_eq!(graph.matrix_sum(&terms), None);
-    assert_eq!(graph.matrix_sum(&[]), None);
-    assert_eq!(graph.component_product(&a, &other), None);
+    assert_eq!(geometry.matrix_sum(&terms), None);
+    assert_eq!(geometry.matrix_sum(&[]), None);
+    assert_eq!(geometry.graph.component_product(&a, &other), None);
 }
 
 #[test]
 fn what_is_added_to_its_opposite_is_zero() {
-    let mut graph = Graph::new();
-    let a = parameters(&mut graph, 2, 2, 0);
+    let mut geometry = Geometry::new();
+    let a = parameters(&mut geometry.graph, 2, 2, 0);
     let terms = [(&a, Rational::ONE), (&a, Rational::MINUS_ONE)];
-    let zero = vec![graph.zero(); 4];
-    assert_eq!(graph.matrix_sum(&terms), Matrix::new(2, 2, zero));
+    let zero = vec![geometry.graph.zero(); 4];
+    assert_eq!(geometry.matrix_sum(&terms), Matrix::new(2, 2, zero));
 }
 
 #[test]
 fn products_of_all_shapes() {
     for (n, m, l) in (0..64).map(|k| (k / 16 + 1, k / 4 % 4 + 1, k % 4 + 1)) {
-        let mut graph = Graph::new();
-        let a = parameters(&mut graph, n, m, 0);
-        let b = parameters(&mut graph, m, l, 16);
-        let found = graph.matrix_product(&a, &b).unwrap();
-        assert_values(&graph, &found, |point| {
+        let mut geometry = Geometry::new();
+        let a = parameters(&mut geometry.graph, n, m, 0);
+        let b = parameters(&mut geometry.graph, m, l, 16);
+        let found = geometry.matrix_product(&a, &b).unwrap();
+        assert_values(&geometry.graph, &found, |point| {
             product(&numbers(n, m, 0, point), &numbers(m, l, 16, point))
         });
         if m != l {
-            assert_eq!(graph.matrix_product(&a, &b.transpose()), None);
+            assert_eq!(geometry.matrix_product(&a, &b.transpose()), None);
         }
     }
 }
@@ -97,11 +103,11 @@ fn products_of_all_shapes() {
 #[test]
 fn products_of_several_matrices_of_three_rows() {
     // They remember their factors, which must not show, from either side.
-    let mut graph = Graph::new();
-    let [a, b, c] = [0, 9, 18].map(|first| parameters(&mut graph, 3, 3, first));
-    let v = parameters(&mut graph, 3, 1, 27);
-    let both = graph.matrix_product(&a, &b).unwrap();
-    let all = graph.matrix_product(&both, &c.transpose()).unwrap();
+    let mut geometry = Geometry::new();
+    let [a, b, c] = [0, 9, 18].map(|first| parameters(&mut geometry.graph, 3, 3, first));
+    let v = parameters(&mut geometry.graph, 3, 1, 27);
+    let both = geometry.matrix_product(&a, &b).unwrap();
+    let all = geometry.matrix_product(&both, &c.transpose()).unwrap();
     let expected = |point: u64| {
         let [a, b] = [0, 9].map(|first| numbers(3, 3, first, point));
         let c = numbers(3, 3, 18, point);
@@ -109,13 +115,13 @@ fn products_of_several_matrices_of_three_rows() {
         product(&product(&a, &b), &c)
     };
     let vector = |point| numbers(3, 1, 27, point);
-    assert_values(&graph, &all, expected);
-    let column = graph.matrix_product(&all, &v).unwrap();
-    assert_values(&graph, &column, |point| {
+    assert_values(&geometry.graph, &all, expected);
+    let column = geometry.matrix_product(&all, &v).unwrap();
+    assert_values(&geometry.graph, &column, |point| {
         product(&expected(point), &vector(point))
     });
-    let row = graph.matrix_product(&v.transpose(), &all).unwrap();
-    assert_values(&graph, &row, |point| {
+    let row = geometry.matrix_product(&v.transpose(), &all).unwrap();
+    assert_values(&geometry.graph, &row, |point| {
         let row = vec![vector(point).concat()];
         product(&row, &expected(point))
     });
@@ -123,21 +129,24 @@ fn products_of_several_matrices_of_three_rows() {
 
 #[test]
 fn one_is_neutral() {
-    let mut graph = Graph::new();
-    let a = parameters(&mut graph, 3, 3, 0);
-    let one = graph.identity_matrix(3);
-    assert_eq!(graph.matrix_product(&a, &one), Some(a.clone()));
-    assert_eq!(graph.matrix_product(&one, &a), Some(a));
-    let ones = Matrix::vector(vec![graph.one(); 3]);
-    assert_eq!(graph.diagonal_matrix(&ones), Some(one.clone()));
-    assert_eq!(graph.diagonal_matrix(&ones.transpose()), Some(one.clone()));
-    assert_eq!(graph.diagonal_matrix(&one), None);
+    let mut geometry = Geometry::new();
+    let a = parameters(&mut geometry.graph, 3, 3, 0);
+    let one = geometry.graph.identity_matrix(3);
+    assert_eq!(geometry.matrix_product(&a, &one), Some(a.clone()));
+    assert_eq!(geometry.matrix_product(&one, &a), Some(a));
+    let ones = Matrix::vector(vec![geometry.graph.one(); 3]);
+    assert_eq!(geometry.graph.diagonal_matrix(&ones), Some(one.clone()));
+    assert_eq!(
+        geometry.graph.diagonal_matrix(&ones.transpose()),
+        Some(one.clone())
+    );
+    assert_eq!(geometry.graph.diagonal_matrix(&one), None);
 }
 
 #[test]
 fn products_of_vectors() {
-    let mut graph = Graph::new();
-    let [u, v] = [0, 3].map(|first| parameters(&mut graph, 3, 1, first));
+    let mut geometry = Geometry::new();
+    let [u, v] = [0, 3].map(|first| parameters(&mut geometry.graph, 3, 1, first));
     let (row_u, row_v) = (u.transpose(), v.transpose());
     let at = |point| [0, 3].map(|first| numbers(3, 1, first, point).concat());
     let dot = |point| {
@@ -150,50 +159,50 @@ fn products_of_vectors() {
         vec![component(1, 2), component(2, 0), component(0, 1)]
     };
     for (u, v) in [(&u, &v), (&row_u, &row_v)] {
-        let found = graph.dot_product(u, v).unwrap();
-        assert_value(&graph, found, dot);
-        let found = graph.cross_product(u, v).unwrap();
+        let found = geometry.dot_product(u, v).unwrap();
+        assert_value(&geometry.graph, found, dot);
+        let found = geometry.cross_product(u, v).unwrap();
         assert_eq!(found.shape(), u.shape());
         let components = Matrix::vector(found.elements().to_vec());
-        assert_values(&graph, &components, |point| {
+        assert_values(&geometry.graph, &components, |point| {
             cross(point).into_iter().map(|x| vec![x]).collect()
         });
-        let outer = graph.outer_product(u, v).unwrap();
-        assert_values(&graph, &outer, |point| {
+        let outer = geometry.graph.outer_product(u, v).unwrap();
+        assert_values(&geometry.graph, &outer, |point| {
             let [u, v] = at(point);
             let row = |x: &f64| v.iter().map(|y| x * y).collect();
             u.iter().map(row).collect()
         });
     }
-    let crossing = graph.cross_matrix(&u).unwrap();
-    let crossed = graph.matrix_product(&crossing, &v);
-    assert_eq!(crossed, graph.cross_product(&u, &v));
-    let norm = graph.norm(&u);
-    assert_value(&graph, norm, |point| {
+    let crossing = geometry.graph.cross_matrix(&u).unwrap();
+    let crossed = geometry.matrix_product(&crossing, &v);
+    assert_eq!(crossed, geometry.cross_product(&u, &v));
+    let norm = geometry.norm(&u);
+    assert_value(&geometry.graph, norm, |point| {
         at(point)[0].iter().map(|x| x * x).sum::<f64>().sqrt()
     });
-    let square = graph.norm_squared(&u);
-    assert_eq!(Some(square), graph.dot_product(&u, &u));
+    let square = geometry.norm_squared(&u);
+    assert_eq!(Some(square), geometry.dot_product(&u, &u));
 }
 
 #[test]
 fn what_is_no_vector_has_no_such_products() {
-    let mut graph = Graph::new();
-    let three = parameters(&mut graph, 3, 1, 0);
-    let four = parameters(&mut graph, 4, 1, 0);
-    let square = parameters(&mut graph, 3, 3, 0);
+    let mut geometry = Geometry::new();
+    let three = parameters(&mut geometry.graph, 3, 1, 0);
+    let four = parameters(&mut geometry.graph, 4, 1, 0);
+    let square = parameters(&mut geometry.graph, 3, 3, 0);
     for (x, y) in [
         (&three, &four),
         (&three, &three.transpose()),
         (&square, &square),
     ] {
-        assert_eq!(graph.dot_product(x, y), None);
-        assert_eq!(graph.cross_product(x, y), None);
+        assert_eq!(geometry.dot_product(x, y), None);
+        assert_eq!(geometry.cross_product(x, y), None);
     }
-    assert_eq!(graph.cross_product(&four, &four), None);
-    assert_eq!(graph.outer_product(&three, &square), None);
-    assert_eq!(graph.cross_matrix(&square), None);
-    assert_eq!(graph.cross_matrix(&four), None);
+    assert_eq!(geometry.cross_product(&four, &four), None);
+    assert_eq!(geometry.graph.outer_product(&three, &square), None);
+    assert_eq!(geometry.graph.cross_matrix(&square), None);
+    assert_eq!(geometry.graph.cross_matrix(&four), None);
 }
 
 #[test]
@@ -205,6 +214,6 @@ fn time_goes_on_in_each_element() {
     };
     let moving = matrix([q.sin(), a, a * t, q.squared()]);
     let expected = matrix([q.cos() * v, draft.zero(), a, 2 * (q * v)]);
-    let rate = draft.graph().matrix_time_derivative(&moving, 1);
+    let rate = draft.geometry().matrix_time_derivative(&moving, 1);
     assert_eq!(rate, expected);
 }

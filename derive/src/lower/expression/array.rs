@@ -28,7 +28,7 @@ impl Lowerer<'_> {
         match stacked(&values) {
             Ok(matrix) => {
                 // It may be a rotation that is written out, or a homogeneous matrix.
-                let varies = |x: &Expression| self.graph.contents(*x).varies();
+                let varies = |x: &Expression| self.geometry.graph.contents(*x).varies();
                 let is_large = matrix.rows() >= 3 && matrix.columns() >= 3;
                 if is_large && matrix.elements().iter().any(varies) {
                     self.count_rotation(array)?;
@@ -52,7 +52,7 @@ impl Lowerer<'_> {
         let length = self.integer(&repeat.len);
         let (value, length) = (value?, length?);
         let value = match value {
-            Value::EmptySum => Value::Scalar(self.graph.zero()),
+            Value::EmptySum => Value::Scalar(self.geometry.graph.zero()),
             other => other,
         };
         let size = value.components().len().max(1);
@@ -106,7 +106,9 @@ impl Lowerer<'_> {
     fn identity(&mut self, rows: &Expr) -> Option<Value> {
         let written = self.integer(rows)?;
         match usize::try_from(written) {
-            Ok(n @ 1..=MAX_DIAGONAL_ROWS) => Some(Value::Array(self.graph.identity_matrix(n))),
+            Ok(n @ 1..=MAX_DIAGONAL_ROWS) => {
+                Some(Value::Array(self.geometry.graph.identity_matrix(n)))
+            }
             _ => self.reject(
                 rows,
                 "the identity has from 1 to 100 rows: write `identity(3)`",
@@ -137,21 +139,27 @@ impl Lowerer<'_> {
             let message = format!("an array has at most {MAX_ARRAY} components");
             return self.reject(name, message);
         }
-        let graph = &mut self.graph;
+        let geometry = &mut self.geometry;
         let value = match written.as_str() {
-            "dot" => graph.dot_product(first, second).map(Value::Scalar),
+            "dot" => geometry.dot_product(first, second).map(Value::Scalar),
             "cross" => {
-                let product = graph.cross_product(first, second);
+                let product = geometry.cross_product(first, second);
                 let product = match (product, &mut self.at_rest) {
                     (Some(product), Some(rest)) => {
-                        Some(rest.cross_product(graph, [first, second], &product))
+                        Some(rest.cross_product(&mut geometry.graph, [first, second], &product))
                     }
                     (product, _) => product,
                 };
                 product.map(Value::Array)
             }
-            "outer" => graph.outer_product(first, second).map(Value::Array),
-            _ => graph.component_product(first, second).map(Value::Array),
+            "outer" => geometry
+                .graph
+                .outer_product(first, second)
+                .map(Value::Array),
+            _ => geometry
+                .graph
+                .component_product(first, second)
+                .map(Value::Array),
         };
         if value.is_some() {
             return value;
@@ -171,18 +179,18 @@ impl Lowerer<'_> {
 
     /// A function that every vector or matrix has.
     fn total_array_function(&mut self, name: &str, array: &Matrix) -> Option<Value> {
-        let graph = &mut self.graph;
+        let geometry = &mut self.geometry;
         let elements = array.elements().iter();
         let terms = elements.map(|element| (*element, Rational::ONE));
         Some(match name {
-            "norm" => Value::Scalar(graph.norm(array)),
-            "norm_squared" => Value::Scalar(graph.norm_squared(array)),
+            "norm" => Value::Scalar(geometry.norm(array)),
+            "norm_squared" => Value::Scalar(geometry.norm_squared(array)),
             "transpose" => Value::Array(array.transpose()),
-            "sum" => Value::Scalar(graph.sum(terms)),
-            "product" => Value::Scalar(graph.product(terms)),
+            "sum" => Value::Scalar(geometry.graph.sum(terms)),
+            "product" => Value::Scalar(geometry.graph.product(terms)),
             "len" => {
                 let length = i64::try_from(array.elements().len()).unwrap_or(i64::MAX);
-                Value::Scalar(graph.integer(length))
+                Value::Scalar(geometry.graph.integer(length))
             }
             _ => return None,
         })
@@ -197,40 +205,42 @@ impl Lowerer<'_> {
         if let Some(value) = self.total_array_function(name, array) {
             return Some(value);
         }
-        let graph = &mut self.graph;
+        let geometry = &mut self.geometry;
         let square = array.rows() == array.columns();
         let few = array.rows() <= MAX_DETERMINANT;
         let is_vector = array.columns() == 1;
         let wanted = match name {
             "normalize" => {
-                let norm = graph.norm(array);
-                if graph.is_zero(norm) {
+                let norm = geometry.norm(array);
+                if geometry.graph.is_zero(norm) {
                     "a vector other than zero"
                 } else {
-                    let factor = graph.power(norm, &Rational::MINUS_ONE);
-                    return Some(Value::Array(graph.matrix_scaled(array, factor)));
+                    let factor = geometry.graph.power(norm, &Rational::MINUS_ONE);
+                    return Some(Value::Array(geometry.matrix_scaled(array, factor)));
                 }
             }
             "diagonal" if is_vector && array.rows() > MAX_DIAGONAL_ROWS => {
                 "a vector of at most 100 components"
             }
             "diagonal" if is_vector => {
-                return graph.diagonal_matrix(array).map(Value::Array);
+                return geometry.graph.diagonal_matrix(array).map(Value::Array);
             }
             "diagonal" if square => return array.diagonal().map(Value::Array),
             "diagonal" => "a square matrix, or a vector that becomes the diagonal of one",
-            "trace" if square => return graph.trace(array).map(Value::Scalar),
+            "trace" if square => return geometry.graph.trace(array).map(Value::Scalar),
             "trace" => "a square matrix",
-            "determinant" if square && few => return graph.determinant(array).map(Value::Scalar),
+            "determinant" if square && few => {
+                return geometry.determinant(array).map(Value::Scalar);
+            }
             "inverse" if square && few => {
-                if let Ok(inverse) = graph.inverse(array) {
+                if let Ok(inverse) = geometry.inverse(array) {
                     return Some(Value::Array(inverse));
                 }
                 let message = "this matrix has no inverse: its determinant vanishes identically";
                 return self.reject(call, message);
             }
             "determinant" | "inverse" => "a square matrix of at most 4 rows",
-            "cross_matrix" => match graph.cross_matrix(array) {
+            "cross_matrix" => match geometry.graph.cross_matrix(array) {
                 Some(matrix) => return Some(Value::Array(matrix)),
                 None => "a vector of 3 components",
             },

@@ -1,6 +1,6 @@
 //! Chains of `+ - * /`, and of `%` in indices, left-associative: loops, not recursion.
 
-use lagrangian_symbolic::{Graph, Rational};
+use lagrangian_symbolic::{Geometry, Rational};
 use syn::{BinOp, Expr, ExprBinary};
 
 use super::{ExpressionContext, Lowerer};
@@ -16,15 +16,20 @@ enum OperatorChain {
 }
 
 impl OperatorChain {
-    fn value(self, graph: &mut Graph) -> Value {
+    fn value(self, geometry: &mut Geometry) -> Value {
         match self {
-            Self::Sum(sum) => sum.value(graph),
-            Self::Product(product) => product.value(graph),
+            Self::Sum(sum) => sum.value(geometry),
+            Self::Product(product) => product.value(geometry),
         }
     }
 
     /// The chain with one more operand; the shape of what stands before the operator, if the two do not fit.
-    fn extend(self, graph: &mut Graph, operator: &BinOp, value: Value) -> Result<Self, Shape> {
+    fn extend(
+        self,
+        geometry: &mut Geometry,
+        operator: &BinOp,
+        value: Value,
+    ) -> Result<Self, Shape> {
         let sign = match operator {
             BinOp::Sub(_) | BinOp::Div(_) => Rational::MINUS_ONE,
             _ => Rational::ONE,
@@ -34,7 +39,7 @@ impl OperatorChain {
                 Self::Sum(sum) => sum,
                 before @ Self::Product(_) => {
                     let mut sum = Sum::default();
-                    sum.add(before.value(graph), Rational::ONE)?;
+                    sum.add(before.value(geometry), Rational::ONE)?;
                     sum
                 }
             };
@@ -45,12 +50,12 @@ impl OperatorChain {
                 Self::Product(product) => product,
                 before @ Self::Sum(_) => {
                     let mut product = Product::default();
-                    let before = before.value(graph);
-                    product.multiply(graph, before, Rational::ONE)?;
+                    let before = before.value(geometry);
+                    product.multiply(geometry, before, Rational::ONE)?;
                     product
                 }
             };
-            product.multiply(graph, value, sign)?;
+            product.multiply(geometry, value, sign)?;
             Ok(Self::Product(product))
         }
     }
@@ -82,7 +87,7 @@ impl Lowerer<'_> {
                 _ => None,
             };
         }
-        chain.map(|chain| chain.value(&mut self.graph))
+        chain.map(|chain| chain.value(&mut self.geometry))
     }
 
     /// The right operand, where the operator is supported.
@@ -111,7 +116,7 @@ impl Lowerer<'_> {
     /// Whether a value is the number zero.
     pub(super) fn vanishes(&self, value: &Value) -> bool {
         match value {
-            Value::Scalar(expression) => self.graph.is_zero(*expression),
+            Value::Scalar(expression) => self.geometry.graph.is_zero(*expression),
             Value::EmptySum => true,
             Value::Array(_) => false,
         }
@@ -127,7 +132,7 @@ impl Lowerer<'_> {
             return self.remainder(chain, operator, &value);
         }
         let right = value.shape();
-        match chain.extend(&mut self.graph, operator, value) {
+        match chain.extend(&mut self.geometry, operator, value) {
             Ok(chain) if self.within_index && matches!(operator, BinOp::Div(_)) => {
                 self.integer_quotient(chain, operator)
             }
@@ -143,9 +148,9 @@ impl Lowerer<'_> {
         operator: &BinOp,
         divisor: &Value,
     ) -> Option<OperatorChain> {
-        let dividend = chain.value(&mut self.graph);
+        let dividend = chain.value(&mut self.geometry);
         let integers = [&dividend, divisor].map(|value| match value {
-            Value::Scalar(value) => self.graph.as_constant(*value)?.to_integer(),
+            Value::Scalar(value) => self.geometry.graph.as_constant(*value)?.to_integer(),
             Value::EmptySum => Some(0),
             Value::Array(_) => None,
         });
@@ -157,7 +162,7 @@ impl Lowerer<'_> {
             return self.reject(operator, "a remainder in an index is one of integers");
         };
         let mut sum = Sum::default();
-        let remainder = self.graph.constant(&Rational::integer(remainder));
+        let remainder = self.geometry.graph.constant(&Rational::integer(remainder));
         // The first term fits any sum.
         let _ = sum.add(Value::Scalar(remainder), Rational::ONE);
         Some(OperatorChain::Sum(sum))
@@ -169,9 +174,9 @@ impl Lowerer<'_> {
         chain: OperatorChain,
         operator: &BinOp,
     ) -> Option<OperatorChain> {
-        let quotient = chain.clone().value(&mut self.graph);
+        let quotient = chain.clone().value(&mut self.geometry);
         let constant = match quotient {
-            Value::Scalar(value) => self.graph.as_constant(value),
+            Value::Scalar(value) => self.geometry.graph.as_constant(value),
             _ => None,
         };
         if constant.is_none_or(Rational::is_integer) {

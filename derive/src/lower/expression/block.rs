@@ -93,7 +93,7 @@ impl Lowerer<'_> {
             );
             return self.reject(arguments[0], message);
         }
-        if let Some(block) = self.graph.block(&matrix, first, size) {
+        if let Some(block) = self.geometry.graph.block(&matrix, first, size) {
             return Some(Value::Array(block));
         }
         let message = format!(
@@ -107,7 +107,7 @@ impl Lowerer<'_> {
     fn homogeneous(&mut self, arguments: &[&Expr], context: ExpressionContext) -> Option<Value> {
         let [rotation, place] = [0, 1].map(|i| self.matrix(arguments[i], context));
         let (rotation, place) = (rotation?, place?);
-        if let Some(matrix) = self.graph.homogeneous(&rotation, &place) {
+        if let Some(matrix) = self.geometry.graph.homogeneous(&rotation, &place) {
             return Some(Value::Array(matrix));
         }
         let (odd, wanted, found) = if rotation.shape() == (3, 3) {

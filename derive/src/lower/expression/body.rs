@@ -155,7 +155,7 @@ impl Lowerer<'_> {
                     "the acceleration of gravity, which is a vector such as `[0.0, 0.0, -g]`,";
                 let gravity = self.matrix_of(1, gravity, what, context);
                 let rotation = rotation?;
-                if let Err(reason) = self.graph.check_rotation(&rotation) {
+                if let Err(reason) = self.geometry.check_rotation(&rotation) {
                     return self.reject(arguments[1], no_rotation(reason));
                 }
                 self.potential_of_body(&body?, &rotation, &position?, &gravity?)
@@ -196,7 +196,7 @@ impl Lowerer<'_> {
         let value = match self.lower(argument, context)? {
             // A sum without terms.
             Value::EmptySum if columns == 1 => {
-                let zero = self.graph.zero();
+                let zero = self.geometry.graph.zero();
                 expected.filled(zero)
             }
             value => value,
@@ -217,12 +217,12 @@ impl Lowerer<'_> {
         rotation: &Matrix,
         position: &Matrix,
     ) -> Option<Matrix> {
-        if body.is_centered(&self.graph) {
+        if body.is_centered(&self.geometry.graph) {
             return Some(position.clone());
         }
-        let arm = self.graph.matrix_product(rotation, &body.center()?)?;
+        let arm = self.geometry.matrix_product(rotation, &body.center()?)?;
         let terms = [(position, Rational::ONE), (&arm, Rational::ONE)];
-        self.graph.matrix_sum(&terms)
+        self.geometry.matrix_sum(&terms)
     }
 
     /// ½ m |ċ|² + ½ ω·\[`I_C`\] ω (4.3).
@@ -241,17 +241,23 @@ impl Lowerer<'_> {
         };
         self.check_differentiable(call, &Value::Array(center.clone()))?;
         if self.at_rest.is_some() {
-            return Some(self.graph.zero());
+            return Some(self.geometry.graph.zero());
         }
-        let velocity = self.graph.matrix_time_derivative(&center, self.coordinates);
+        let velocity = self
+            .geometry
+            .matrix_time_derivative(&center, self.coordinates);
         self.check_derivative(call, &Value::Array(velocity.clone()), context)?;
         self.turning.push((body.mass, angular.elements().to_vec()));
-        let graph = &mut self.graph;
-        let square = graph.norm_squared(&velocity);
-        let translation = graph.multiply(body.mass, square);
-        let momentum = graph.matrix_product(&body.inertia()?, &angular)?;
-        let rotation = graph.dot_product(&angular, &momentum)?;
-        Some(graph.sum([(translation, Rational::HALF), (rotation, Rational::HALF)]))
+        let geometry = &mut self.geometry;
+        let square = geometry.norm_squared(&velocity);
+        let translation = geometry.graph.multiply(body.mass, square);
+        let momentum = geometry.matrix_product(&body.inertia()?, &angular)?;
+        let rotation = geometry.dot_product(&angular, &momentum)?;
+        Some(
+            geometry
+                .graph
+                .sum([(translation, Rational::HALF), (rotation, Rational::HALF)]),
+        )
     }
 
     /// −m g·c.
@@ -263,9 +269,9 @@ impl Lowerer<'_> {
         gravity: &Matrix,
     ) -> Option<Expression> {
         let center = self.center_of_body(body, rotation, position)?;
-        let graph = &mut self.graph;
-        let along = graph.dot_product(gravity, &center)?;
-        let weight = graph.multiply(body.mass, along);
-        Some(graph.negate(weight))
+        let geometry = &mut self.geometry;
+        let along = geometry.dot_product(gravity, &center)?;
+        let weight = geometry.graph.multiply(body.mass, along);
+        Some(geometry.graph.negate(weight))
     }
 }

@@ -78,7 +78,7 @@ impl Lowerer<'_> {
             && call.args.is_empty()
             && let Some(length) = self.length_of_family(&call.receiver)
         {
-            return Some(Value::Scalar(self.graph.integer(length)));
+            return Some(Value::Scalar(self.geometry.graph.integer(length)));
         }
         let mut arguments = vec![&*call.receiver];
         arguments.extend(&call.args);
@@ -245,12 +245,12 @@ impl Lowerer<'_> {
         let scalars: Vec<Expression> = scalars.into_iter().collect::<Option<_>>()?;
         self.check_domain(&written, unary, arguments, &scalars)?;
         match (unary, binary) {
-            (Some(function), _) => Some(self.graph.unary(function, scalars[0])),
+            (Some(function), _) => Some(self.geometry.graph.unary(function, scalars[0])),
             (_, Some(function)) => {
                 if function == Binary::Power {
                     self.check_range(arguments, &scalars)?;
                 }
-                Some(self.graph.binary(function, scalars[0], scalars[1]))
+                Some(self.geometry.graph.binary(function, scalars[0], scalars[1]))
             }
             _ => self.power(&written, arguments, &scalars),
         }
@@ -266,6 +266,7 @@ impl Lowerer<'_> {
         values: &[Expression],
     ) -> Option<()> {
         let number = self
+            .geometry
             .graph
             .as_constant(*values.first()?)
             .map(Rational::to_f64);
@@ -286,7 +287,7 @@ impl Lowerer<'_> {
 
     /// Rejects a power of numbers that is beyond the range of numbers, before it is written out.
     fn check_range(&mut self, arguments: &[&Expr], values: &[Expression]) -> Option<()> {
-        let number = |x: &Expression| self.graph.as_constant(*x).map(Rational::to_f64);
+        let number = |x: &Expression| self.geometry.graph.as_constant(*x).map(Rational::to_f64);
         let (Some(base), Some(exponent)) = (number(&values[0]), number(&values[1])) else {
             return Some(());
         };
@@ -333,6 +334,7 @@ impl Lowerer<'_> {
             "sqrt" => Rational::HALF,
             "recip" => Rational::MINUS_ONE,
             _ => match self
+                .geometry
                 .graph
                 .as_constant(values[1])
                 .and_then(Rational::to_integer)
@@ -350,12 +352,12 @@ impl Lowerer<'_> {
                 }
             },
         };
-        if exponent.is_negative() && self.graph.is_zero(values[0]) {
+        if exponent.is_negative() && self.geometry.graph.is_zero(values[0]) {
             return self.reject(
                 arguments[0],
                 "this divisor is zero: the quotient has no value anywhere",
             );
         }
-        Some(self.graph.power(values[0], &exponent))
+        Some(self.geometry.graph.power(values[0], &exponent))
     }
 }

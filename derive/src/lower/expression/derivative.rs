@@ -27,10 +27,10 @@ impl Lowerer<'_> {
         };
         let value = self.lower(argument, ExpressionContext::Observation)?;
         if let Some(rest) = &mut self.at_rest {
-            return Some(rest.rate(&mut self.graph, value));
+            return Some(rest.rate(&mut self.geometry.graph, value));
         }
         let mut components = value.components().iter();
-        let varies = components.any(|component| self.graph.contents(*component).varies());
+        let varies = components.any(|component| self.geometry.graph.contents(*component).varies());
         if !varies && value != Value::EmptySum && !self.is_named(argument.to_token_stream()) {
             return self.reject(
                 argument,
@@ -40,12 +40,15 @@ impl Lowerer<'_> {
         self.check_differentiable(call, &value)?;
         let derivative = match value {
             Value::Scalar(expression) => {
-                let derivatives = self.graph.time_derivatives(&[expression], self.coordinates);
+                let derivatives = self
+                    .geometry
+                    .time_derivatives(&[expression], self.coordinates);
                 Value::Scalar(derivatives[0])
             }
-            Value::Array(matrix) => {
-                Value::Array(self.graph.matrix_time_derivative(&matrix, self.coordinates))
-            }
+            Value::Array(matrix) => Value::Array(
+                self.geometry
+                    .matrix_time_derivative(&matrix, self.coordinates),
+            ),
             Value::EmptySum => Value::EmptySum,
         };
         self.check_derivative(call, &derivative, context)?;
@@ -62,7 +65,7 @@ impl Lowerer<'_> {
             return self.reject(call, format!("no time passes in a function: {MADE_OF}"));
         }
         let mut components = value.components().iter();
-        if components.any(|component| self.graph.contents(*component).has_input()) {
+        if components.any(|component| self.geometry.graph.contents(*component).has_input()) {
             return self.reject(
                 call,
                 "this contains an input, whose rate of change is unknown: take `dot` of coordinates and of \

@@ -19,6 +19,7 @@ impl Lowerer<'_> {
             let arguments: Vec<String> = declared.arguments.iter().map(unraw).collect();
             let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
             let function = self
+                .geometry
                 .graph
                 .declare_function(&unraw(&declared.name), &arguments);
             self.scope.declare_function(&declared.name, function);
@@ -39,7 +40,7 @@ impl Lowerer<'_> {
     ) {
         let mut hidden = Vec::new();
         for (i, argument) in (0..).zip(arguments) {
-            let value = Value::Scalar(self.graph.symbol(Symbol::Argument(i)));
+            let value = Value::Scalar(self.geometry.graph.symbol(Symbol::Argument(i)));
             hidden.push((argument, self.scope.bind(argument, value)));
         }
         self.within_derivative = true;
@@ -51,10 +52,12 @@ impl Lowerer<'_> {
         let mut names = arguments.iter();
         let argument = names.position(|argument| unraw(argument) == unraw(&derivative.argument));
         if let (Some(value), Some(argument)) = (value, argument) {
-            if self.graph.contents(value).varies_in_time() {
+            if self.geometry.graph.contents(value).varies_in_time() {
                 return self.diagnostics.error(&derivative.expression, MADE_OF);
             }
-            self.graph.declare_derivative(function, argument, value);
+            self.geometry
+                .graph
+                .declare_derivative(function, argument, value);
         }
     }
 
@@ -69,7 +72,8 @@ impl Lowerer<'_> {
             ) => false,
             Some(Binding::Quantity(_, value)) => {
                 let mut components = value.components().iter();
-                !components.any(|component| self.graph.contents(*component).varies_in_time())
+                !components
+                    .any(|component| self.geometry.graph.contents(*component).varies_in_time())
             }
             _ => true,
         };
@@ -90,9 +94,9 @@ impl Lowerer<'_> {
         call: impl ToTokens,
         context: ExpressionContext,
     ) -> Option<Value> {
-        let expected = self.graph.function_arguments(function);
+        let expected = self.geometry.graph.function_arguments(function);
         if expected.len() != arguments.len() {
-            let name = self.graph.function_name(function);
+            let name = self.geometry.graph.function_name(function);
             let count = match expected {
                 [] => "no arguments".to_owned(),
                 [_] => "one argument".to_owned(),
@@ -110,7 +114,7 @@ impl Lowerer<'_> {
             .map(|argument| self.scalar(argument, context))
             .collect();
         let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
-        Some(Value::Scalar(self.graph.apply(function, &values)))
+        Some(Value::Scalar(self.geometry.graph.apply(function, &values)))
     }
 }
 

@@ -58,7 +58,7 @@ impl Lowerer<'_> {
         for value in values {
             let shape = value.shape();
             let result = if product {
-                factors.multiply(&mut self.graph, value, Rational::ONE)
+                factors.multiply(&mut self.geometry, value, Rational::ONE)
             } else {
                 sum.add(value, Rational::ONE)
             };
@@ -74,9 +74,9 @@ impl Lowerer<'_> {
             }
         }
         Some(if product {
-            factors.value(&mut self.graph)
+            factors.value(&mut self.geometry)
         } else {
-            sum.value(&mut self.graph)
+            sum.value(&mut self.geometry)
         })
     }
 
@@ -90,7 +90,7 @@ impl Lowerer<'_> {
             range @ Expr::Range(_) => {
                 let indices = self.indices(range)?;
                 indices
-                    .map(|i| Value::Scalar(self.graph.integer(i)))
+                    .map(|i| Value::Scalar(self.geometry.graph.integer(i)))
                     .collect()
             }
             receiver => match self.lower(receiver, context)? {
@@ -210,7 +210,7 @@ impl Lowerer<'_> {
         };
         self.check_variable(&iteration.index)?;
         for i in self.indices(&iteration.range)? {
-            let value = Value::Scalar(self.graph.integer(i));
+            let value = Value::Scalar(self.geometry.graph.integer(i));
             let before = self.scope.bind(&iteration.index, value);
             let done = self.for_each(inner, action);
             self.scope.release(&iteration.index, before);
@@ -241,7 +241,7 @@ impl Lowerer<'_> {
 impl Lowerer<'_> {
     /// The same values with empty sums replaced by zeros of the others' shape.
     pub(super) fn filled(&mut self, values: Vec<Value>) -> Vec<Value> {
-        let zero = self.graph.zero();
+        let zero = self.geometry.graph.zero();
         let like = values.iter().find(|value| **value != Value::EmptySum);
         let nothing = like.map_or(Shape::Scalar, Value::shape).filled(zero);
         let filled = |value| match value {

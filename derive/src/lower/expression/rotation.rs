@@ -79,7 +79,7 @@ impl Lowerer<'_> {
         let angles: Vec<Expression> = angles.into_iter().collect::<Option<_>>()?;
         let factors: Vec<_> = axes.into_iter().zip(angles).collect();
         self.count_rotation(call)?;
-        let rotation = self.graph.rotation(&factors);
+        let rotation = self.geometry.rotation(&factors);
         match function {
             RotationFunction::Rotation => Some(Value::Array(rotation)),
             RotationFunction::AngularVelocity => {
@@ -151,14 +151,14 @@ impl Lowerer<'_> {
         let value = Value::Array(rotation.clone());
         self.check_differentiable(call, &value)?;
         if let Some(rest) = &mut self.at_rest {
-            let velocity = rest.angular_velocity(&mut self.graph, rotation);
+            let velocity = rest.angular_velocity(&mut self.geometry.graph, rotation);
             return Some(Value::Array(velocity));
         }
         let velocity = if inertial {
-            self.graph
+            self.geometry
                 .angular_velocity_inertial(rotation, self.coordinates)
         } else {
-            self.graph.angular_velocity(rotation, self.coordinates)
+            self.geometry.angular_velocity(rotation, self.coordinates)
         };
         let velocity = match velocity {
             Ok(velocity) => velocity,

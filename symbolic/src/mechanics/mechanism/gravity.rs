@@ -5,8 +5,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::matrix::frame_tree::Frame;
-use crate::matrix::vector_in_frames::{Term, VectorId};
+use crate::frames::frame_tree::Frame;
+use crate::frames::vector_in_frames::{Term, VectorId};
 use crate::mechanics::energy_forms::quasi_velocities::is_constant;
 use crate::mechanics::mechanism::Vector;
 use crate::mechanics::mechanism::reading::{Point, Reader};
@@ -19,18 +19,18 @@ impl Reader {
     /// The acceleration that stands in for the part of V that is Σ m a · r over all masses, and the rest of V.
     pub(super) fn uniform_gravity(&mut self, potential: Expression) -> (Vector, Expression) {
         let found = self.gravity_and_rest(potential);
-        found.unwrap_or(([self.graph.zero(); 3], potential))
+        found.unwrap_or(([self.geometry.graph.zero(); 3], potential))
     }
 
     fn gravity_and_rest(&mut self, potential: Expression) -> Option<(Vector, Expression)> {
-        let zero = self.graph.zero();
+        let zero = self.geometry.graph.zero();
         let mut weights: BTreeMap<VectorId, Vector> = BTreeMap::new();
-        for symbol in self.graph.symbols(&[potential]) {
+        for symbol in self.geometry.graph.symbols(&[potential]) {
             let Symbol::PositionComponent(index) = symbol else {
                 continue;
             };
-            let slope = self.graph.derivative(potential, symbol);
-            if is_constant(&self.graph, slope) {
+            let slope = self.geometry.graph.derivative(potential, symbol);
+            if is_constant(&self.geometry.graph, slope) {
                 let (number, axis) = VectorId::of_component(index);
                 weights.entry(number).or_insert([zero; 3])[axis] = slope;
             }
@@ -54,10 +54,10 @@ impl Reader {
             }
             let (sum, moments) = by_link.entry(link).or_insert(([zero; 3], [[zero; 3]; 3]));
             for i in 0..3 {
-                sum[i] = self.graph.add(sum[i], weight[i]);
+                sum[i] = self.geometry.graph.add(sum[i], weight[i]);
                 for j in 0..3 {
-                    let moment = self.graph.multiply(weight[i], place[j]);
-                    moments[i][j] = self.graph.add(moments[i][j], moment);
+                    let moment = self.geometry.graph.multiply(weight[i], place[j]);
+                    moments[i][j] = self.geometry.graph.add(moments[i][j], moment);
                 }
             }
             heavy.push((point, weight));
@@ -65,7 +65,7 @@ impl Reader {
         let accelerations = self.ratios(heavy.first()?);
         let mut accelerations = accelerations.into_iter();
         let acceleration = accelerations.find(|a| self.is_weight(&by_link, *a))?;
-        let rest = self.graph.substitute(&[potential], &removed)[0];
+        let rest = self.geometry.graph.substitute(&[potential], &removed)[0];
         Some((acceleration, rest))
     }
 
@@ -76,13 +76,13 @@ impl Reader {
         masses.sort_by_key(|(known, _)| known != point);
         let ratios = masses
             .into_iter()
-            .map(|(_, mass)| weight.map(|x| self.graph.divide(x, mass)));
+            .map(|(_, mass)| weight.map(|x| self.geometry.graph.divide(x, mass)));
         ratios.collect()
     }
 
     /// Whether the weights are those of the masses of all links under an acceleration.
     fn is_weight(&mut self, weights: &BTreeMap<usize, Weights>, acceleration: Vector) -> bool {
-        let zero = self.graph.zero();
+        let zero = self.geometry.graph.zero();
         let mut residuals = Vec::new();
         for i in 0..self.links.len() {
             let inertia = self.links[i].inertia.clone();
@@ -92,16 +92,16 @@ impl Reader {
                 let found = [sum[k], moments[k][0], moments[k][1], moments[k][2]];
                 let [x, y, z] = inertia.first;
                 for (found, moment) in found.into_iter().zip([inertia.mass, x, y, z]) {
-                    let expected = self.graph.multiply(a, moment);
+                    let expected = self.geometry.graph.multiply(a, moment);
                     let terms = [(found, Rational::ONE), (expected, Rational::MINUS_ONE)];
-                    let residual = self.graph.sum(terms);
+                    let residual = self.geometry.graph.sum(terms);
                     if residual != zero {
                         residuals.push(residual);
                     }
                 }
             }
         }
-        residuals.is_empty() || self.graph.vanishes(&residuals)
+        residuals.is_empty() || self.geometry.graph.vanishes(&residuals)
     }
 
     /// The point of a position that is resolved along inertial axes.

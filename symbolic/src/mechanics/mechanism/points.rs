@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::frame_tree::Frame;
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::frame_tree::Frame;
 use crate::mechanics::mechanism::reading::{Point, Reader};
 use crate::mechanics::mechanism::{Inertia, Link, Turn, Vector};
 use crate::{Expression, Graph, Node};
@@ -11,14 +11,14 @@ use crate::{Expression, Graph, Node};
 impl Reader {
     /// A link with the axes of a frame.
     pub(super) fn link_of(&mut self, frame: Frame) -> Option<usize> {
-        let path = self.graph.frames.tree.path(frame);
+        let path = self.geometry.frames.tree.path(frame);
         let known = path.iter().rev().find_map(|(frame, _)| {
             let link = self.frames.iter().position(|known| known == frame)?;
             Some((link, *frame))
         });
         let (mut link, here) =
             known.map_or((None, Frame::INERTIAL), |(link, here)| (Some(link), here));
-        let mut place = [self.graph.zero(); 3];
+        let mut place = [self.geometry.graph.zero(); 3];
         self.walk(&mut link, (here, frame), &mut place)?;
         link
     }
@@ -27,12 +27,12 @@ impl Reader {
     ///
     /// New links are made for the frames on the way, and for a place that varies in the last.
     pub(super) fn point(&mut self, terms: &[(Frame, Vector)]) -> Option<Point> {
-        let zero = self.graph.zero();
+        let zero = self.geometry.graph.zero();
         let mut places: BTreeMap<Frame, Vector> = BTreeMap::new();
         for term in terms {
             let (frame, place) = self.carried(*term);
             let sum = places.entry(frame).or_insert([zero; 3]);
-            *sum = [0, 1, 2].map(|i| self.graph.add(sum[i], place[i]));
+            *sum = [0, 1, 2].map(|i| self.geometry.graph.add(sum[i], place[i]));
         }
         let place = places.remove(&Frame::INERTIAL).unwrap_or([zero; 3]);
         let mut place = place.map(|x| self.moving_part(x));
@@ -40,7 +40,7 @@ impl Reader {
         for (frame, own) in places {
             self.walk(&mut link, (last, frame), &mut place)?;
             last = frame;
-            place = [0, 1, 2].map(|i| self.graph.add(place[i], own[i]));
+            place = [0, 1, 2].map(|i| self.geometry.graph.add(place[i], own[i]));
         }
         if self.varies(place) {
             link = Some(self.link(link, last, place, Turn::Identity));
@@ -52,16 +52,16 @@ impl Reader {
     /// A place along inertial axes without its constant terms, which no velocity shows.
     fn moving_part(&mut self, place: Expression) -> Expression {
         let varies = |graph: &Graph, x: Expression| graph.contents(x).varies();
-        let moving: Vec<_> = match self.graph.node(place) {
+        let moving: Vec<_> = match self.geometry.graph.node(place) {
             Node::Sum(terms) => terms
                 .iter()
-                .filter(|(x, _)| varies(&self.graph, *x))
+                .filter(|(x, _)| varies(&self.geometry.graph, *x))
                 .cloned()
                 .collect(),
-            _ if varies(&self.graph, place) => return place,
+            _ if varies(&self.geometry.graph, place) => return place,
             _ => Vec::new(),
         };
-        self.graph.sum(moving)
+        self.geometry.graph.sum(moving)
     }
 
     /// Goes from a link with the axes of the first frame to one with those of the second, at this place.
@@ -74,7 +74,7 @@ impl Reader {
         for (frame, factor) in self.steps(here, there) {
             // What is constant in the inertial frame moves nothing.
             if link.is_none() && !self.varies(*place) {
-                *place = [self.graph.zero(); 3];
+                *place = [self.geometry.graph.zero(); 3];
             }
             *link = Some(self.next_link(*link, frame, factor, place)?);
         }
@@ -85,8 +85,8 @@ impl Reader {
     /// have in common, and forth. Turns about one axis there and back are one, as of angles against the horizontal.
     fn steps(&mut self, here: Frame, there: Frame) -> Vec<(Frame, MatrixFactor)> {
         let (from, to) = (
-            self.graph.frames.tree.path(here),
-            self.graph.frames.tree.path(there),
+            self.geometry.frames.tree.path(here),
+            self.geometry.frames.tree.path(there),
         );
         let pairs = from.iter().zip(&to);
         let common = pairs.take_while(|(x, y)| x == y).count();
@@ -96,12 +96,12 @@ impl Reader {
         let back = from[common..].iter().rev();
         let back = back.map(|(_, factor)| factor.transpose());
         let forth = to[common..].iter().map(|(_, factor)| *factor);
-        let factors = self.graph.combined(back.chain(forth));
-        let mut path = self.graph.frames.tree.factors(here);
+        let factors = self.geometry.combined(back.chain(forth));
+        let mut path = self.geometry.frames.tree.factors(here);
         let mut steps = Vec::with_capacity(factors.len());
         for factor in factors {
             path.push(factor);
-            steps.push((self.graph.frames.tree.frame(&path), factor));
+            steps.push((self.geometry.frames.tree.frame(&path), factor));
         }
         if let Some((frame, _)) = steps.last_mut() {
             *frame = there;
@@ -115,9 +115,9 @@ impl Reader {
         if !self.varies(place) {
             return (frame, place);
         }
-        for (next, factor) in self.graph.frames.tree.behind(frame) {
-            let turned = factor.transpose().apply(&mut self.graph, place);
-            let turned = turned.map(|x| self.graph.reduced(x));
+        for (next, factor) in self.geometry.frames.tree.behind(frame) {
+            let turned = factor.transpose().apply(&mut self.geometry.graph, place);
+            let turned = turned.map(|x| self.geometry.graph.reduced(x));
             if !self.varies(turned) {
                 return (next, turned);
             }
@@ -126,7 +126,9 @@ impl Reader {
     }
 
     pub(super) fn varies(&self, place: Vector) -> bool {
-        place.iter().any(|x| self.graph.contents(*x).varies())
+        place
+            .iter()
+            .any(|x| self.geometry.graph.contents(*x).varies())
     }
 
     /// The link that is turned as `frame` is, with its origin at `place` in the link before; afterwards, `place` is that
@@ -139,12 +141,12 @@ impl Reader {
         place: &mut Vector,
     ) -> Option<usize> {
         let turn = Turn::of(factor)?;
-        let zero = self.graph.zero();
+        let zero = self.geometry.graph.zero();
         let mut origin = *place;
         *place = [zero; 3];
         if !self.keeps_origins
             && let Some(axis) = turn.axis()
-            && !self.graph.contents(origin[axis]).varies()
+            && !self.geometry.graph.contents(origin[axis]).varies()
         {
             place[axis] = core::mem::replace(&mut origin[axis], zero);
         }
@@ -162,7 +164,7 @@ impl Reader {
                 parent,
                 place,
                 turn,
-                inertia: Inertia::none(&self.graph),
+                inertia: Inertia::none(&self.geometry.graph),
             });
             self.frames.push(frame);
             self.links.len() - 1

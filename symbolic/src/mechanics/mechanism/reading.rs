@@ -10,12 +10,12 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::frame_tree::Frame;
+use crate::frames::vector_in_frames::{Term, UnresolvedVectors, VectorId};
 use crate::limits::MAX_TURNS_OF_A_BASE;
-use crate::matrix::frame_tree::Frame;
-use crate::matrix::vector_in_frames::{Term, UnresolvedVectors, VectorId};
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Turn, Vector};
-use crate::{EnergiesInFrames, Expression, Graph, Model, Node, Rational, Symbol};
+use crate::{EnergiesInFrames, Expression, Geometry, Graph, Model, Node, Rational, Symbol};
 
 /// A link, or the inertial frame, and a place along its axes.
 pub(super) type Point = (Option<usize>, Vector);
@@ -35,14 +35,14 @@ impl Mechanism {
     fn with_origins(model: &mut Model, keeps_origins: bool) -> Option<Self> {
         let energies = model.in_frames.clone()?;
         let EnergiesInFrames {
-            mut graph,
+            mut geometry,
             kinetic,
             potential,
         } = energies;
-        let velocities = QuasiVelocities::declared(&mut graph, kinetic)?;
-        let vectors = graph.frames.unresolved.clone()?;
+        let velocities = QuasiVelocities::declared(&mut geometry.graph, kinetic)?;
+        let vectors = geometry.frames.unresolved.clone()?;
         let mut reader = Reader {
-            graph,
+            geometry,
             vectors,
             links: Vec::new(),
             frames: Vec::new(),
@@ -51,8 +51,8 @@ impl Mechanism {
         };
         let kinetic = reader.read_inertia(&velocities)?;
         let (base_acceleration, potential) = reader.uniform_gravity(potential);
-        let graph = &mut reader.graph;
-        let rest = graph.resolved(&[kinetic, potential]);
+        let rest = reader.geometry.resolved(&[kinetic, potential]);
+        let graph = &reader.geometry.graph;
         let mechanism = Self {
             links: reader.links,
             base_acceleration,
@@ -67,7 +67,7 @@ impl Mechanism {
         if bodies.count() < 2 {
             return None;
         }
-        Some(mechanism.imported(&mut model.graph, &reader.graph))
+        Some(mechanism.imported(&mut model.graph, &reader.geometry.graph))
     }
 
     /// The same mechanism in another graph.
@@ -100,7 +100,7 @@ impl Mechanism {
 
 /// A mechanism under construction.
 pub(super) struct Reader {
-    pub(super) graph: Graph,
+    pub(super) geometry: Geometry,
     pub(super) vectors: UnresolvedVectors,
     pub(super) links: Vec<Link>,
     /// The frames of the links.
@@ -115,10 +115,10 @@ impl Reader {
     /// Gives all links their inertia; the rest of T.
     fn read_inertia(&mut self, velocities: &QuasiVelocities) -> Option<Expression> {
         let mut blocks: BTreeMap<(VectorId, VectorId), [Vector; 3]> = BTreeMap::new();
-        let zero = self.graph.zero();
+        let zero = self.geometry.graph.zero();
         let components = velocities.forms.iter();
         let components: Vec<_> = components
-            .map(|form| match self.graph.node(*form) {
+            .map(|form| match self.geometry.graph.node(*form) {
                 Node::Symbol(Symbol::VelocityComponent(i)) => Some(VectorId::of_component(*i)),
                 _ => None,
             })
@@ -126,7 +126,7 @@ impl Reader {
         let mut others = Vec::new();
         for (k, row) in velocities.inertia.iter().enumerate() {
             for (l, entry) in row.iter().enumerate() {
-                if self.graph.is_zero(*entry) {
+                if self.geometry.graph.is_zero(*entry) {
                     continue;
                 }
                 match (components[k], components[l]) {
@@ -166,7 +166,7 @@ impl Reader {
         }
         let rest = self.rest_of_kinetic(velocities.rest, &others);
         let is_component = |symbol: &Symbol| matches!(symbol, Symbol::VelocityComponent(_));
-        let mut symbols = self.graph.symbols(&[rest]).into_iter();
+        let mut symbols = self.geometry.graph.symbols(&[rest]).into_iter();
         (!symbols.any(|symbol| is_component(&symbol))).then_some(rest)
     }
 
@@ -181,31 +181,34 @@ impl Reader {
             if u == v
                 && let Some((link, axis)) = self.turning_link(*u)
             {
-                let mut tensor = [[self.graph.zero(); 3]; 3];
+                let mut tensor = [[self.geometry.graph.zero(); 3]; 3];
                 tensor[axis][axis] = *entry;
-                let inertia = Inertia::of_tensor(&mut self.graph, &tensor);
-                self.links[link].inertia.add(&mut self.graph, &inertia);
+                let inertia = Inertia::of_tensor(&mut self.geometry.graph, &tensor);
+                self.links[link]
+                    .inertia
+                    .add(&mut self.geometry.graph, &inertia);
                 continue;
             }
             let product = self
+                .geometry
                 .graph
                 .product([*entry, *u, *v].map(|x| (x, Rational::ONE)));
             terms.push((product, Rational::HALF));
         }
-        self.graph.sum(terms)
+        self.geometry.graph.sum(terms)
     }
 
     /// The link whose angular velocity has this component along an axis, and no others.
     fn turning_link(&mut self, rate: Expression) -> Option<(usize, usize)> {
-        let zero = self.graph.zero();
+        let zero = self.geometry.graph.zero();
         for (link, frame) in self.frames.clone().into_iter().enumerate() {
-            let factors = self.graph.frames.tree.factors(frame);
+            let factors = self.geometry.frames.tree.factors(frame);
             if factors.len() > MAX_TURNS_OF_A_BASE {
                 continue;
             }
             let coordinates = self.vectors.coordinates;
             let velocity = self
-                .graph
+                .geometry
                 .angular_velocity_of_product(&factors, coordinates);
             let Ok(velocity) = velocity else {
                 continue;
@@ -232,21 +235,23 @@ impl Reader {
     ) -> Option<()> {
         let vector = self.vectors.vector(number).clone();
         if let [Term::AngularVelocity(frame, factor)] = vector.terms.as_slice() {
-            return (*frame == vector.axes && *factor == self.graph.one()).then_some(());
+            return (*frame == vector.axes && *factor == self.geometry.graph.one()).then_some(());
         }
-        let mass = isotropic(&self.graph, tensor)?;
+        let mass = isotropic(&self.geometry.graph, tensor)?;
         let point = self.moving_point(number, frame)?;
         self.masses.push((point, mass));
         if let (Some(link), place) = point {
-            let inertia = Inertia::point(&mut self.graph, mass, place);
-            self.links[link].inertia.add(&mut self.graph, &inertia);
+            let inertia = Inertia::point(&mut self.geometry.graph, mass, place);
+            self.links[link]
+                .inertia
+                .add(&mut self.geometry.graph, &inertia);
         }
         Some(())
     }
 
     /// The first moment μ h of μ v · d(R h)/dt, where R h is fixed to the last of the links on which v depends.
     fn first_moment(&self, numbers: [VectorId; 2], tensor: &[Vector; 3]) -> Option<FirstMoment> {
-        let mass = isotropic(&self.graph, tensor)?;
+        let mass = isotropic(&self.geometry.graph, tensor)?;
         let [first, second] = numbers;
         [(first, second), (second, first)]
             .into_iter()
@@ -254,7 +259,7 @@ impl Reader {
                 let [Term::Rate(frame, place)] = *self.vectors.vector(other).terms else {
                     return None;
                 };
-                let path = self.graph.frames.tree.path(frame);
+                let path = self.geometry.frames.tree.path(frame);
                 let is_before = |known: Frame| {
                     known == Frame::INERTIAL || path.iter().any(|(frame, _)| *frame == known)
                 };
@@ -271,10 +276,14 @@ impl Reader {
 
     fn read_first_moment(&mut self, moment: FirstMoment) -> Option<()> {
         let (link, place) = self.moving_point(moment.number, Some(moment.frame))?;
-        let mut inertia = Inertia::none(&self.graph);
-        inertia.first = moment.place.map(|x| self.graph.multiply(moment.mass, x));
-        let inertia = inertia.moved(&mut self.graph, place);
-        self.links[link?].inertia.add(&mut self.graph, &inertia);
+        let mut inertia = Inertia::none(&self.geometry.graph);
+        inertia.first = moment
+            .place
+            .map(|x| self.geometry.graph.multiply(moment.mass, x));
+        let inertia = inertia.moved(&mut self.geometry.graph, place);
+        self.links[link?]
+            .inertia
+            .add(&mut self.geometry.graph, &inertia);
         Some(())
     }
 
@@ -286,7 +295,7 @@ impl Reader {
             _ => None,
         });
         let mut terms: Vec<_> = terms.collect::<Option<_>>()?;
-        terms.extend(frame.map(|frame| (frame, [self.graph.zero(); 3])));
+        terms.extend(frame.map(|frame| (frame, [self.geometry.graph.zero(); 3])));
         self.point(&terms)
     }
 
@@ -296,8 +305,10 @@ impl Reader {
         if let [Term::AngularVelocity(frame, _)] = vector.terms.as_slice()
             && let Some(link) = self.link_of(*frame)
         {
-            let inertia = Inertia::of_tensor(&mut self.graph, tensor);
-            self.links[link].inertia.add(&mut self.graph, &inertia);
+            let inertia = Inertia::of_tensor(&mut self.geometry.graph, tensor);
+            self.links[link]
+                .inertia
+                .add(&mut self.geometry.graph, &inertia);
         }
     }
 }

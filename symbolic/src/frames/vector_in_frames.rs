@@ -1,13 +1,13 @@
 //! Vectors as sums of vectors in frames, of their time derivatives, and of angular velocities.
 //!
-//! What a graph knows of a vector stands beside its components in [`KnownFrames`], or the vector is
-//! [resolved last](UnresolvedVectors): until then its components are symbols, so that an energy remains the quadratic form in the
-//! components of whole vectors as which it was declared.
+//! What is known of a vector stands beside its components in the [`KnownFrames`] of a [`Geometry`](crate::Geometry), or the
+//! vector is [resolved last](UnresolvedVectors): until then its components are symbols, so that an energy remains the quadratic
+//! form in the components of whole vectors as which it was declared.
 
 use std::collections::BTreeMap;
 
+use crate::frames::frame_tree::{Frame, FrameTree};
 use crate::matrix::factor::MatrixFactor;
-use crate::matrix::frame_tree::{Frame, FrameTree};
 use crate::{Expression, Graph};
 
 /// One term of a vector.
@@ -47,7 +47,7 @@ pub(crate) struct VectorInFrames {
     pub(crate) terms: Vec<Term>,
 }
 
-/// The frames of a graph, and what is known of vectors and matrices beside their elements.
+/// The frames of a geometry, and what is known of vectors and matrices beside their elements.
 ///
 /// A product of rotations is found by its elements: operations that are cheap for each of its factors, such as the
 /// rotation of a vector or the angular velocity, need not use them. A vector is found by its components: what no
