@@ -163,10 +163,25 @@ impl Manifest {
 
 /// Returns a hash of numbers, bit by bit (Fowler, Noll, Vo, FNV-1a with 64 bits).
 fn hash(numbers: &[f64]) -> u64 {
+    // Compilers differ in the sign of NaN.
+    let number = |number: &f64| if number.is_nan() { f64::NAN } else { *number };
     let bytes = numbers
         .iter()
-        .flat_map(|number| number.to_bits().to_le_bytes());
+        .flat_map(|x| number(x).to_bits().to_le_bytes());
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::hash;
+
+    #[test]
+    fn hashes_are_of_bits_besides_the_sign_of_nan() {
+        assert_eq!(hash(&[1.0, f64::NAN]), hash(&[1.0, -f64::NAN]));
+        for other in [[1.0, 2.0], [-1.0, f64::NAN], [1.0 + f64::EPSILON, f64::NAN]] {
+            assert_ne!(hash(&[1.0, f64::NAN]), hash(&other));
+        }
+    }
 }

@@ -111,7 +111,7 @@ where
         let problem = (self.problem)(point());
         let At { t, x } = problem.initial_state();
         let rates = problem.dynamics().derivative(*t, x);
-        // Where a motion begins at rest, or in a symmetric state, some parameters have no effect.
+        // At rest, or in a symmetric state, some parameters have no effect. Each component is moved by another amount.
         let mut change = 0.1;
         let elsewhere = x.map(|component| {
             change *= 0.9;

@@ -6,9 +6,9 @@
 
 use std::fmt;
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
-use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -17,6 +17,7 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, CommunicatorCollectives as _, Destination as _, Source as _};
 
 use crate::chunks::{Queue, Source};
+use crate::mutex::lock;
 use crate::progress::Ended;
 
 /// What a rank asks of rank 0.
@@ -174,9 +175,8 @@ impl Requests {
     }
 
     fn send(&self, request: Request) {
-        let sender = self.sender.lock().unwrap_or_else(PoisonError::into_inner);
         // The other end waits until all workers have left.
-        let _ = sender.send(request);
+        let _ = lock(&self.sender).send(request);
     }
 }
 

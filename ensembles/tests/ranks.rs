@@ -63,7 +63,7 @@ fn be_a_rank(folder: &Path) {
     let cancels = event == "rank 0 cancels";
     let begun = AtomicUsize::new(0);
     let begins = || {
-        // Before a study begins, its members are compared with those of the folder.
+        // Each problem is made once before the study begins, to compare it with the folder.
         let Some(begun) = begun.fetch_add(1, Ordering::Relaxed).checked_sub(MEMBERS) else {
             return;
         };
@@ -85,9 +85,9 @@ fn be_a_rank(folder: &Path) {
         ControlFlow::Continue(())
     };
     let results = study(Folder::new(folder).ranks(&world), 2, begins, observer);
-    // All chunks are there when a rank returns, those of the others, too.
+    // When a rank returns, the chunks of all ranks are there.
     assert_eq!(results.is_complete(), !cancels);
-    // Rank 0 alone is told of the members, those of the others, too.
+    // Only rank 0 calls the observer, for the members of all ranks.
     match rank {
         0 if !cancels => assert_eq!(last.ended, last.members),
         0 => assert!((AFTER..last.members).contains(&last.ended), "{last:?}"),

@@ -113,9 +113,8 @@ impl Geometry {
 
     /// The same vector, with turned velocities put together: to the angular velocity of a frame, and to rates.
     pub(crate) fn with_known_velocities(&mut self, vector: VectorInFrames) -> VectorInFrames {
-        let is_turned =
-            |graph: &Self, term: &Term| matches!(term, Term::Fixed(..)) && term.moves(&graph.graph);
-        if !vector.terms.iter().any(|term| is_turned(self, term)) {
+        let is_turned = |term: &Term| matches!(term, Term::Fixed(..)) && term.moves(&self.graph);
+        if !vector.terms.iter().any(is_turned) {
             return vector;
         }
         if vector

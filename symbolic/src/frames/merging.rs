@@ -1,23 +1,23 @@
 //! Products of rotations with fewer factors.
 
-use crate::Geometry;
 use crate::matrix::factor::MatrixFactor;
+use crate::{Geometry, Graph};
 
 impl Geometry {
-    /// The same product with fewer factors, as [combined](Self::combined); where vectors are resolved last, parallel
-    /// joints stay two.
+    /// The factors of a product, [combined](Self::combined); where vectors are resolved last, rotations about one axis that both
+    /// vary stay two, since they are two joints.
     pub(crate) fn merged(
         &mut self,
         factors: impl IntoIterator<Item = MatrixFactor>,
     ) -> Vec<MatrixFactor> {
         let keeps_joints = self.frames.unresolved.is_some();
         self.combined_where(factors, |graph, both| {
-            !keeps_joints || both.is_constant(&graph.graph)
+            !keeps_joints || both.is_constant(graph)
         })
     }
 
-    /// The same product with fewer factors: adjacent rotations about one axis are combined, and rotations next to
-    /// their transposes cancel, as identities do.
+    /// Combines the factors of a product: adjacent rotations about one axis become one, rotations next to their transposes cancel,
+    /// and identities are left out.
     pub(crate) fn combined(
         &mut self,
         factors: impl IntoIterator<Item = MatrixFactor>,
@@ -25,10 +25,11 @@ impl Geometry {
         self.combined_where(factors, |_, _| true)
     }
 
+    /// [Combines](Self::combined) two factors if `is_one` holds for their product.
     fn combined_where(
         &mut self,
         factors: impl IntoIterator<Item = MatrixFactor>,
-        is_one: impl Fn(&Self, MatrixFactor) -> bool,
+        is_one: impl Fn(&Graph, MatrixFactor) -> bool,
     ) -> Vec<MatrixFactor> {
         let mut merged: Vec<MatrixFactor> = Vec::new();
         for mut factor in factors {
@@ -41,7 +42,7 @@ impl Geometry {
             }
             if let Some(last) = merged.last()
                 && let Some(both) = last.then(factor, &mut self.graph)
-                && is_one(self, both)
+                && is_one(&self.graph, both)
             {
                 merged.pop();
                 factor = both;

@@ -112,7 +112,7 @@ impl ElementaryRotation {
     }
 
     /// The product with the next rotation as one, if both are about the same axis.
-    pub(crate) fn then(self, next: Self, graph: &mut Graph) -> Option<Self> {
+    fn then(self, next: Self, graph: &mut Graph) -> Option<Self> {
         let next_sign = if self.reversed == next.reversed {
             Rational::ONE
         } else {
