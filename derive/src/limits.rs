@@ -76,21 +76,13 @@ pub(crate) const DEEPEST_PRINTED: usize = 100;
 /// The most numbers that a field may hold. Each is a symbol of the equations and has a name, used or not, which
 /// takes 45 microseconds and two kilobytes: at most half a second for a table of data. Symbols that are made on
 /// demand would lift it.
-pub(crate) const MAX_COMPONENTS: usize = 10_000;
+pub(crate) const MAX_COMPONENTS: usize = lagrangian_symbolic::MAX_ARRAY;
 
 /// How many coordinates may have one name. A chain of springs between 200 masses takes four seconds, and the time
 /// grows with the square of their number, as the emitted mass matrix does: a thousand are beyond what is practical,
 /// so that the limit stops slips of the pen alone. A mass matrix that is emitted by its pattern of zeros would
 /// move it.
 pub(crate) const MAX_FAMILY: usize = 1000;
-
-/// The most components that a vector or matrix may have: as many as a field may hold, so that no expression is
-/// larger than the largest parameter.
-pub(crate) const MAX_ARRAY: usize = MAX_COMPONENTS;
-
-/// The most rows of an identity matrix, and of the diagonal matrix of a vector: those of the largest square array.
-/// The product of two of them takes two seconds. Sparse matrices would move it.
-pub(crate) const MAX_DIAGONAL_ROWS: usize = MAX_ARRAY.isqrt();
 
 /// How many iterations are unrolled in one declaration, all together. A sum of as many terms `i * x` takes a
 /// second. Sums that stay loops would lift it.

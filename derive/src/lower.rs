@@ -13,14 +13,11 @@ mod events;
 pub(crate) mod constraints;
 mod compliances;
 mod forces;
-mod at_rest;
-mod rest;
-mod in_frames;
 mod ablation;
 
 use core::mem;
 
-use lagrangian_symbolic::{Energies, Expression, Geometry, Graph, Model};
+use lagrangian_symbolic::{Energies, Expression, Graph, Model, TypedGraph, Value};
 use proc_macro2::Ident;
 use syn::Expr;
 
@@ -28,10 +25,8 @@ use crate::diagnostics::Diagnostics;
 use crate::lower::ablation::passes;
 use crate::lower::constraints::Constraints;
 use crate::lower::expression::{ExpressionContext, Lowerer};
-use crate::lower::in_frames::energies_in_frames;
 use crate::lower::quantities::Quantities;
-use crate::lower::scope::{Binding, Origin, Scope};
-use crate::lower::value::Value;
+use crate::lower::scope::Scope;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::named::{ForClause, NamedExpression};
 use crate::syntax::shape::Shape;
@@ -54,18 +49,19 @@ pub(crate) struct Lowered {
 
 /// Resolves a declaration.
 pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) -> Lowered {
-    let mut geometry = Geometry::new();
-    geometry.graph.passes = passes(diagnostics);
+    let mut graph = Graph::new();
+    graph.passes = passes(diagnostics);
     let quantities = Quantities::new(declaration);
+    let coordinates = count(quantities.coordinates.len());
+    let mut typed = TypedGraph::new(graph, coordinates);
     let mut lowerer = Lowerer {
-        scope: Scope::new(declaration, &mut geometry.graph),
-        geometry,
-        coordinates: count(quantities.coordinates.len()),
+        scope: Scope::new(declaration, &mut typed),
+        typed,
+        coordinates,
         diagnostics,
         repetitions: 0,
         within_index: false,
         within_derivative: false,
-        at_rest: None,
         rotations: 0,
         definitions: &declaration.clauses.definitions,
         defining: None,
@@ -74,16 +70,12 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
     };
     let parts = lowerer.parts(declaration);
     let complete = lowerer.diagnostics.is_empty() && lowerer.scope.unknown().next().is_none();
-    let shape = |output: &Option<Value>| output.as_ref().map_or(Shape::Scalar, Value::shape);
+    let shape = |output: &Option<Value>| output.map_or(Shape::Scalar, |value| lowerer.shape(value));
     let outputs = parts.outputs.iter().map(shape).collect();
     let events = parts.events.iter().map(shape).collect();
-    let coordinates = lowerer.coordinates;
     let turning = mem::take(&mut lowerer.turning);
     let constraints = lowerer.known_constraints.take().unwrap_or_default();
-    let in_frames = (complete && lowerer.rotations > 0)
-        .then(|| energies_in_frames(&mut lowerer, declaration))
-        .flatten();
-    let mut graph = lowerer.geometry.graph;
+    let typed = lowerer.typed;
     let model = parts.complete().filter(|_| complete).map(|parts| Model {
         coordinates,
         inputs: count(quantities.inputs.len()),
@@ -92,9 +84,11 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         dissipation: parts.dissipation,
         forces: parts.forces,
         constraints: constraints.components.clone(),
-        outputs: components(&mut graph, &[parts.outputs, parts.events].concat()),
-        in_frames,
-        graph,
+        outputs: components(&typed, &[parts.outputs, parts.events].concat()),
+        in_frames: parts
+            .of_rotations
+            .and_then(|energies| typed.energies_in_frames(energies)),
+        graph: typed.geometry.graph,
     });
     Lowered {
         model,
@@ -108,11 +102,10 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
 }
 
 /// The components of values one after the other; a sum without terms is 0.
-fn components(graph: &mut Graph, values: &[Value]) -> Vec<Expression> {
-    let zero = [graph.zero()];
-    let components = |value: &Value| match value {
-        Value::EmptySum => zero.to_vec(),
-        other => other.components().to_vec(),
+fn components(typed: &TypedGraph, values: &[Value]) -> Vec<Expression> {
+    let components = |value: &Value| match typed.components(*value).elements() {
+        [] => vec![typed.expression(*value)],
+        elements => elements.to_vec(),
     };
     values.iter().flat_map(components).collect()
 }
@@ -120,6 +113,8 @@ fn components(graph: &mut Graph, values: &[Value]) -> Vec<Expression> {
 /// The parts of a model, each `None` if it has errors.
 struct Parts {
     energies: Option<Energies>,
+    /// T and V, where something turns.
+    of_rotations: Option<[Value; 2]>,
     dissipation: Option<Expression>,
     forces: Option<Vec<Expression>>,
     outputs: Vec<Option<Value>>,
@@ -128,6 +123,7 @@ struct Parts {
 
 struct CompleteParts {
     energies: Energies,
+    of_rotations: Option<[Value; 2]>,
     dissipation: Expression,
     forces: Vec<Expression>,
     outputs: Vec<Value>,
@@ -138,6 +134,7 @@ impl Parts {
     fn complete(self) -> Option<CompleteParts> {
         Some(CompleteParts {
             energies: self.energies?,
+            of_rotations: self.of_rotations,
             dissipation: self.dissipation?,
             forces: self.forces?,
             outputs: self.outputs.into_iter().collect::<Option<_>>()?,
@@ -150,6 +147,7 @@ impl Lowerer<'_> {
     fn parts(&mut self, declaration: &Declaration) -> Parts {
         let clauses = &declaration.clauses;
         self.declare_functions(&clauses.functions);
+        self.typed.begin_definitions();
         for definition in &clauses.definitions {
             self.define(definition);
         }
@@ -163,16 +161,19 @@ impl Lowerer<'_> {
         let outputs = self.observed(&clauses.outputs, ExpressionContext::Observation);
         let events = self.observed(&clauses.events, ExpressionContext::Energy);
         self.check_events(&clauses.events, &events);
-        let energies = if clauses.lagrangian.is_empty() {
-            self.natural(&clauses.kinetic, kinetic, potential)
-        } else {
-            lagrangian.map(|lagrangian| {
-                self.check_velocities(&clauses.lagrangian, lagrangian);
-                Energies::General(lagrangian)
-            })
+        let natural = kinetic
+            .zip(potential)
+            .filter(|_| clauses.lagrangian.is_empty());
+        let energies = match natural {
+            Some((kinetic, potential)) => Some(self.natural(&clauses.kinetic, kinetic, potential)),
+            None => lagrangian
+                .filter(|_| !clauses.lagrangian.is_empty())
+                .map(|lagrangian| self.general(&clauses.lagrangian, lagrangian)),
         };
+        let turns = self.rotations > 0;
         Parts {
             energies,
+            of_rotations: natural.filter(|_| turns).map(<[Value; 2]>::from),
             dissipation,
             forces,
             outputs,
@@ -205,22 +206,21 @@ impl Lowerer<'_> {
                     iteration.index
                 );
                 self.diagnostics.error(name, message);
-                return self.scope.define(name, Binding::Poisoned);
+                return self.scope.poison_definition(name);
             }
             self.defining = Some((definition.name.clone(), Vec::new()));
             let value = self.lower(&definition.expression, ExpressionContext::Observation);
             self.defining = None;
-            let binding = match value {
-                Some(value) => Binding::Quantity(Origin::Defined, value),
-                None => Binding::Poisoned,
+            return match value {
+                Some(value) => self.scope.define(&self.typed, &definition.name, value),
+                None => self.scope.poison_definition(&definition.name),
             };
-            return self.scope.define(&definition.name, binding);
         }
         let defined = self.for_each(&definition.iterations, &mut |lowerer| {
             lowerer.define_member(definition)
         });
         if defined.is_none() {
-            self.scope.silence_definition(&definition.name);
+            self.scope.poison_definition(&definition.name);
         }
     }
 
@@ -246,13 +246,14 @@ impl Lowerer<'_> {
         let value = self.lower(&definition.expression, ExpressionContext::Observation);
         self.defining = None;
         let value = value?;
-        if let Value::Array(matrix) = &value
-            && matrix.rows() >= 3
-            && matrix.columns() >= 3
+        if let Shape::Array {
+            rows: 3..,
+            columns: 3..,
+        } = self.shape(value)
         {
             self.count_rotation(name)?;
         }
-        if self.scope.define_member(name, &indices, value) {
+        if self.scope.define_member(&self.typed, name, &indices, value) {
             return Some(());
         }
         let written = hints::member(name, &indices);

@@ -6,7 +6,9 @@
 mod declaration;
 mod objections;
 
-use lagrangian_symbolic::{Equations, Graph, Model, PoleForm, Reduction, ReductionCheck};
+use lagrangian_symbolic::{
+    Equations, Graph, Model, PoleForm, Reduction, ReductionCheck, TypedGraph,
+};
 use proc_macro2::Ident;
 
 use crate::check::check;
@@ -65,7 +67,7 @@ impl ReducedDeclaration {
         let clauses = &declaration.clauses;
         let lowered = Lowered {
             model: None,
-            scope: Scope::new(&reduced, &mut Graph::new()),
+            scope: Scope::new(&reduced, &mut TypedGraph::new(Graph::new(), 0)),
             quantities: Quantities::new(&reduced),
             outputs: retained(&clauses.outputs, &lowered.outputs),
             constraints: Constraints::default(),

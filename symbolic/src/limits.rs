@@ -83,6 +83,14 @@ pub(crate) const MAX_STRUCTURE_CONSTANT: u64 = 64;
 
 // matrix
 
+/// The most components that a vector or matrix may have: as many as a parameter, so that no expression is larger than the
+/// largest of these.
+pub const MAX_ARRAY: usize = 10_000;
+
+/// The most rows of an identity matrix, and of the diagonal matrix of a vector: those of the largest square array.
+/// The product of two of them takes two seconds. Sparse matrices would move it.
+pub const MAX_DIAGONAL_ROWS: usize = MAX_ARRAY.isqrt();
+
 /// Determinants of matrices with more rows are not expanded in minors: n! products, 24 for four rows.
 pub const MAX_DETERMINANT: usize = 4;
 

@@ -1,9 +1,8 @@
 //! A body among the parameters: its numbers as symbols.
 
-use lagrangian_symbolic::{Expression, Graph, Matrix};
+use lagrangian_symbolic::{Components, Matrix, TypedGraph, TypedOperation, Value};
 
 use crate::lower::quantities::Symbols;
-use crate::lower::value::Value;
 use crate::syntax::body_quantity::BodyQuantity;
 use crate::syntax::body_type::BodyType;
 use crate::syntax::label::Index;
@@ -11,59 +10,55 @@ use crate::syntax::label::Index;
 /// A body: its mass, its centre of gravity along its axes, and its inertia tensor about that.
 #[derive(Clone)]
 pub(crate) struct Body {
-    pub(crate) mass: Expression,
-    center: [Expression; 3],
-    inertia: [[Expression; 3]; 3],
+    pub(crate) mass: Value,
+    pub(crate) center: Value,
+    pub(crate) inertia: Value,
+    /// Whether the centre of gravity is the origin of the axes of the body.
+    pub(crate) is_centered: bool,
 }
 
 impl Body {
     /// A body whose numbers are the next symbols.
-    pub(crate) fn of_symbols(ty: BodyType, symbols: &mut Symbols, graph: &mut Graph) -> Self {
-        let zero = graph.zero();
-        let mut body = Self {
-            mass: zero,
-            center: [zero; 3],
-            inertia: [[zero; 3]; 3],
-        };
+    pub(crate) fn of_symbols(
+        ty: BodyType,
+        symbols: &mut Symbols,
+        typed: &mut TypedGraph,
+    ) -> Option<Self> {
+        let zero = typed.geometry.graph.zero();
+        let (mut mass, mut center, mut inertia) = (zero, [zero; 3], [[zero; 3]; 3]);
         for number in ty.numbers() {
-            let symbol = symbols.take(graph);
+            let symbol = symbols.take(typed);
             match number.index {
-                None => body.mass = symbol,
+                None => mass = symbol,
                 Some(Index::Pair { row, column }) => {
-                    body.inertia[row][column] = symbol;
-                    body.inertia[column][row] = symbol;
+                    inertia[row][column] = symbol;
+                    inertia[column][row] = symbol;
                 }
-                Some(Index::Axis(i) | Index::One(i)) => body.center[i] = symbol,
+                Some(Index::Axis(i) | Index::One(i)) => center[i] = symbol,
                 Some(Index::Quantity(_)) => {}
             }
         }
         if ty == BodyType::Symmetric {
-            body.inertia[1][1] = body.inertia[0][0];
+            inertia[1][1] = inertia[0][0];
         }
-        body
+        let is_centered = center == [zero; 3];
+        let center = Matrix::vector(center.to_vec());
+        let inertia = Matrix::new(3, 3, inertia.concat())?;
+        let mut given = |components| typed.add(TypedOperation::Given(components)).ok();
+        Some(Self {
+            mass: given(Components::Scalar(mass))?,
+            center: given(Components::Array(center))?,
+            inertia: given(Components::Array(inertia))?,
+            is_centered,
+        })
     }
 
-    /// Whether the centre of gravity is the origin of the axes of the body.
-    pub(crate) fn is_centered(&self, graph: &Graph) -> bool {
-        self.center
-            .iter()
-            .all(|component| graph.is_zero(*component))
-    }
-
-    pub(crate) fn center(&self) -> Option<Matrix> {
-        Matrix::new(3, 1, self.center.to_vec())
-    }
-
-    pub(crate) fn inertia(&self) -> Option<Matrix> {
-        Matrix::new(3, 3, self.inertia.concat())
-    }
-
-    /// A quantity of the body as a value.
-    pub(crate) fn quantity(&self, quantity: BodyQuantity) -> Option<Value> {
+    /// A quantity of the body.
+    pub(crate) const fn quantity(&self, quantity: BodyQuantity) -> Value {
         match quantity {
-            BodyQuantity::Mass => Some(Value::Scalar(self.mass)),
-            BodyQuantity::Center => self.center().map(Value::Array),
-            BodyQuantity::Inertia => self.inertia().map(Value::Array),
+            BodyQuantity::Mass => self.mass,
+            BodyQuantity::Center => self.center,
+            BodyQuantity::Inertia => self.inertia,
         }
     }
 }

@@ -1,37 +1,9 @@
 //! The functions of the declaration language, by name.
 
-use lagrangian_symbolic::{Binary, Unary};
+use lagrangian_symbolic::{ARRAY_FUNCTIONS, Binary, Unary};
 
-/// Functions of vectors and matrices; `dot` is one as a method alone.
-const OF_ARRAYS: [&str; 18] = [
-    "cross",
-    "norm",
-    "norm_squared",
-    "normalize",
-    "transpose",
-    "trace",
-    "determinant",
-    "inverse",
-    "outer",
-    "component_mul",
-    "cross_matrix",
-    "diagonal",
-    "row",
-    "column",
-    "sum",
-    "product",
-    "len",
-    "identity",
-];
-
-/// The arity of a function of vectors and matrices, if it is one.
-pub(super) fn arity_of_arrays(name: &str) -> Option<usize> {
-    match name {
-        "dot" | "cross" | "outer" | "component_mul" | "row" | "column" => Some(2),
-        _ if OF_ARRAYS.contains(&name) => Some(1),
-        _ => None,
-    }
-}
+/// Functions that have an index, or the number of rows, as an argument.
+const OF_INDICES: [&str; 3] = ["row", "column", "identity"];
 
 /// Functions of rotations and of angles: examples, one for each kind.
 const OF_ROTATIONS: [&str; 8] = [
@@ -78,7 +50,8 @@ pub(crate) fn is_reserved(name: &str) -> bool {
 /// All functions that are built in.
 pub(super) fn functions() -> impl Iterator<Item = &'static str> {
     of_scalars()
-        .chain(OF_ARRAYS)
+        .chain(ARRAY_FUNCTIONS.iter().map(|function| function.name))
+        .chain(OF_INDICES)
         .chain(OF_ROTATIONS)
         .chain(OF_BODIES)
         .chain(OF_BLOCKS.map(|(name, _)| name))

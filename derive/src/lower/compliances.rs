@@ -1,10 +1,9 @@
 //! The compliances of constraints, which weigh the squares of multipliers where constraints are redundant.
 
-use lagrangian_symbolic::{Expression, Rational, Symbol};
+use lagrangian_symbolic::{Expression, Rational, Symbol, Value};
 
 use crate::lower::constraints::{Constraints, DeclaredConstraint};
 use crate::lower::expression::{ExpressionContext, Lowerer};
-use crate::lower::value::Value;
 use crate::syntax::named::NamedExpression;
 use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
@@ -24,7 +23,7 @@ impl Lowerer<'_> {
             understood &= done.is_some();
         }
         if understood && let Some(known) = &mut self.known_constraints {
-            let one = self.geometry.graph.constant(&Rational::ONE);
+            let one = self.typed.geometry.graph.constant(&Rational::ONE);
             let all = found.into_iter().map(|found| found.unwrap_or(one));
             known.compliances = Some(all.collect());
         }
@@ -41,7 +40,7 @@ impl Lowerer<'_> {
         let member = self.member(&compliance.indices)?;
         let constraint = self.constraint_with_compliance(compliance, &member, constraints)?;
         let value = self.lower(&compliance.expression, ExpressionContext::Energy)?;
-        let components = self.compliances_of(compliance, constraint, &value)?;
+        let components = self.compliances_of(compliance, constraint, value)?;
         for (i, component) in constraint.indices().zip(components) {
             if found[i].replace(component).is_some() {
                 let message = "this constraint has a compliance already: leave one of them out";
@@ -92,12 +91,14 @@ impl Lowerer<'_> {
         &mut self,
         compliance: &NamedExpression,
         constraint: &DeclaredConstraint,
-        value: &Value,
+        value: Value,
     ) -> Option<Vec<Expression>> {
         let written = &compliance.expression;
-        let components = match value.shape() {
-            Shape::Scalar => vec![self.as_scalar(value, written)?; constraint.shape.count()],
-            shape @ Shape::Array { .. } if shape == constraint.shape => value.components().to_vec(),
+        let components = match self.shape(value) {
+            Shape::Scalar => vec![self.typed.expression(value); constraint.shape.count()],
+            shape @ Shape::Array { .. } if shape == constraint.shape => {
+                self.elements(value).to_vec()
+            }
             shape @ Shape::Array { .. } => {
                 let shape_of_constraint = constraint.shape;
                 let message = format!(
@@ -107,7 +108,7 @@ impl Lowerer<'_> {
                 return self.reject(written, message);
             }
         };
-        let symbols = self.geometry.graph.symbols(&components);
+        let symbols = self.graph().symbols(&components);
         let is_other = |symbol: &Symbol| !matches!(symbol, Symbol::Parameter(_));
         if symbols.iter().any(is_other) {
             let message = "a compliance depends on parameters alone: write a positive number, such as `1.0 / k` with the \
@@ -116,7 +117,7 @@ impl Lowerer<'_> {
         }
         let mut constants = components
             .iter()
-            .filter_map(|x| self.geometry.graph.as_constant(*x));
+            .filter_map(|x| self.graph().as_constant(*x));
         if constants.any(|constant| *constant <= Rational::ZERO) {
             let message = "a compliance is positive: a part that does not yield has a small one";
             return self.reject(written, message);

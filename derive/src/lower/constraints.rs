@@ -1,13 +1,12 @@
 //! Constraints, component by component, and their reactions.
 
-use lagrangian_symbolic::{Constraint, Expression, Symbol};
+use lagrangian_symbolic::{Constraint, Expression, Symbol, TypedOperation, Value};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{BinOp, Expr};
 
 use crate::lower::count;
 use crate::lower::expression::{ExpressionContext, Lowerer, base_and_indices};
-use crate::lower::value::Value;
 use crate::syntax::clauses::Clauses;
 use crate::syntax::label::{Index, Label};
 use crate::syntax::named::NamedExpression;
@@ -136,7 +135,7 @@ impl Lowerer<'_> {
             return self.reject(&constraint.expression, message);
         }
         let value = self.lower(&constraint.expression, ExpressionContext::Energy)?;
-        let shape = value.shape();
+        let shape = self.shape(value);
         if let Shape::Array { columns: 2.., .. } = shape {
             let message = format!(
                 "this is {shape}, and a constraint is a scalar or a vector that is zero: write its columns as constraints, \
@@ -154,7 +153,7 @@ impl Lowerer<'_> {
             let message = "this constraint is declared twice: leave one of them out";
             return self.reject(&constraint.name, message);
         }
-        if value == Value::EmptySum {
+        if self.is_empty_sum(value) {
             let message =
                 "this is a sum without terms, which restricts nothing: remove the constraint";
             return self.reject(&constraint.expression, message);
@@ -166,7 +165,7 @@ impl Lowerer<'_> {
             shape,
             first: constraints.len(),
         });
-        let components = value.components().iter().copied();
+        let components = self.elements(value).iter().copied();
         constraints.components.extend(components.map(kind));
         Some(())
     }
@@ -221,14 +220,12 @@ impl Lowerer<'_> {
         };
         let multipliers = constraint.indices().map(|i| {
             let index = self.coordinates + count(i);
-            self.geometry.graph.symbol(Symbol::Acceleration(index))
+            self.add(TypedOperation::Symbol(Symbol::Acceleration(index)))
         });
-        let multipliers: Vec<_> = multipliers.collect();
+        let elements: Vec<_> = multipliers.collect::<Option<_>>()?;
         let value = match constraint.shape {
-            Shape::Scalar => Value::Scalar(*multipliers.first()?),
-            Shape::Array { rows, columns } => {
-                lagrangian_symbolic::Matrix::new(rows, columns, multipliers).map(Value::Array)?
-            }
+            Shape::Scalar => *elements.first()?,
+            Shape::Array { rows, .. } => self.add(TypedOperation::Array { rows, elements })?,
         };
         self.components(value, of_component)
     }

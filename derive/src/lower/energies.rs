@@ -1,20 +1,21 @@
 //! Energies and Rayleigh's dissipation function: the sums of their clauses.
 
-use lagrangian_symbolic::{Energies, Expression, Symbol};
+use lagrangian_symbolic::{Energies, Expression, Rational, Symbol, TypedOperation, Value};
 
 use crate::lower::expression::{ExpressionContext, Lowerer};
 use crate::syntax::clauses::Clause;
 
 impl Lowerer<'_> {
     /// The sum of all clauses with one keyword.
-    pub(super) fn total(&mut self, clauses: &[Clause]) -> Option<Expression> {
+    pub(super) fn total(&mut self, clauses: &[Clause]) -> Option<Value> {
         let values: Vec<_> = clauses
             .iter()
             .map(|clause| self.scalar(&clause.expression, ExpressionContext::Energy))
             .collect();
-        let zero = self.geometry.graph.zero();
+        let zero = self.constant(0)?;
         values.into_iter().try_fold(zero, |total, value| {
-            Some(self.geometry.graph.add(total, value?))
+            let terms = [total, value?].map(|term| (term, Rational::ONE));
+            self.add(TypedOperation::Sum(terms.to_vec()))
         })
     }
 
@@ -22,22 +23,27 @@ impl Lowerer<'_> {
     pub(super) fn natural(
         &mut self,
         clauses: &[Clause],
-        kinetic: Option<Expression>,
-        potential: Option<Expression>,
-    ) -> Option<Energies> {
-        self.check_velocities(clauses, kinetic?);
-        Some(Energies::Natural {
-            kinetic: kinetic?,
-            potential: potential?,
-        })
+        kinetic: Value,
+        potential: Value,
+    ) -> Energies {
+        let [kinetic, potential] = [kinetic, potential].map(|x| self.typed.expression(x));
+        self.check_velocities(clauses, kinetic);
+        Energies::Natural { kinetic, potential }
+    }
+
+    /// L.
+    pub(super) fn general(&mut self, clauses: &[Clause], lagrangian: Value) -> Energies {
+        let lagrangian = self.typed.expression(lagrangian);
+        self.check_velocities(clauses, lagrangian);
+        Energies::General(lagrangian)
     }
 
     /// A kinetic energy or a Lagrangian without velocities has no equations of motion.
-    pub(super) fn check_velocities(&mut self, clauses: &[Clause], energy: Expression) {
+    fn check_velocities(&mut self, clauses: &[Clause], energy: Expression) {
         if self.coordinates == 0 {
             return;
         }
-        let moving = self.geometry.graph.contents(energy).has_velocity();
+        let moving = self.graph().contents(energy).has_velocity();
         if let (false, Some(clause)) = (moving, clauses.first()) {
             self.diagnostics.error(
                 &clause.expression,
@@ -49,22 +55,24 @@ impl Lowerer<'_> {
 
     /// Rayleigh's dissipation function, whose forces −∂D/∂q̇ are to depend on the velocities.
     pub(super) fn dissipation(&mut self, clauses: &[Clause]) -> Option<Expression> {
-        let mut total = Some(self.geometry.graph.zero());
+        let mut total = Some(self.graph().zero());
         for clause in clauses {
             let value = self.scalar(&clause.expression, ExpressionContext::Energy);
+            let value = value.map(|value| self.typed.expression(value));
             let value = value.filter(|value| self.check_dissipation(clause, *value).is_some());
+            let graph = &mut self.typed.geometry.graph;
             total = total
                 .zip(value)
-                .map(|(total, value)| self.geometry.graph.add(total, value));
+                .map(|(total, value)| graph.add(total, value));
         }
         total
     }
 
     fn check_dissipation(&mut self, clause: &Clause, value: Expression) -> Option<()> {
-        if self.geometry.graph.is_zero(value) {
+        if self.graph().is_zero(value) {
             return Some(());
         }
-        if !self.geometry.graph.contents(value).has_velocity() {
+        if !self.graph().contents(value).has_velocity() {
             return self.reject(
                 &clause.expression,
                 "this contains no velocity, so that it has no effect: write velocities as `dot(q)`, as in \
@@ -72,7 +80,7 @@ impl Lowerer<'_> {
             );
         }
         // On a copy: what is built for a check stays out of the equations.
-        let mut graph = self.geometry.graph.clone();
+        let mut graph = self.graph().clone();
         let velocities: Vec<_> = (0..self.coordinates).map(Symbol::Velocity).collect();
         let slopes = graph.jacobian(&[value], &velocities).concat();
         if slopes

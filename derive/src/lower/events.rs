@@ -1,7 +1,8 @@
 //! What events may be.
 
+use lagrangian_symbolic::Value;
+
 use crate::lower::expression::Lowerer;
-use crate::lower::value::Value;
 use crate::syntax::named::NamedExpression;
 use crate::syntax::shape::Shape;
 
@@ -9,7 +10,7 @@ impl Lowerer<'_> {
     /// An event is a scalar or a vector that can change.
     pub(super) fn check_events(&mut self, events: &[NamedExpression], values: &[Option<Value>]) {
         for (event, value) in events.iter().zip(values) {
-            let shape = value.as_ref().map(Value::shape);
+            let shape = value.map(|value| self.shape(value));
             if let Some(shape @ Shape::Array { columns: 2.., .. }) = shape {
                 let message = format!(
                     "this is {shape}, and an event is a scalar, or several as a vector: write one of its \
@@ -18,9 +19,9 @@ impl Lowerer<'_> {
                 self.diagnostics.error(&event.expression, message);
                 continue;
             }
-            let components = value.iter().flat_map(Value::components);
+            let components = value.iter().flat_map(|value| self.elements(*value));
             let constant = components
-                .filter(|component| !self.geometry.graph.contents(**component).varies_in_motion())
+                .filter(|component| !self.graph().contents(**component).varies_in_motion())
                 .count();
             if constant > 0 {
                 self.diagnostics.error(

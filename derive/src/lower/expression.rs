@@ -1,6 +1,6 @@
-//! From Rust expressions to the expression graph.
+//! From Rust expressions to the typed graph.
 //!
-//! Input: `syn` expressions with their spans. Output: values made of handles of the graph, or
+//! Input: `syn` expressions with their spans. Output: values of the typed graph, or
 //! errors at the tokens that are not supported. Long sums and products are loops; only nesting
 //! recurses, and `syntax/size.rs` bounds its depth.
 
@@ -17,7 +17,9 @@ mod repetition;
 mod rotation;
 
 pub(crate) use component::base_and_indices;
-use lagrangian_symbolic::{Expression, Geometry, Rational};
+use lagrangian_symbolic::{
+    Components, Expression, Graph, Rational, TypedGraph, TypedOperation, Value,
+};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprLit, ExprUnary, Lit, Stmt, UnOp};
@@ -27,11 +29,10 @@ use crate::limits::in_range;
 use crate::lower::builtins;
 use crate::lower::constraints::Constraints;
 use crate::lower::hints;
-use crate::lower::rest::Rest;
 use crate::lower::scope::{Binding, Origin, Scope};
-use crate::lower::value::Value;
 use crate::syntax::named::NamedExpression;
 use crate::syntax::names::{to_source, unraw};
+use crate::syntax::shape::Shape;
 
 /// The context of an expression, which decides what it may contain.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -44,7 +45,7 @@ pub(crate) enum ExpressionContext {
 
 /// The lowering of one declaration.
 pub(crate) struct Lowerer<'a> {
-    pub(crate) geometry: Geometry,
+    pub(crate) typed: TypedGraph,
     pub(crate) scope: Scope,
     pub(crate) coordinates: u32,
     pub(crate) diagnostics: &'a mut Diagnostics,
@@ -54,8 +55,6 @@ pub(crate) struct Lowerer<'a> {
     pub(crate) within_index: bool,
     /// Whether the derivative of a function is lowered, which contains neither coordinates nor the time.
     pub(crate) within_derivative: bool,
-    /// The velocities of what is defined, where the system is at rest.
-    pub(crate) at_rest: Option<Rest>,
     /// The number of rotations by angles, and of angular velocities, so far.
     pub(crate) rotations: usize,
     /// What is defined by the declaration.
@@ -78,7 +77,7 @@ impl Lowerer<'_> {
                 ([Stmt::Expr(only, None)], None) => self.lower(only, context),
                 _ => self.reject(block, hints::unsupported_syntax(expression)),
             },
-            Expr::Lit(literal) => self.literal(literal).map(Value::Scalar),
+            Expr::Lit(literal) => self.literal(literal),
             Expr::Path(path) => match path.path.get_ident() {
                 Some(name) if path.qself.is_none() && !leads_a_path(name) => {
                     self.name(name, context)
@@ -97,26 +96,54 @@ impl Lowerer<'_> {
         }
     }
 
+    /// The value of an operation, if its arguments have one.
+    pub(crate) fn add(&mut self, operation: TypedOperation) -> Option<Value> {
+        self.typed.add(operation).ok()
+    }
+
+    /// The value of an integer.
+    pub(crate) fn constant(&mut self, integer: i64) -> Option<Value> {
+        self.add(TypedOperation::Constant(Rational::integer(integer)))
+    }
+
+    /// The graph of the components.
+    pub(crate) const fn graph(&self) -> &Graph {
+        &self.typed.geometry.graph
+    }
+
+    /// The components of a value, column by column.
+    pub(crate) fn elements(&self, value: Value) -> &[Expression] {
+        self.typed.components(value).elements()
+    }
+
+    pub(crate) fn shape(&self, value: Value) -> Shape {
+        Shape::of_value(&self.typed, value)
+    }
+
+    pub(crate) fn is_empty_sum(&self, value: Value) -> bool {
+        *self.typed.components(value) == Components::EmptySum
+    }
+
     /// The value of an expression where only a scalar fits.
     pub(crate) fn scalar(
         &mut self,
         expression: &Expr,
         context: ExpressionContext,
-    ) -> Option<Expression> {
+    ) -> Option<Value> {
         let value = self.lower(expression, context)?;
-        self.as_scalar(&value, expression)
+        self.as_scalar(value, expression)
     }
 
     /// A value, written as `tokens`, where only a scalar fits.
-    pub(crate) fn as_scalar(&mut self, value: &Value, tokens: impl ToTokens) -> Option<Expression> {
-        match value {
-            Value::Scalar(expression) => Some(*expression),
-            Value::EmptySum => Some(self.geometry.graph.zero()),
-            Value::Array(_) => {
+    pub(crate) fn as_scalar(&mut self, value: Value, tokens: impl ToTokens) -> Option<Value> {
+        match self.typed.components(value) {
+            Components::Scalar(_) => Some(value),
+            Components::EmptySum => self.constant(0),
+            Components::Array(_) => {
                 let message = format!(
                     "this is {}, and a scalar belongs here: write one of its components, as in `v[0]` or \
                      `m[(0, 1)]`, or what makes a scalar of it, as in `a.dot(b)`",
-                    value.shape()
+                    self.shape(value)
                 );
                 self.reject(tokens, message)
             }
@@ -130,7 +157,7 @@ impl Lowerer<'_> {
         let value = self.scalar(expression, ExpressionContext::Observation);
         self.within_index = outside;
         let value = value?;
-        let constant = self.geometry.graph.as_constant(value);
+        let constant = self.typed.as_constant(value);
         match constant.map(Rational::to_integer) {
             Some(Some(integer)) => Some(integer),
             Some(None) => self.reject(
@@ -154,7 +181,7 @@ impl Lowerer<'_> {
         None
     }
 
-    fn literal(&mut self, literal: &ExprLit) -> Option<Expression> {
+    fn literal(&mut self, literal: &ExprLit) -> Option<Value> {
         let (digits, suffix) = match &literal.lit {
             Lit::Int(integer) => (integer.base10_digits(), integer.suffix()),
             Lit::Float(float) => (float.base10_digits(), float.suffix()),
@@ -174,7 +201,7 @@ impl Lowerer<'_> {
             return self.reject(literal, format!("numbers here are real: write `{digits}`"));
         }
         match Rational::from_decimal(digits) {
-            Some(value) if in_range(&value) => Some(self.geometry.graph.constant(&value)),
+            Some(value) if in_range(&value) => self.add(TypedOperation::Constant(value)),
             _ => self.reject(
                 literal,
                 "this number is outside of the range of `f64`, 5e-324 to 1.8e308: choose units in which \
@@ -187,7 +214,7 @@ impl Lowerer<'_> {
         self.check_within_derivative(name)?;
         match self.scope.resolve(name) {
             Some(Binding::Quantity(origin, value)) => {
-                self.check_accelerations(name, origin, &value, context)?;
+                self.check_accelerations(name, origin, value, context)?;
                 Some(value)
             }
             Some(Binding::Family(_, family)) => {
@@ -213,7 +240,7 @@ impl Lowerer<'_> {
         &mut self,
         name: &Ident,
         origin: Origin,
-        value: &Value,
+        value: Value,
         context: ExpressionContext,
     ) -> Option<()> {
         if origin == Origin::Defined
@@ -296,14 +323,15 @@ impl Lowerer<'_> {
 
     fn negation(&mut self, unary: &ExprUnary, context: ExpressionContext) -> Option<Value> {
         match unary.op {
-            UnOp::Neg(_) => Some(match self.lower(&unary.expr, context)? {
-                Value::Scalar(operand) => Value::Scalar(self.geometry.graph.negate(operand)),
-                Value::Array(operand) => {
-                    let opposite = self.geometry.graph.constant(&Rational::MINUS_ONE);
-                    Value::Array(self.geometry.matrix_scaled(&operand, opposite))
+            UnOp::Neg(_) => {
+                let operand = self.lower(&unary.expr, context)?;
+                if self.typed.components(operand).array().is_none() {
+                    let terms = vec![(operand, Rational::MINUS_ONE)];
+                    return self.add(TypedOperation::Sum(terms));
                 }
-                Value::EmptySum => Value::EmptySum,
-            }),
+                let opposite = self.constant(-1)?;
+                self.add(TypedOperation::Scaled(operand, opposite))
+            }
             UnOp::Deref(_) => self.reject(
                 unary.op,
                 "`**` is no power, and there are no references here: write `x.powi(2)`, or `x.powf(1.5)`",
@@ -315,9 +343,9 @@ impl Lowerer<'_> {
         }
     }
 
-    pub(crate) fn has_acceleration(&self, value: &Value) -> bool {
-        let mut components = value.components().iter();
-        components.any(|component| self.geometry.graph.contents(*component).has_acceleration())
+    pub(crate) fn has_acceleration(&self, value: Value) -> bool {
+        let mut components = self.elements(value).iter();
+        components.any(|component| self.graph().contents(*component).has_acceleration())
     }
 }
 

@@ -5,13 +5,11 @@
 //! power F·w, of which F·b is the power of the prescribed motion, and Q = Aᵀ F: the principle of virtual power
 //! (Jourdain, 1909). A vector or family with a velocity in any component is a velocity as a whole.
 
-use lagrangian_symbolic::{Expression, Node, Symbol};
+use lagrangian_symbolic::{AtRest, Expression, Node, Symbol, Value};
 
-use super::at_rest::AtRest;
 use crate::lower::expression::{ExpressionContext, Lowerer};
 use crate::lower::hints;
 use crate::lower::scope::{Binding, Family, Origin};
-use crate::lower::value::Value;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::named::NamedExpression;
 use crate::syntax::shape::Shape;
@@ -27,25 +25,21 @@ enum Target {
 /// A position or a velocity on which a force acts.
 struct DefinedTarget {
     value: Value,
-    /// The indices by which a family distinguishes it.
-    member: Vec<usize>,
     is_velocity: bool,
 }
 
 /// The generalized forces so far.
-struct GeneralizedForces<'a> {
-    declaration: &'a Declaration,
+struct GeneralizedForces {
     forces: Vec<Expression>,
-    /// The definitions at rest, lowered on demand.
+    /// The definitions at rest, where one is needed.
     at_rest: Option<AtRest>,
 }
 
 impl Lowerer<'_> {
     /// The generalized force of each coordinate: the sum of what the clauses say.
     pub(super) fn forces(&mut self, declaration: &Declaration) -> Option<Vec<Expression>> {
-        let zero = self.geometry.graph.zero();
+        let zero = self.graph().zero();
         let mut totals = GeneralizedForces {
-            declaration,
             forces: vec![zero; self.coordinates as usize],
             at_rest: None,
         };
@@ -68,7 +62,7 @@ impl Lowerer<'_> {
         &mut self,
         force: &NamedExpression,
         taken: &mut [bool],
-        totals: &mut GeneralizedForces<'_>,
+        totals: &mut GeneralizedForces,
     ) -> Option<()> {
         self.check_not_bound(&force.name, &force.iterations)?;
         let target = if force.indices.is_empty() {
@@ -89,13 +83,14 @@ impl Lowerer<'_> {
                              another `force(…)`, which adds to this one",
                         );
                     }
-                    totals.forces[i] = self.geometry.graph.add(totals.forces[i], component);
+                    let graph = &mut self.typed.geometry.graph;
+                    totals.forces[i] = graph.add(totals.forces[i], component);
                 }
             }
             Target::Defined(target) => {
-                let work = self.generalized_force(force, &value?, &target, totals)?;
+                let work = self.generalized_force(force, value?, &target, totals)?;
                 for (total, work) in totals.forces.iter_mut().zip(work) {
-                    *total = self.geometry.graph.add(*total, work);
+                    *total = self.typed.geometry.graph.add(*total, work);
                 }
             }
         }
@@ -110,26 +105,25 @@ impl Lowerer<'_> {
         shape: Shape,
     ) -> Option<Vec<Expression>> {
         if shape == Shape::Scalar {
-            return Some(vec![self.as_scalar(&value, &force.expression)?]);
+            let value = self.as_scalar(value, &force.expression)?;
+            return Some(vec![self.typed.expression(value)]);
         }
-        let zero = self.geometry.graph.zero();
-        let value = match value {
-            Value::EmptySum => shape.filled(zero),
-            other => other,
-        };
-        self.check_shape(force, &value, shape)?;
-        Some(value.components().to_vec())
+        if self.is_empty_sum(value) {
+            return Some(vec![self.graph().zero(); shape.count()]);
+        }
+        self.check_shape(force, value, shape)?;
+        Some(self.elements(value).to_vec())
     }
 
     /// A force has the shape of what it acts on.
-    fn check_shape(&mut self, force: &NamedExpression, value: &Value, shape: Shape) -> Option<()> {
-        if value.shape() == shape {
+    fn check_shape(&mut self, force: &NamedExpression, value: Value, shape: Shape) -> Option<()> {
+        if self.shape(value) == shape {
             return Some(());
         }
         let message = format!(
             "`{}` is {shape}, and so is a force on it: this is {}",
             force.name,
-            value.shape()
+            self.shape(value)
         );
         self.reject(&force.expression, message)
     }
@@ -138,25 +132,27 @@ impl Lowerer<'_> {
     fn generalized_force(
         &mut self,
         force: &NamedExpression,
-        value: &Value,
+        value: Value,
         target: &DefinedTarget,
-        totals: &mut GeneralizedForces<'_>,
+        totals: &mut GeneralizedForces,
     ) -> Option<Vec<Expression>> {
-        let zero = self.geometry.graph.zero();
-        if *value == Value::EmptySum {
+        let zero = self.graph().zero();
+        if self.is_empty_sum(value) {
             return Some(vec![zero; self.coordinates as usize]);
         }
-        self.check_shape(force, value, target.value.shape())?;
+        self.check_shape(force, value, self.shape(target.value))?;
         let mut work = vec![zero; self.coordinates as usize];
-        let acted_on = target.value.components().iter();
-        for (i, (component, acted_on)) in value.components().iter().zip(acted_on).enumerate() {
-            let partial_derivatives = self.partial_derivatives(*acted_on, target.is_velocity);
-            if target.is_velocity && self.geometry.graph.contents(*acted_on).has_velocity() {
-                self.check_velocity(force, target, i, *acted_on, totals)?;
+        let forces = self.elements(value).to_vec();
+        let acted_on = self.elements(target.value).to_vec();
+        for (i, (component, acted_on)) in forces.into_iter().zip(acted_on).enumerate() {
+            let partial_derivatives = self.partial_derivatives(acted_on, target.is_velocity);
+            if target.is_velocity && self.graph().contents(acted_on).has_velocity() {
+                self.check_velocity(force, target, (i, acted_on), totals)?;
             }
+            let graph = &mut self.typed.geometry.graph;
             for (total, derivative) in work.iter_mut().zip(partial_derivatives) {
-                let part = self.geometry.graph.multiply(*component, derivative);
-                *total = self.geometry.graph.add(*total, part);
+                let part = graph.multiply(component, derivative);
+                *total = graph.add(*total, part);
             }
         }
         Some(work)
@@ -170,7 +166,7 @@ impl Lowerer<'_> {
             Symbol::Coordinate
         };
         let symbols: Vec<_> = (0..self.coordinates).map(symbol).collect();
-        let columns = self.geometry.graph.jacobian(&[acted_on], &symbols);
+        let columns = self.typed.geometry.graph.jacobian(&[acted_on], &symbols);
         columns.into_iter().flatten().collect()
     }
 
@@ -180,12 +176,11 @@ impl Lowerer<'_> {
         &mut self,
         force: &NamedExpression,
         target: &DefinedTarget,
-        component: usize,
-        velocity: Expression,
-        totals: &mut GeneralizedForces<'_>,
+        (component, velocity): (usize, Expression),
+        totals: &mut GeneralizedForces,
     ) -> Option<()> {
         let name = &force.name;
-        let degree = self.geometry.graph.velocity_degree(velocity);
+        let degree = self.graph().velocity_degree(velocity);
         if degree.is_none_or(|degree| degree > 1) {
             let message = format!(
                 "`{name}` is not linear in the velocities, so that no force gives power with it: a force acts on a \
@@ -193,11 +188,9 @@ impl Lowerer<'_> {
             );
             return self.reject(name, message);
         }
-        let declaration = totals.declaration;
-        let at_rest = totals
-            .at_rest
-            .get_or_insert_with(|| AtRest::new(self, declaration));
-        if at_rest.depends_on_position(name, &target.member, component) {
+        let at_rest = &mut totals.at_rest;
+        let at_rest = at_rest.get_or_insert_with(|| AtRest::new(&self.typed));
+        if at_rest.depends_on_position(&self.typed, target.value, component) {
             return self.reject(name, hints::position_and_velocity(name));
         }
         Some(())
@@ -208,7 +201,7 @@ impl Lowerer<'_> {
         let name = &force.name;
         match (self.scope.resolve(name)?, force.indices.as_slice()) {
             (Binding::Quantity(Origin::Coordinate, value), indices) => {
-                if let (Value::Scalar(_), [index, ..]) = (&value, indices) {
+                if let (Shape::Scalar, [index, ..]) = (self.shape(value), indices) {
                     let message = format!("`{name}` is one coordinate: leave out the index");
                     return self.reject(index, message);
                 }
@@ -219,13 +212,13 @@ impl Lowerer<'_> {
                 self.reject(index, message)
             }
             (Binding::Quantity(origin, value), []) => {
-                let is_velocity = self.has_velocity(&value);
-                self.defined_target(force, origin, value, Vec::new(), is_velocity)
+                let is_velocity = self.has_velocity(value);
+                self.defined_target(force, origin, value, is_velocity)
             }
             (Binding::Family(origin, family), indices) if indices.len() >= family.rank => {
                 let (outer, inner) = indices.split_at(family.rank);
                 let member = self.member(outer)?;
-                let Some(value) = family.members.get(&member).cloned() else {
+                let Some(value) = family.members.get(&member).copied() else {
                     let message = match origin {
                         Origin::Coordinate => hints::out_of_range(name, &member, &family),
                         _ => format!("`{}` is not defined", hints::member(name, &member)),
@@ -236,8 +229,8 @@ impl Lowerer<'_> {
                     _ if origin == Origin::Coordinate => self.on_coordinates(value, inner),
                     [] => {
                         let mut members = family.members.values();
-                        let is_velocity = members.any(|member| self.has_velocity(member));
-                        self.defined_target(force, origin, value, member, is_velocity)
+                        let is_velocity = members.any(|member| self.has_velocity(*member));
+                        self.defined_target(force, origin, value, is_velocity)
                     }
                     _ => self.reject_family(force, &family),
                 }
@@ -260,20 +253,20 @@ impl Lowerer<'_> {
     fn on_coordinates(&mut self, value: Value, indices: &[syn::Expr]) -> Option<Target> {
         let indices: Vec<&syn::Expr> = indices.iter().collect();
         let value = self.components(value, &indices)?;
-        let index = |component: &Expression| match self.geometry.graph.node(*component) {
+        let index = |component: &Expression| match self.graph().node(*component) {
             Node::Symbol(Symbol::Coordinate(i)) => Some(*i as usize),
             _ => None,
         };
-        let indices = value.components().iter().map(index);
+        let indices = self.elements(value).iter().map(index);
         Some(Target::Coordinates(
             indices.collect::<Option<_>>()?,
-            value.shape(),
+            self.shape(value),
         ))
     }
 
-    fn has_velocity(&self, value: &Value) -> bool {
-        let mut components = value.components().iter();
-        components.any(|component| self.geometry.graph.contents(*component).has_velocity())
+    fn has_velocity(&self, value: Value) -> bool {
+        let mut components = self.elements(value).iter();
+        components.any(|component| self.graph().contents(*component).has_velocity())
     }
 
     /// A position or a velocity, where a force can act on it.
@@ -282,35 +275,31 @@ impl Lowerer<'_> {
         force: &NamedExpression,
         origin: Origin,
         value: Value,
-        member: Vec<usize>,
         is_velocity: bool,
     ) -> Option<Target> {
         if origin != Origin::Defined {
             return None;
         }
         let name = &force.name;
-        if self.has_acceleration(&value) {
+        if self.has_acceleration(value) {
             let message = format!(
                 "`{name}` contains accelerations: a force acts on a position or a velocity"
             );
             return self.reject(name, message);
         }
         let moves = |symbol| matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_));
-        if !self.geometry.graph.contains(value.components(), moves) {
+        if !self.graph().contains(self.elements(value), moves) {
             let message = format!("no coordinate moves `{name}`: a force on it does no work");
             return self.reject(name, message);
         }
         // Another name of a coordinate.
-        if let Value::Scalar(expression) = value
-            && let Node::Symbol(Symbol::Coordinate(_)) = self.geometry.graph.node(expression)
+        if let [expression] = self.elements(value)
+            && self.shape(value) == Shape::Scalar
+            && let Node::Symbol(Symbol::Coordinate(_)) = self.graph().node(*expression)
             && !is_velocity
         {
             return self.on_coordinates(value, &[]);
         }
-        Some(Target::Defined(DefinedTarget {
-            value,
-            member,
-            is_velocity,
-        }))
+        Some(Target::Defined(DefinedTarget { value, is_velocity }))
     }
 }

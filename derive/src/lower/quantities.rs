@@ -1,12 +1,13 @@
 //! Coordinates, parameters and inputs, component by component: each component is one symbol.
 
-use lagrangian_symbolic::{Expression, Graph, Matrix, Symbol};
+use lagrangian_symbolic::{
+    Components, Expression, Matrix, Symbol, TypedGraph, TypedOperation, Value,
+};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned as _;
 use syn::{Type, parse_quote};
 
-use crate::lower::value::Value;
 use crate::syntax::body_type::{BodyNumber, BodyType};
 use crate::syntax::coordinate::Coordinate;
 use crate::syntax::declaration::Declaration;
@@ -231,23 +232,21 @@ impl Symbols {
         Self { kind, next: 0 }
     }
 
-    /// The next symbol.
-    pub(crate) fn scalar(&mut self, graph: &mut Graph) -> Value {
-        Value::Scalar(self.take(graph))
-    }
-
-    /// A value of which each component is a symbol.
-    pub(crate) fn value(&mut self, graph: &mut Graph, shape: Shape) -> Value {
-        let Shape::Array { rows, columns } = shape else {
-            return self.scalar(graph);
+    /// A value of which each component is the next symbol.
+    pub(crate) fn value(&mut self, typed: &mut TypedGraph, shape: Shape) -> Option<Value> {
+        let components = match shape {
+            Shape::Scalar => Components::Scalar(self.take(typed)),
+            Shape::Array { rows, columns } => {
+                let elements = (0..rows * columns).map(|_| self.take(typed)).collect();
+                Components::Array(Matrix::new(rows, columns, elements)?)
+            }
         };
-        let elements = (0..rows * columns).map(|_| self.take(graph)).collect();
-        Matrix::new(rows, columns, elements).map_or(Value::EmptySum, Value::Array)
+        typed.add(TypedOperation::Given(components)).ok()
     }
 
-    pub(crate) fn take(&mut self, graph: &mut Graph) -> Expression {
+    pub(crate) fn take(&mut self, typed: &mut TypedGraph) -> Expression {
         let symbol = (self.kind)(self.next);
         self.next = self.next.saturating_add(1);
-        graph.symbol(symbol)
+        typed.geometry.graph.symbol(symbol)
     }
 }

@@ -3,13 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use lagrangian_symbolic::{Expression, ExternalFunction, Graph, Symbol};
+use lagrangian_symbolic::{
+    Components, Expression, ExternalFunction, Graph, Symbol, TypedGraph, TypedOperation, Value,
+};
 use proc_macro2::Ident;
 
 use crate::diagnostics::similar;
 use crate::lower::body::Body;
 use crate::lower::quantities::Symbols;
-use crate::lower::value::Value;
+use crate::lower::value::labelled;
 use crate::syntax::body_type::BodyType;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
@@ -62,21 +64,21 @@ pub(crate) struct Family<T = Value> {
 }
 
 impl<T> Family<T> {
-    /// The members with these indices.
-    fn of(indices: Vec<Vec<usize>>, mut member: impl FnMut() -> T) -> Self {
-        Self {
-            rank: indices.first().map_or(0, Vec::len),
-            members: indices
-                .into_iter()
-                .map(|indices| (indices, member()))
-                .collect(),
-        }
+    /// The members with these indices, if all of them exist.
+    fn of(indices: Vec<Vec<usize>>, mut member: impl FnMut() -> Option<T>) -> Option<Rc<Self>> {
+        let rank = indices.first().map_or(0, Vec::len);
+        let members = indices.into_iter();
+        let members = members.map(|indices| Some((indices, member()?)));
+        let members = members.collect::<Option<_>>()?;
+        Some(Rc::new(Self { rank, members }))
     }
 }
 
 /// The names of a declaration, with what they refer to.
 pub(crate) struct Scope {
     bindings: BTreeMap<String, Binding>,
+    /// The components of what is defined, by names and indices of members.
+    defined: BTreeMap<String, BTreeMap<Vec<usize>, Vec<(Label, Expression)>>>,
     /// The external functions.
     functions: BTreeMap<String, ExternalFunction>,
     /// Where a field is first mentioned: the emitted code accesses it with that span.
@@ -94,10 +96,10 @@ pub(crate) struct Scope {
 
 impl Scope {
     /// The scope of a checked declaration, before its definitions.
-    pub(crate) fn new(declaration: &Declaration, graph: &mut Graph) -> Self {
-        let mut bindings = reserved(graph);
-        add_fields(&mut bindings, declaration, graph);
-        add_coordinates(&mut bindings, declaration, graph);
+    pub(crate) fn new(declaration: &Declaration, typed: &mut TypedGraph) -> Self {
+        let mut bindings = reserved(typed);
+        add_fields(&mut bindings, declaration, typed);
+        add_coordinates(&mut bindings, declaration, typed);
         add_names_without_values(&mut bindings, declaration);
         let clauses = &declaration.clauses;
         let names: BTreeSet<String> = clauses
@@ -108,6 +110,7 @@ impl Scope {
         let repeated = names.len() < clauses.coordinates.len();
         Self {
             bindings,
+            defined: BTreeMap::new(),
             functions: BTreeMap::new(),
             uses: BTreeMap::new(),
             unknown: Vec::new(),
@@ -135,16 +138,23 @@ impl Scope {
         self.bindings.contains_key(name)
     }
 
-    /// Gives the name of a definition its binding, unless the name is taken.
-    pub(crate) fn define(&mut self, name: &Ident, binding: Binding) {
+    /// Gives the name of a definition its value, unless the name is taken.
+    pub(crate) fn define(&mut self, typed: &TypedGraph, name: &Ident, value: Value) {
         if let Some(later @ Binding::DefinedLater) = self.bindings.get_mut(&unraw(name)) {
-            *later = binding;
+            *later = Binding::Quantity(Origin::Defined, value);
+            self.note_components(typed, name, &[], value);
         }
     }
 
     /// Adds a member to a family of definitions, unless the name is taken. Says whether the member is
     /// new.
-    pub(crate) fn define_member(&mut self, name: &Ident, indices: &[usize], value: Value) -> bool {
+    pub(crate) fn define_member(
+        &mut self,
+        typed: &TypedGraph,
+        name: &Ident,
+        indices: &[usize],
+        value: Value,
+    ) -> bool {
         let Some(binding) = self.bindings.get_mut(&unraw(name)) else {
             return true;
         };
@@ -156,10 +166,34 @@ impl Scope {
         match binding {
             Binding::Family(Origin::Defined, family) => {
                 let members = &mut Rc::make_mut(family).members;
-                members.insert(indices.to_vec(), value).is_none()
+                let is_new = members.insert(indices.to_vec(), value).is_none();
+                self.note_components(typed, name, indices, value);
+                is_new
             }
             _ => true,
         }
+    }
+
+    /// Keeps the components of what is defined, which the emitted code and the printed equations have names for.
+    fn note_components(
+        &mut self,
+        typed: &TypedGraph,
+        name: &Ident,
+        indices: &[usize],
+        value: Value,
+    ) {
+        let stem = unraw(name);
+        let label = |inner: Vec<Index>| {
+            let outer = indices.iter().copied().map(Index::One);
+            Label {
+                stem: stem.clone(),
+                indices: outer.chain(inner).collect(),
+            }
+        };
+        let components = labelled(typed, value).into_iter();
+        let components = components.map(|(inner, component)| (label(inner), component));
+        let members = self.defined.entry(stem.clone()).or_default();
+        members.insert(indices.to_vec(), components.collect());
     }
 
     /// How many indices distinguish the members of a family of definitions, if there are any yet.
@@ -170,12 +204,13 @@ impl Scope {
         }
     }
 
-    /// Poisons a family of definitions with an error in one of them.
-    pub(crate) fn silence_definition(&mut self, name: &Ident) {
+    /// Poisons a definition with an error, or a family of them with an error in one of them.
+    pub(crate) fn poison_definition(&mut self, name: &Ident) {
         if let Some(binding @ (Binding::DefinedLater | Binding::Family(Origin::Defined, _))) =
             self.bindings.get_mut(&unraw(name))
         {
             *binding = Binding::Poisoned;
+            self.defined.remove(&unraw(name));
         }
     }
 
@@ -261,29 +296,10 @@ impl Scope {
 
     /// The components of what is defined as `name`.
     pub(crate) fn defined(&self, name: &str) -> Vec<(Label, Expression)> {
-        let labelled = |indices: &[usize], value: &Value| -> Vec<_> {
-            let label = |inner: Vec<Index>| {
-                let outer = indices.iter().copied().map(Index::One);
-                Label {
-                    stem: name.to_owned(),
-                    indices: outer.chain(inner).collect(),
-                }
-            };
-            let components = value.labelled().into_iter();
-            components
-                .map(|(inner, component)| (label(inner), component))
-                .collect()
-        };
-        match self.bindings.get(name) {
-            Some(Binding::Quantity(Origin::Defined, value)) => labelled(&[], value),
-            Some(Binding::Family(Origin::Defined, family)) => {
-                let members = family.members.iter();
-                members
-                    .flat_map(|(indices, value)| labelled(indices, value))
-                    .collect()
-            }
-            _ => Vec::new(),
-        }
+        let members = self.defined.get(name).into_iter().flatten();
+        members
+            .flat_map(|(_, components)| components.iter().cloned())
+            .collect()
     }
 
     /// The components of all that is defined, but for constants.
@@ -291,7 +307,7 @@ impl Scope {
         &'a self,
         graph: &'a Graph,
     ) -> impl Iterator<Item = (Label, Expression)> + 'a {
-        let components = self.bindings.keys().flat_map(|name| self.defined(name));
+        let components = self.defined.keys().flat_map(|name| self.defined(name));
         components.filter(|(_, expression)| graph.as_constant(*expression).is_none())
     }
 }
@@ -299,17 +315,19 @@ impl Scope {
 type Meanings = BTreeMap<String, Binding>;
 
 /// The names that every declaration has.
-fn reserved(graph: &mut Graph) -> Meanings {
-    let [time, pi] = [graph.symbol(Symbol::Time), graph.pi()];
-    let reserved = |value| Binding::Quantity(Origin::Reserved, Value::Scalar(value));
-    BTreeMap::from([
-        ("t".to_owned(), reserved(time)),
-        ("PI".to_owned(), reserved(pi)),
-    ])
+fn reserved(typed: &mut TypedGraph) -> Meanings {
+    let graph = &mut typed.geometry.graph;
+    let reserved = [("t", graph.symbol(Symbol::Time)), ("PI", graph.pi())];
+    let reserved = reserved.into_iter().filter_map(|(name, expression)| {
+        let given = TypedOperation::Given(Components::Scalar(expression));
+        let value = typed.add(given).ok()?;
+        Some((name.to_owned(), Binding::Quantity(Origin::Reserved, value)))
+    });
+    reserved.collect()
 }
 
 /// Adds parameters and inputs.
-fn add_fields(bindings: &mut Meanings, declaration: &Declaration, graph: &mut Graph) {
+fn add_fields(bindings: &mut Meanings, declaration: &Declaration, typed: &mut TypedGraph) {
     let kinds = [
         (Role::Parameter, Symbol::Parameter as fn(u32) -> Symbol),
         (Role::Input, Symbol::Input),
@@ -322,10 +340,10 @@ fn add_fields(bindings: &mut Meanings, declaration: &Declaration, graph: &mut Gr
                     let indices = (field_type.rank() > 0).then(|| field_type.members());
                     match field_type.content() {
                         Content::Numbers(shape) => {
-                            symbols.binding(graph, Origin::Field, shape, indices)
+                            symbols.binding(typed, Origin::Field, shape, indices)
                         }
                         Content::Body(_) if role == Role::Input => Binding::Poisoned,
-                        Content::Body(ty) => symbols.bodies(graph, ty, indices),
+                        Content::Body(ty) => symbols.bodies(typed, ty, indices),
                     }
                 }
                 Ok(_) | Err(_) => Binding::Poisoned,
@@ -335,12 +353,12 @@ fn add_fields(bindings: &mut Meanings, declaration: &Declaration, graph: &mut Gr
     }
 }
 
-fn add_coordinates(bindings: &mut Meanings, declaration: &Declaration, graph: &mut Graph) {
+fn add_coordinates(bindings: &mut Meanings, declaration: &Declaration, typed: &mut TypedGraph) {
     let mut symbols = Symbols::of(Symbol::Coordinate);
     for coordinate in &declaration.clauses.coordinates {
         let is_family = !coordinate.lengths.is_empty();
         let indices = is_family.then(|| coordinate.members());
-        let binding = symbols.binding(graph, Origin::Coordinate, coordinate.shape(), indices);
+        let binding = symbols.binding(typed, Origin::Coordinate, coordinate.shape(), indices);
         bindings.insert(unraw(&coordinate.name), binding);
     }
 }
@@ -366,27 +384,28 @@ impl Symbols {
     /// A quantity of which each component is a symbol, or a family of those with these indices.
     fn binding(
         &mut self,
-        graph: &mut Graph,
+        typed: &mut TypedGraph,
         kind: Origin,
         shape: Shape,
         indices: Option<Vec<Vec<usize>>>,
     ) -> Binding {
-        let Some(indices) = indices else {
-            return Binding::Quantity(kind, self.value(graph, shape));
+        let mut value = || self.value(typed, shape);
+        let binding = match indices {
+            None => value().map(|value| Binding::Quantity(kind, value)),
+            Some(indices) => Family::of(indices, value).map(|family| Binding::Family(kind, family)),
         };
-        let family = Family::of(indices, || self.value(graph, shape));
-        Binding::Family(kind, Rc::new(family))
+        binding.unwrap_or(Binding::Poisoned)
     }
 
     /// A body whose numbers are symbols, or a family of those with these indices.
     fn bodies(
         &mut self,
-        graph: &mut Graph,
+        typed: &mut TypedGraph,
         ty: BodyType,
         indices: Option<Vec<Vec<usize>>>,
     ) -> Binding {
         let indices = indices.unwrap_or_else(|| vec![Vec::new()]);
-        let family = Family::of(indices, || Body::of_symbols(ty, self, graph));
-        Binding::Bodies(Rc::new(family))
+        let family = Family::of(indices, || Body::of_symbols(ty, self, typed));
+        family.map_or(Binding::Poisoned, Binding::Bodies)
     }
 }

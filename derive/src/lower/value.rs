@@ -1,47 +1,11 @@
-//! The value of an expression of the declaration: a scalar, a vector or a matrix.
+//! Values of a declaration: their shapes, and sums and products that grow operand by operand.
 
-use lagrangian_symbolic::{Expression, Geometry, Matrix, Rational};
+use lagrangian_symbolic::{
+    Components, Expression, Matrix, Rational, TypedGraph, TypedOperation, Value,
+};
 
 use crate::syntax::label::Index;
 use crate::syntax::shape::Shape;
-
-/// The value of an expression.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) enum Value {
-    /// A number.
-    Scalar(Expression),
-    /// A vector, which is a matrix of one column, or a matrix.
-    Array(Matrix),
-    /// A sum without terms: the zero of whatever it is added to.
-    EmptySum,
-}
-
-impl Value {
-    pub(crate) fn shape(&self) -> Shape {
-        match self {
-            Self::Array(matrix) => Shape::of(matrix),
-            Self::Scalar(_) | Self::EmptySum => Shape::Scalar,
-        }
-    }
-
-    /// The components, column by column.
-    pub(crate) fn components(&self) -> &[Expression] {
-        match self {
-            Self::Scalar(expression) => core::slice::from_ref(expression),
-            Self::Array(matrix) => matrix.elements(),
-            Self::EmptySum => &[],
-        }
-    }
-
-    /// The value with `indices` of its components, in their order.
-    pub(crate) fn labelled(&self) -> Vec<(Vec<Index>, Expression)> {
-        let shape = self.shape();
-        let components = self.components().iter().enumerate();
-        components
-            .map(|(i, component)| (shape.index(i).into_iter().collect(), *component))
-            .collect()
-    }
-}
 
 impl Shape {
     pub(crate) fn of(matrix: &Matrix) -> Self {
@@ -51,58 +15,74 @@ impl Shape {
         }
     }
 
-    /// The value of this shape with all components alike.
-    pub(crate) fn filled(self, component: Expression) -> Value {
-        match self {
-            Self::Scalar => Value::Scalar(component),
-            Self::Array { rows, columns } => {
-                let components = vec![component; rows * columns];
-                Matrix::new(rows, columns, components).map_or(Value::EmptySum, Value::Array)
-            }
-        }
+    /// The shape of a value.
+    pub(crate) fn of_value(typed: &TypedGraph, value: Value) -> Self {
+        typed
+            .components(value)
+            .array()
+            .map_or(Self::Scalar, Self::of)
     }
+
+    /// The value of this shape with all components zero.
+    pub(crate) fn zeros(self, typed: &mut TypedGraph) -> Option<Value> {
+        let zeros = match self {
+            Self::Scalar => TypedOperation::Constant(Rational::ZERO),
+            Self::Array { rows, columns } => TypedOperation::Zeros { rows, columns },
+        };
+        typed.add(zeros).ok()
+    }
+}
+
+/// The components of a value with their indices, in their order.
+pub(crate) fn labelled(typed: &TypedGraph, value: Value) -> Vec<(Vec<Index>, Expression)> {
+    let shape = Shape::of_value(typed, value);
+    let components = typed.components(value).elements().iter().enumerate();
+    components
+        .map(|(i, component)| (shape.index(i).into_iter().collect(), *component))
+        .collect()
 }
 
 /// A sum that grows term by term, all of one shape.
 #[derive(Clone, Default)]
 pub(crate) struct Sum {
-    scalars: Vec<(Expression, Rational)>,
-    arrays: Vec<(Matrix, Rational)>,
+    terms: Vec<(Value, Rational)>,
+    shape: Option<Shape>,
 }
 
 impl Sum {
-    /// Adds `sign` times a value; the shape of the terms before it, if it has another.
-    pub(crate) fn add(&mut self, value: Value, sign: Rational) -> Result<(), Shape> {
-        match value {
-            Value::EmptySum => {}
-            Value::Scalar(term) => match self.arrays.first() {
-                Some((first, _)) => return Err(Shape::of(first)),
-                None => self.scalars.push((term, sign)),
-            },
-            Value::Array(term) => {
-                if !self.scalars.is_empty() {
-                    return Err(Shape::Scalar);
-                }
-                match self.arrays.first() {
-                    Some((first, _)) if Shape::of(first) != Shape::of(&term) => {
-                        return Err(Shape::of(first));
-                    }
-                    _ => self.arrays.push((term, sign)),
-                }
-            }
+    /// The sum of one term.
+    pub(crate) fn of(typed: &TypedGraph, term: Value) -> Self {
+        let mut sum = Self::default();
+        if *typed.components(term) != Components::EmptySum {
+            sum.terms.push((term, Rational::ONE));
+            sum.shape = Some(Shape::of_value(typed, term));
         }
+        sum
+    }
+
+    /// Adds `sign` times a value; the shape of the terms before it, if it has another.
+    pub(crate) fn add(
+        &mut self,
+        typed: &TypedGraph,
+        value: Value,
+        sign: Rational,
+    ) -> Result<(), Shape> {
+        if *typed.components(value) == Components::EmptySum {
+            return Ok(());
+        }
+        let shape = Shape::of_value(typed, value);
+        match self.shape {
+            Some(before) if before != shape => return Err(before),
+            _ => self.shape = Some(shape),
+        }
+        self.terms.push((value, sign));
         Ok(())
     }
 
-    pub(crate) fn value(self, geometry: &mut Geometry) -> Value {
-        if !self.scalars.is_empty() {
-            return Value::Scalar(geometry.graph.sum(self.scalars));
-        }
-        let terms = self.arrays.iter();
-        let terms: Vec<_> = terms.map(|(term, sign)| (term, sign.clone())).collect();
-        match geometry.matrix_sum(&terms) {
-            Some(sum) if !terms.is_empty() => Value::Array(sum),
-            _ => Value::EmptySum,
+    pub(crate) fn value(self, typed: &mut TypedGraph) -> Option<Value> {
+        match self.terms.as_slice() {
+            [(only, sign)] if sign.is_one() => Some(*only),
+            _ => typed.add(TypedOperation::Sum(self.terms)).ok(),
         }
     }
 }
@@ -110,8 +90,8 @@ impl Sum {
 /// A product that grows factor by factor: scalars, and at most one array, since arrays do not commute.
 #[derive(Clone, Default)]
 pub(crate) struct Product {
-    scalars: Vec<(Expression, Rational)>,
-    array: Option<Matrix>,
+    scalars: Vec<(Value, Rational)>,
+    array: Option<Value>,
     vanishes: bool,
 }
 
@@ -120,41 +100,41 @@ impl Product {
     /// it, if that does not fit.
     pub(crate) fn multiply(
         &mut self,
-        geometry: &mut Geometry,
+        typed: &mut TypedGraph,
         value: Value,
         exponent: Rational,
     ) -> Result<(), Shape> {
-        match value {
-            Value::EmptySum => self.vanishes = true,
-            Value::Scalar(factor) => self.scalars.push((factor, exponent)),
-            Value::Array(_) if exponent.is_negative() => {
-                return Err(self.array.as_ref().map_or(Shape::Scalar, Shape::of));
+        match (typed.components(value), self.array) {
+            (Components::EmptySum, _) => self.vanishes = true,
+            (Components::Scalar(_), _) => self.scalars.push((value, exponent)),
+            (Components::Array(_), left) if exponent.is_negative() => {
+                return Err(left.map_or(Shape::Scalar, |left| Shape::of_value(typed, left)));
             }
-            Value::Array(right) => match self.array.take() {
-                None => self.array = Some(right),
-                Some(left) => match geometry.matrix_product(&left, &right) {
-                    Some(product) if product.elements().len() == 1 => {
-                        self.scalars.push((product.elements()[0], Rational::ONE));
-                    }
-                    Some(product) => self.array = Some(product),
-                    None => return Err(Shape::of(&left)),
-                },
-            },
+            (Components::Array(_), None) => self.array = Some(value),
+            (Components::Array(_), Some(left)) => {
+                let product = typed.add(TypedOperation::MatrixProduct(left, value));
+                let product = product.map_err(|_| Shape::of_value(typed, left))?;
+                let is_array = typed.components(product).array().is_some();
+                self.array = is_array.then_some(product);
+                if !is_array {
+                    self.scalars.push((product, Rational::ONE));
+                }
+            }
         }
         Ok(())
     }
 
-    pub(crate) fn value(self, geometry: &mut Geometry) -> Value {
-        if self.vanishes {
-            return Value::EmptySum;
-        }
-        match (self.array, self.scalars) {
-            (None, scalars) => Value::Scalar(geometry.graph.product(scalars)),
-            (Some(array), scalars) if scalars.is_empty() => Value::Array(array),
-            (Some(array), scalars) => {
-                let factor = geometry.graph.product(scalars);
-                Value::Array(geometry.matrix_scaled(&array, factor))
+    pub(crate) fn value(self, typed: &mut TypedGraph) -> Option<Value> {
+        let operation = match (self.vanishes, self.array, self.scalars.as_slice()) {
+            (true, ..) => TypedOperation::Sum(Vec::new()),
+            (_, None, [(only, exponent)]) if exponent.is_one() => return Some(*only),
+            (_, None, _) => TypedOperation::Product(self.scalars),
+            (_, Some(array), []) => return Some(array),
+            (_, Some(array), _) => {
+                let factor = typed.add(TypedOperation::Product(self.scalars)).ok()?;
+                TypedOperation::Scaled(array, factor)
             }
-        }
+        };
+        typed.add(operation).ok()
     }
 }

@@ -24,10 +24,9 @@ impl Geometry {
 
     /// An arena in which vectors in frames are resolved last, for a system with so many coordinates.
     #[must_use]
-    pub fn with_unresolved_vectors(coordinates: u32) -> Self {
-        let mut geometry = Self::new();
-        geometry.frames.unresolved = Some(UnresolvedVectors::new(coordinates));
-        geometry
+    pub fn with_unresolved_vectors(mut self, coordinates: u32) -> Self {
+        self.frames.unresolved = Some(UnresolvedVectors::new(coordinates));
+        self
     }
 
     /// The [total time derivatives](Graph::time_derivatives) of expressions, which may contain components of vectors that are

@@ -118,28 +118,6 @@ impl Graph {
         Some(elements)
     }
 
-    /// The block of so many rows and columns that begins with the element in a row and a column, unless it is empty or
-    /// larger than the matrix.
-    pub fn block(
-        &mut self,
-        matrix: &Matrix,
-        (row, column): (usize, usize),
-        (rows, columns): (usize, usize),
-    ) -> Option<Matrix> {
-        let fits = |first: usize, count: usize, end: usize| {
-            count > 0 && first.checked_add(count).is_some_and(|last| last <= end)
-        };
-        if !fits(row, rows, matrix.rows()) || !fits(column, columns, matrix.columns()) {
-            return None;
-        }
-        if (row, column, rows, columns) == (0, 0, matrix.rows(), matrix.columns()) {
-            return Some(matrix.clone());
-        }
-        Some(Matrix::from_function(rows, columns, |i, j| {
-            matrix.at(row + i, column + j)
-        }))
-    }
-
     /// The blocks of a matrix of four rows whose last one is 0 0 0 1.
     fn blocks(&self, matrix: &Matrix) -> Option<Blocks> {
         if matrix.shape() != (4, 4) {

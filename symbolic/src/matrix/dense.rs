@@ -103,17 +103,19 @@ impl Matrix {
         &self.elements
     }
 
-    /// A row, as a matrix with one row.
+    /// The block of so many rows and columns that begins with the element in a row and a column, unless it is empty or
+    /// larger than the matrix.
     #[must_use]
-    pub fn row(&self, row: usize) -> Option<Self> {
-        (row < self.rows).then(|| Self::from_function(1, self.columns, |_, j| self.at(row, j)))
-    }
-
-    /// A column, as a matrix with one column.
-    #[must_use]
-    pub fn column(&self, column: usize) -> Option<Self> {
-        (column < self.columns)
-            .then(|| Self::from_function(self.rows, 1, |i, _| self.at(i, column)))
+    pub fn block(
+        &self,
+        (row, column): (usize, usize),
+        (rows, columns): (usize, usize),
+    ) -> Option<Self> {
+        let fits = |first: usize, count: usize, end: usize| {
+            count > 0 && first.checked_add(count).is_some_and(|last| last <= end)
+        };
+        let fits = fits(row, rows, self.rows) && fits(column, columns, self.columns);
+        fits.then(|| Self::from_function(rows, columns, |i, j| self.at(row + i, column + j)))
     }
 
     /// The matrix with rows and columns exchanged.

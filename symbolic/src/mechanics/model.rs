@@ -1,7 +1,7 @@
 //! A mechanical system as declared: what comes into the derivation.
 
 use crate::mechanics::constraints::Constraint;
-use crate::{Expression, Geometry, Graph, Symbol};
+use crate::{EnergiesInFrames, Expression, Graph, Symbol};
 
 /// The energies and forces of a system with `coordinates` degrees of freedom.
 ///
@@ -30,18 +30,6 @@ pub struct Model {
     pub outputs: Vec<Expression>,
     /// The energies once more, with vectors that are resolved last; none where nothing turns.
     pub in_frames: Option<EnergiesInFrames>,
-}
-
-/// T and V in a graph of their own, in which [vectors are resolved last](Geometry::with_unresolved_vectors): symbols
-/// other than their components mean what they mean in the model.
-#[derive(Clone, Debug)]
-pub struct EnergiesInFrames {
-    /// The arena of the energies.
-    pub geometry: Geometry,
-    /// The kinetic energy T.
-    pub kinetic: Expression,
-    /// The potential energy V.
-    pub potential: Expression,
 }
 
 /// The Lagrangian function, as energies or directly.

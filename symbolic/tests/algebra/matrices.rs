@@ -17,9 +17,18 @@ fn elements_are_counted_column_by_column() {
     assert_eq!(matrix.get(0, 2), Some(e));
     assert_eq!(matrix.get(1, 0), Some(b));
     assert_eq!((matrix.get(2, 0), matrix.get(0, 3)), (None, None));
-    assert_eq!(matrix.row(1), Matrix::new(1, 3, vec![b, d, f]));
-    assert_eq!(matrix.column(1), Some(Matrix::vector(vec![c, d])));
-    assert_eq!((matrix.row(2), matrix.column(3)), (None, None));
+    assert_eq!(
+        matrix.block((1, 0), (1, 3)),
+        Matrix::new(1, 3, vec![b, d, f])
+    );
+    assert_eq!(
+        matrix.block((0, 1), (2, 1)),
+        Some(Matrix::vector(vec![c, d]))
+    );
+    assert_eq!(
+        (matrix.block((2, 0), (1, 3)), matrix.block((0, 3), (2, 1))),
+        (None, None)
+    );
     let transpose = Matrix::new(3, 2, vec![a, c, e, b, d, f]).unwrap();
     assert_eq!(matrix.transpose(), transpose);
     assert_eq!(matrix.diagonal(), None);

@@ -247,7 +247,7 @@ fn what_is_no_rotation_has_none() {
         let found = geometry.angular_velocity_inertial(&matrix, 4);
         assert_eq!(found, Err(NoRotation::Deformation));
     }
-    let vector = turn.column(0).unwrap();
+    let vector = turn.block((0, 0), (3, 1)).unwrap();
     let found = geometry.angular_velocity(&vector, 4);
     assert_eq!(found, Err(NoRotation::Shape));
 }
@@ -270,7 +270,7 @@ fn constant_matrices_are_refused_only_if_they_are_numbers() {
     let mounting = Matrix::new(3, 3, elements).unwrap();
     let mounted = geometry.matrix_product(&turn, &mounting).unwrap();
     let v = geometry.graph.symbol(Symbol::Velocity(0));
-    let axis = mounting.row(2).unwrap().transpose();
+    let axis = mounting.block((2, 0), (1, 3)).unwrap().transpose();
     let expected = geometry.matrix_scaled(&axis, v);
     assert_eq!(geometry.angular_velocity(&mounted, 1), Ok(expected));
 }

@@ -1,15 +1,14 @@
 //! Vectors and matrices: literals, and the functions of them.
 
-use lagrangian_symbolic::{Expression, MAX_DETERMINANT, Matrix, Rational};
+use lagrangian_symbolic::{
+    ArrayFunction, Components, MAX_ARRAY, MAX_DIAGONAL_ROWS, NoValue, TypedOperation, Value,
+};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprArray, ExprRepeat};
 
-use super::repetition::stacked;
 use super::{ExpressionContext, Lowerer};
-use crate::limits::{MAX_ARRAY, MAX_DIAGONAL_ROWS};
 use crate::lower::hints;
-use crate::lower::value::Value;
 use crate::syntax::shape::Shape;
 
 impl Lowerer<'_> {
@@ -24,22 +23,27 @@ impl Lowerer<'_> {
         if values.is_empty() {
             return self.reject(array, "write the components: `[x, y, z]`");
         }
-        let values = self.filled(values);
-        match stacked(&values) {
-            Ok(matrix) => {
-                // It may be a rotation that is written out, or a homogeneous matrix.
-                let varies = |x: &Expression| self.geometry.graph.contents(*x).varies();
-                let is_large = matrix.rows() >= 3 && matrix.columns() >= 3;
-                if is_large && matrix.elements().iter().any(varies) {
-                    self.count_rotation(array)?;
-                }
-                Some(Value::Array(matrix))
-            }
+        let values = self.filled(values)?;
+        let rows = match self.stacked(&values) {
+            Ok(rows) => rows?,
             Err(odd) => {
-                let message = hints::incompatible_rows(values[0].shape(), values[odd].shape());
-                self.reject(&array.elems[odd], message)
+                let message =
+                    hints::incompatible_rows(self.shape(values[0]), self.shape(values[odd]));
+                return self.reject(&array.elems[odd], message);
             }
+        };
+        // It may be a rotation that is written out, or a homogeneous matrix.
+        if let Components::Array(matrix) = self.typed.components(rows)
+            && matrix.rows() >= 3
+            && matrix.columns() >= 3
+            && matrix
+                .elements()
+                .iter()
+                .any(|x| self.graph().contents(*x).varies())
+        {
+            self.count_rotation(array)?;
         }
+        Some(rows)
     }
 
     /// `[0.0; 3]`.
@@ -51,17 +55,18 @@ impl Lowerer<'_> {
         let value = self.lower(&repeat.expr, context);
         let length = self.integer(&repeat.len);
         let (value, length) = (value?, length?);
-        let value = match value {
-            Value::EmptySum => Value::Scalar(self.geometry.graph.zero()),
-            other => other,
+        let value = if self.is_empty_sum(value) {
+            self.constant(0)?
+        } else {
+            value
         };
-        let size = value.components().len().max(1);
+        let shape = self.shape(value);
         match usize::try_from(length) {
-            Ok(length) if length > 0 && length <= MAX_ARRAY / size => {
-                if let Ok(matrix) = stacked(&vec![value.clone(); length]) {
-                    return Some(Value::Array(matrix));
+            Ok(length) if length > 0 && length <= MAX_ARRAY / shape.count() => {
+                if let Ok(rows) = self.stacked(&vec![value; length]) {
+                    return rows;
                 }
-                let message = hints::incompatible_rows(value.shape(), value.shape());
+                let message = hints::incompatible_rows(shape, shape);
                 self.reject(&repeat.expr, message)
             }
             _ => {
@@ -74,41 +79,62 @@ impl Lowerer<'_> {
     /// A function of vectors and matrices; `arguments` are the expressions, and `values` their values.
     pub(super) fn array_function(
         &mut self,
+        function: &'static ArrayFunction,
         name: &Ident,
-        arguments: &[&Expr],
-        values: &[Value],
+        (arguments, values): (&[&Expr], &[Value]),
         call: &dyn ToTokens,
     ) -> Option<Value> {
-        let written = name.to_string();
-        if written == "identity" {
-            return self.identity(arguments[0]);
+        if function.keeps_empty_sum && self.is_empty_sum(values[0]) {
+            return Some(values[0]);
         }
-        if values[0] == Value::EmptySum
-            && ["norm", "norm_squared", "sum", "dot"].contains(&&*written)
+        for (argument, value) in arguments.iter().zip(values) {
+            self.check_array(function.name, argument, *value)?;
+        }
+        let reason = match self
+            .typed
+            .add(TypedOperation::OfArrays(function, values.to_vec()))
         {
-            return Some(Value::EmptySum);
-        }
-        let Value::Array(first) = &values[0] else {
-            return self.reject(arguments[0], wants_array(&written, &values[0]));
+            Ok(value) => return Some(value),
+            Err(reason) => reason,
         };
-        match (written.as_str(), &values[1..]) {
-            ("row" | "column", _) => self.row_or_column(&written, first, arguments[1]),
-            (_, [Value::Array(second)]) => self.binary_array_function(name, first, second),
-            (_, [other]) => {
-                let message = wants_array(&written, other);
-                self.reject(arguments[1], message)
+        let shapes: Vec<String> = values
+            .iter()
+            .map(|value| self.shape(*value).to_string())
+            .collect();
+        let message = match reason {
+            NoValue::Arguments(wanted) => {
+                let here = if shapes.len() > 1 { "here it" } else { "this" };
+                let shapes = shapes.join(" and ");
+                format!("`{name}` is of {wanted}, and {here} is of {shapes}")
             }
-            _ => self.unary_array_function(&written, first, call),
+            NoValue::Size => format!("an array has at most {MAX_ARRAY} components"),
+            NoValue::Singular => {
+                "this matrix has no inverse: its determinant vanishes identically".to_owned()
+            }
+            NoValue::NoRotation(_) | NoValue::Shapes => return None,
+        };
+        match shapes.len() {
+            1 => self.reject(call, message),
+            _ => self.reject(name, message),
         }
     }
 
+    fn check_array(&mut self, name: &str, argument: &Expr, value: Value) -> Option<()> {
+        if self.typed.components(value).array().is_some() {
+            return Some(());
+        }
+        let message = format!(
+            "`{name}` is of vectors and matrices, and this is {}",
+            self.shape(value)
+        );
+        self.reject(argument, message)
+    }
+
     /// The identity matrix with so many rows.
-    fn identity(&mut self, rows: &Expr) -> Option<Value> {
+    pub(super) fn identity(&mut self, rows: &Expr) -> Option<Value> {
         let written = self.integer(rows)?;
         match usize::try_from(written) {
-            Ok(n @ 1..=MAX_DIAGONAL_ROWS) => {
-                Some(Value::Array(self.geometry.graph.identity_matrix(n)))
-            }
+            Ok(n @ 1..=MAX_DIAGONAL_ROWS) => self.add(TypedOperation::Identity(n)),
             _ => self.reject(
                 rows,
                 "the identity has from 1 to 100 rows: write `identity(3)`",
@@ -116,147 +142,29 @@ impl Lowerer<'_> {
         }
     }
 
-    fn row_or_column(&mut self, name: &str, matrix: &Matrix, index: &Expr) -> Option<Value> {
-        let line = if name == "row" {
-            let i = self.index_below(index, matrix.rows(), "rows", matrix)?;
-            matrix.row(i)
-        } else {
-            let i = self.index_below(index, matrix.columns(), "columns", matrix)?;
-            matrix.column(i)
-        };
-        line.map(Value::Array)
-    }
-
-    fn binary_array_function(
-        &mut self,
-        name: &Ident,
-        first: &Matrix,
-        second: &Matrix,
-    ) -> Option<Value> {
-        let written = name.to_string();
-        if written == "outer" && first.elements().len() > MAX_ARRAY / second.elements().len().max(1)
-        {
-            let message = format!("an array has at most {MAX_ARRAY} components");
-            return self.reject(name, message);
-        }
-        let geometry = &mut self.geometry;
-        let value = match written.as_str() {
-            "dot" => geometry.dot_product(first, second).map(Value::Scalar),
-            "cross" => {
-                let product = geometry.cross_product(first, second);
-                let product = match (product, &mut self.at_rest) {
-                    (Some(product), Some(rest)) => {
-                        Some(rest.cross_product(&mut geometry.graph, [first, second], &product))
-                    }
-                    (product, _) => product,
-                };
-                product.map(Value::Array)
-            }
-            "outer" => geometry
-                .graph
-                .outer_product(first, second)
-                .map(Value::Array),
-            _ => geometry
-                .graph
-                .component_product(first, second)
-                .map(Value::Array),
-        };
-        if value.is_some() {
-            return value;
-        }
-        let rule = match written.as_str() {
-            "cross" => "is of two vectors of 3 components",
-            "outer" => "is of two vectors",
-            _ => "is of two arrays of the same shape",
-        };
-        let message = format!(
-            "`{written}` {rule}, and here it is of {} and {}",
-            Shape::of(first),
-            Shape::of(second)
-        );
-        self.reject(name, message)
-    }
-
-    /// A function that every vector or matrix has.
-    fn total_array_function(&mut self, name: &str, array: &Matrix) -> Option<Value> {
-        let geometry = &mut self.geometry;
-        let elements = array.elements().iter();
-        let terms = elements.map(|element| (*element, Rational::ONE));
-        Some(match name {
-            "norm" => Value::Scalar(geometry.norm(array)),
-            "norm_squared" => Value::Scalar(geometry.norm_squared(array)),
-            "transpose" => Value::Array(array.transpose()),
-            "sum" => Value::Scalar(geometry.graph.sum(terms)),
-            "product" => Value::Scalar(geometry.graph.product(terms)),
-            "len" => {
-                let length = i64::try_from(array.elements().len()).unwrap_or(i64::MAX);
-                Value::Scalar(geometry.graph.integer(length))
-            }
-            _ => return None,
-        })
-    }
-
-    fn unary_array_function(
+    /// A row or a column of a matrix.
+    pub(super) fn row_or_column(
         &mut self,
         name: &str,
-        array: &Matrix,
-        call: &dyn ToTokens,
+        (matrix, argument): (Value, &Expr),
+        index: &Expr,
     ) -> Option<Value> {
-        if let Some(value) = self.total_array_function(name, array) {
-            return Some(value);
-        }
-        let geometry = &mut self.geometry;
-        let square = array.rows() == array.columns();
-        let few = array.rows() <= MAX_DETERMINANT;
-        let is_vector = array.columns() == 1;
-        let wanted = match name {
-            "normalize" => {
-                let norm = geometry.norm(array);
-                if geometry.graph.is_zero(norm) {
-                    "a vector other than zero"
-                } else {
-                    let factor = geometry.graph.power(norm, &Rational::MINUS_ONE);
-                    return Some(Value::Array(geometry.matrix_scaled(array, factor)));
-                }
-            }
-            "diagonal" if is_vector && array.rows() > MAX_DIAGONAL_ROWS => {
-                "a vector of at most 100 components"
-            }
-            "diagonal" if is_vector => {
-                return geometry.graph.diagonal_matrix(array).map(Value::Array);
-            }
-            "diagonal" if square => return array.diagonal().map(Value::Array),
-            "diagonal" => "a square matrix, or a vector that becomes the diagonal of one",
-            "trace" if square => return geometry.graph.trace(array).map(Value::Scalar),
-            "trace" => "a square matrix",
-            "determinant" if square && few => {
-                return geometry.determinant(array).map(Value::Scalar);
-            }
-            "inverse" if square && few => {
-                if let Ok(inverse) = geometry.inverse(array) {
-                    return Some(Value::Array(inverse));
-                }
-                let message = "this matrix has no inverse: its determinant vanishes identically";
-                return self.reject(call, message);
-            }
-            "determinant" | "inverse" => "a square matrix of at most 4 rows",
-            "cross_matrix" => match geometry.graph.cross_matrix(array) {
-                Some(matrix) => return Some(Value::Array(matrix)),
-                None => "a vector of 3 components",
-            },
-            _ => "something else",
+        self.check_array(name, argument, matrix)?;
+        let shape = self.shape(matrix);
+        let Shape::Array { rows, columns } = shape else {
+            return None;
         };
-        let message = format!(
-            "`{name}` is of {wanted}, and this is of {}",
-            Shape::of(array)
-        );
-        self.reject(call, message)
+        let (first, size) = if name == "row" {
+            let row = self.index_below(index, rows, "rows", shape)?;
+            ((row, 0), (1, columns))
+        } else {
+            let column = self.index_below(index, columns, "columns", shape)?;
+            ((0, column), (rows, 1))
+        };
+        self.add(TypedOperation::Block {
+            of: matrix,
+            first,
+            size,
+        })
     }
-}
-
-fn wants_array(name: &str, value: &Value) -> String {
-    format!(
-        "`{name}` is of vectors and matrices, and this is {}",
-        value.shape()
-    )
 }

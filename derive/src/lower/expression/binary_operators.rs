@@ -1,11 +1,11 @@
 //! Chains of `+ - * /`, and of `%` in indices, left-associative: loops, not recursion.
 
-use lagrangian_symbolic::{Geometry, Rational};
+use lagrangian_symbolic::{Components, Rational, TypedGraph, Value};
 use syn::{BinOp, Expr, ExprBinary};
 
 use super::{ExpressionContext, Lowerer};
 use crate::lower::hints;
-use crate::lower::value::{Product, Sum, Value};
+use crate::lower::value::{Product, Sum};
 use crate::syntax::shape::Shape;
 
 /// A run of operators of one precedence, collected until it ends.
@@ -16,20 +16,15 @@ enum OperatorChain {
 }
 
 impl OperatorChain {
-    fn value(self, geometry: &mut Geometry) -> Value {
+    fn value(self, typed: &mut TypedGraph) -> Option<Value> {
         match self {
-            Self::Sum(sum) => sum.value(geometry),
-            Self::Product(product) => product.value(geometry),
+            Self::Sum(sum) => sum.value(typed),
+            Self::Product(product) => product.value(typed),
         }
     }
 
     /// The chain with one more operand; the shape of what stands before the operator, if the two do not fit.
-    fn extend(
-        self,
-        geometry: &mut Geometry,
-        operator: &BinOp,
-        value: Value,
-    ) -> Result<Self, Shape> {
+    fn extend(self, typed: &mut TypedGraph, operator: &BinOp, value: Value) -> Result<Self, Shape> {
         let sign = match operator {
             BinOp::Sub(_) | BinOp::Div(_) => Rational::MINUS_ONE,
             _ => Rational::ONE,
@@ -38,24 +33,23 @@ impl OperatorChain {
             let mut sum = match self {
                 Self::Sum(sum) => sum,
                 before @ Self::Product(_) => {
-                    let mut sum = Sum::default();
-                    sum.add(before.value(geometry), Rational::ONE)?;
-                    sum
+                    let before = before.value(typed).ok_or(Shape::Scalar)?;
+                    Sum::of(typed, before)
                 }
             };
-            sum.add(value, sign)?;
+            sum.add(typed, value, sign)?;
             Ok(Self::Sum(sum))
         } else {
             let mut product = match self {
                 Self::Product(product) => product,
                 before @ Self::Sum(_) => {
                     let mut product = Product::default();
-                    let before = before.value(geometry);
-                    product.multiply(geometry, before, Rational::ONE)?;
+                    let before = before.value(typed).ok_or(Shape::Scalar)?;
+                    product.multiply(typed, before, Rational::ONE)?;
                     product
                 }
             };
-            product.multiply(geometry, value, sign)?;
+            product.multiply(typed, value, sign)?;
             Ok(Self::Product(product))
         }
     }
@@ -74,12 +68,7 @@ impl Lowerer<'_> {
             first = &*inner.left;
         }
         let first = self.lower(first, context);
-        let mut chain = first.map(|first| {
-            let mut sum = Sum::default();
-            // The first term fits any sum.
-            let _ = sum.add(first, Rational::ONE);
-            OperatorChain::Sum(sum)
-        });
+        let mut chain = first.map(|first| OperatorChain::Sum(Sum::of(&self.typed, first)));
         for (operator, operand) in steps.into_iter().rev() {
             let value = self.operand(operator, operand, context);
             chain = match (chain, value) {
@@ -87,7 +76,7 @@ impl Lowerer<'_> {
                 _ => None,
             };
         }
-        chain.map(|chain| chain.value(&mut self.geometry))
+        chain?.value(&mut self.typed)
     }
 
     /// The right operand, where the operator is supported.
@@ -104,7 +93,7 @@ impl Lowerer<'_> {
             return self.reject(operator, hint);
         }
         let value = self.lower(operand, context)?;
-        if matches!(operator, BinOp::Div(_) | BinOp::Rem(_)) && self.vanishes(&value) {
+        if matches!(operator, BinOp::Div(_) | BinOp::Rem(_)) && self.vanishes(value) {
             return self.reject(
                 operand,
                 "this divisor is zero: the quotient has no value anywhere",
@@ -114,11 +103,11 @@ impl Lowerer<'_> {
     }
 
     /// Whether a value is the number zero.
-    pub(super) fn vanishes(&self, value: &Value) -> bool {
-        match value {
-            Value::Scalar(expression) => self.geometry.graph.is_zero(*expression),
-            Value::EmptySum => true,
-            Value::Array(_) => false,
+    pub(super) fn vanishes(&self, value: Value) -> bool {
+        match self.typed.components(value) {
+            Components::Scalar(expression) => self.graph().is_zero(*expression),
+            Components::EmptySum => true,
+            Components::Array(_) => false,
         }
     }
 
@@ -129,10 +118,10 @@ impl Lowerer<'_> {
         value: Value,
     ) -> Option<OperatorChain> {
         if matches!(operator, BinOp::Rem(_)) {
-            return self.remainder(chain, operator, &value);
+            return self.remainder(chain, operator, value);
         }
-        let right = value.shape();
-        match chain.extend(&mut self.geometry, operator, value) {
+        let right = self.shape(value);
+        match chain.extend(&mut self.typed, operator, value) {
             Ok(chain) if self.within_index && matches!(operator, BinOp::Div(_)) => {
                 self.integer_quotient(chain, operator)
             }
@@ -146,13 +135,13 @@ impl Lowerer<'_> {
         &mut self,
         chain: OperatorChain,
         operator: &BinOp,
-        divisor: &Value,
+        divisor: Value,
     ) -> Option<OperatorChain> {
-        let dividend = chain.value(&mut self.geometry);
-        let integers = [&dividend, divisor].map(|value| match value {
-            Value::Scalar(value) => self.geometry.graph.as_constant(*value)?.to_integer(),
-            Value::EmptySum => Some(0),
-            Value::Array(_) => None,
+        let dividend = chain.value(&mut self.typed)?;
+        let integers = [dividend, divisor].map(|value| match self.typed.components(value) {
+            Components::Scalar(value) => self.graph().as_constant(*value)?.to_integer(),
+            Components::EmptySum => Some(0),
+            Components::Array(_) => None,
         });
         let remainder = match integers {
             [Some(dividend), Some(divisor)] => dividend.checked_rem(divisor),
@@ -161,11 +150,8 @@ impl Lowerer<'_> {
         let Some(remainder) = remainder else {
             return self.reject(operator, "a remainder in an index is one of integers");
         };
-        let mut sum = Sum::default();
-        let remainder = self.geometry.graph.constant(&Rational::integer(remainder));
-        // The first term fits any sum.
-        let _ = sum.add(Value::Scalar(remainder), Rational::ONE);
-        Some(OperatorChain::Sum(sum))
+        let remainder = self.constant(remainder)?;
+        Some(OperatorChain::Sum(Sum::of(&self.typed, remainder)))
     }
 
     /// Division is exact: in an index `5 / 4` would be five quarters, and 1 in Rust.
@@ -174,11 +160,8 @@ impl Lowerer<'_> {
         chain: OperatorChain,
         operator: &BinOp,
     ) -> Option<OperatorChain> {
-        let quotient = chain.clone().value(&mut self.geometry);
-        let constant = match quotient {
-            Value::Scalar(value) => self.geometry.graph.as_constant(value),
-            _ => None,
-        };
+        let quotient = chain.clone().value(&mut self.typed)?;
+        let constant = self.typed.as_constant(quotient);
         if constant.is_none_or(Rational::is_integer) {
             return Some(chain);
         }

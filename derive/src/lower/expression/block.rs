@@ -1,6 +1,6 @@
 //! Blocks of matrices, and what is put together of them: homogeneous matrices and coordinates.
 
-use lagrangian_symbolic::Matrix;
+use lagrangian_symbolic::{TypedOperation, Value};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Expr;
@@ -8,7 +8,6 @@ use syn::Expr;
 use super::repetition::without_parentheses;
 use super::{ExpressionContext, Lowerer};
 use crate::lower::builtins;
-use crate::lower::value::Value;
 use crate::syntax::shape::Shape;
 
 /// A pair of integers: a row and a column, or numbers of them.
@@ -45,11 +44,13 @@ impl Lowerer<'_> {
         })
     }
 
-    fn matrix(&mut self, argument: &Expr, context: ExpressionContext) -> Option<Matrix> {
-        match self.lower(argument, context)? {
-            Value::Array(matrix) => Some(matrix),
-            other => {
-                let message = format!("this is {}, which has no parts", other.shape());
+    /// The value of an argument that is an array, with its numbers of rows and columns.
+    fn matrix(&mut self, argument: &Expr, context: ExpressionContext) -> Option<(Value, Pair)> {
+        let value = self.lower(argument, context)?;
+        match self.shape(value) {
+            Shape::Array { rows, columns } => Some((value, (rows, columns))),
+            shape @ Shape::Scalar => {
+                let message = format!("this is {shape}, which has no parts");
                 self.reject(argument, message)
             }
         }
@@ -77,28 +78,26 @@ impl Lowerer<'_> {
                     self.natural_number(arguments[2]),
                 );
                 let (first, count) = (first?, count?);
-                let matrix = matrix.as_ref()?;
+                let (_, (rows, columns)) = matrix?;
                 if name == "rows" {
-                    ((first, 0), (count, matrix.columns()))
+                    ((first, 0), (count, columns))
                 } else {
-                    ((0, first), (matrix.rows(), count))
+                    ((0, first), (rows, count))
                 }
             }
         };
-        let matrix = matrix?;
-        if name == "xyz" && (matrix.columns() != 1 || !(3..=4).contains(&matrix.rows())) {
-            let message = format!(
-                "`xyz` is of a vector of 3 or 4 components, and this is of {}",
-                Shape::of(&matrix)
-            );
+        let (of, (rows, columns)) = matrix?;
+        let shape = Shape::Array { rows, columns };
+        if name == "xyz" && (columns != 1 || !(3..=4).contains(&rows)) {
+            let message =
+                format!("`xyz` is of a vector of 3 or 4 components, and this is of {shape}");
             return self.reject(arguments[0], message);
         }
-        if let Some(block) = self.geometry.graph.block(&matrix, first, size) {
-            return Some(Value::Array(block));
+        if let Some(block) = self.add(TypedOperation::Block { of, first, size }) {
+            return Some(block);
         }
         let message = format!(
-            "this block is empty or larger than the matrix, {}: write the first element and then the size, as in `{example}`",
-            Shape::of(&matrix)
+            "this block is empty or larger than the matrix, {shape}: write the first element and then the size, as in `{example}`"
         );
         self.reject(arguments[1], message)
     }
@@ -106,22 +105,22 @@ impl Lowerer<'_> {
     /// [r p; 0 1].
     fn homogeneous(&mut self, arguments: &[&Expr], context: ExpressionContext) -> Option<Value> {
         let [rotation, place] = [0, 1].map(|i| self.matrix(arguments[i], context));
-        let (rotation, place) = (rotation?, place?);
-        if let Some(matrix) = self.geometry.graph.homogeneous(&rotation, &place) {
-            return Some(Value::Array(matrix));
+        let ((rotation, shape), (place, _)) = (rotation?, place?);
+        if let Some(matrix) = self.add(TypedOperation::Homogeneous(rotation, place)) {
+            return Some(matrix);
         }
-        let (odd, wanted, found) = if rotation.shape() == (3, 3) {
+        let (odd, wanted, found) = if shape == (3, 3) {
             (
                 arguments[1],
                 "the place of its origin is a vector of 3 components",
-                &place,
+                place,
             )
         } else {
-            (arguments[0], "its rotation is a 3×3 matrix", &rotation)
+            (arguments[0], "its rotation is a 3×3 matrix", rotation)
         };
         let message = format!(
             "a homogeneous matrix is 4×4, and {wanted}: this is {}",
-            Shape::of(found)
+            self.shape(found)
         );
         self.reject(odd, message)
     }
@@ -130,17 +129,13 @@ impl Lowerer<'_> {
     fn push(&mut self, arguments: &[&Expr], context: ExpressionContext) -> Option<Value> {
         let vector = self.matrix(arguments[0], context);
         let last = self.scalar(arguments[1], context);
-        let (vector, last) = (vector?, last?);
-        if vector.columns() != 1 {
-            let message = format!(
-                "`push` is of a vector, and this is of {}",
-                Shape::of(&vector)
-            );
+        let ((vector, (rows, columns)), last) = (vector?, last?);
+        if columns != 1 {
+            let shape = Shape::Array { rows, columns };
+            let message = format!("`push` is of a vector, and this is of {shape}");
             return self.reject(arguments[0], message);
         }
-        let mut elements = vector.elements().to_vec();
-        elements.push(last);
-        Some(Value::Array(Matrix::vector(elements)))
+        self.add(TypedOperation::Extended(vector, last))
     }
 
     /// `(i, j)`.

@@ -4,7 +4,7 @@
 //! centre of gravity c = p + r `r_C`, the kinetic energy ½ m |ċ|² + ½ ω·\[`I_C`\] ω (4.3), and in a uniform field of gravity
 //! with the acceleration g the potential energy −m g·c.
 
-use lagrangian_symbolic::{Expression, Matrix, Rational};
+use lagrangian_symbolic::{ArrayFunction, Components, Rational, TypedOperation, Value};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, Member};
@@ -16,7 +16,6 @@ use crate::diagnostics::similar;
 use crate::lower::body::Body;
 use crate::lower::hints;
 use crate::lower::scope::{Binding, Origin};
-use crate::lower::value::Value;
 use crate::syntax::body_quantity::BodyQuantity;
 use crate::syntax::shape::Shape;
 
@@ -84,7 +83,7 @@ impl Lowerer<'_> {
         let written = member.to_token_stream().to_string();
         let mut all = BodyQuantity::ALL.into_iter();
         if let Some(quantity) = all.find(|quantity| quantity.name() == written) {
-            return Some(body.quantity(quantity));
+            return Some(Some(body.quantity(quantity)));
         }
         let names = BodyQuantity::ALL.map(BodyQuantity::name);
         let hint = similar(&written, names).map_or_else(
@@ -104,8 +103,7 @@ impl Lowerer<'_> {
         context: ExpressionContext,
     ) -> Option<Option<Value>> {
         let function = BodyFunction::named(name)?;
-        let value = self.energy_of_body(function, arguments, call, context);
-        Some(value.map(Value::Scalar))
+        Some(self.energy_of_body(function, arguments, call, context))
     }
 
     fn energy_of_body(
@@ -114,7 +112,7 @@ impl Lowerer<'_> {
         arguments: &[&Expr],
         call: &dyn ToTokens,
         context: ExpressionContext,
-    ) -> Option<Expression> {
+    ) -> Option<Value> {
         let name = function.name();
         let expected = function.arguments();
         if arguments.len() != expected.len() {
@@ -155,18 +153,14 @@ impl Lowerer<'_> {
                     "the acceleration of gravity, which is a vector such as `[0.0, 0.0, -g]`,";
                 let gravity = self.matrix_of(1, gravity, what, context);
                 let rotation = rotation?;
-                if let Err(reason) = self.geometry.check_rotation(&rotation) {
+                if let Components::Array(matrix) = self.typed.components(rotation).clone()
+                    && let Err(reason) = self.typed.geometry.check_rotation(&matrix)
+                {
                     return self.reject(arguments[1], no_rotation(reason));
                 }
-                self.potential_of_body(&body?, &rotation, &position?, &gravity?)
+                self.potential_of_body(&body?, rotation, position?, gravity?)
             }
-            _ => self.kinetic_of_body(
-                &body?,
-                (&rotation?, arguments[1]),
-                &position?,
-                call,
-                context,
-            ),
+            _ => self.kinetic_of_body(&body?, (rotation?, arguments[1]), position?, call, context),
         }
     }
 
@@ -179,7 +173,7 @@ impl Lowerer<'_> {
         let value = self.lower(argument, ExpressionContext::Observation)?;
         let message = format!(
             "`{function}` is of a body, a field of type `RigidBody`, `PrincipalBody` or `SymmetricBody`, and this is {}",
-            value.shape()
+            self.shape(value)
         );
         self.reject(argument, message)
     }
@@ -191,87 +185,70 @@ impl Lowerer<'_> {
         argument: &Expr,
         what: &str,
         context: ExpressionContext,
-    ) -> Option<Matrix> {
+    ) -> Option<Value> {
         let expected = Shape::Array { rows: 3, columns };
-        let value = match self.lower(argument, context)? {
-            // A sum without terms.
-            Value::EmptySum if columns == 1 => {
-                let zero = self.geometry.graph.zero();
-                expected.filled(zero)
-            }
-            value => value,
-        };
-        match value {
-            Value::Array(matrix) if Shape::of(&matrix) == expected => Some(matrix),
-            other => {
-                let message = format!("{what} belongs here, and this is {}", other.shape());
-                self.reject(argument, message)
-            }
+        let value = self.lower(argument, context)?;
+        if columns == 1 && self.is_empty_sum(value) {
+            return expected.zeros(&mut self.typed);
         }
+        let shape = self.shape(value);
+        if shape == expected {
+            return Some(value);
+        }
+        let message = format!("{what} belongs here, and this is {shape}");
+        self.reject(argument, message)
     }
 
     /// The centre of gravity c = p + r `r_C`.
-    fn center_of_body(
-        &mut self,
-        body: &Body,
-        rotation: &Matrix,
-        position: &Matrix,
-    ) -> Option<Matrix> {
-        if body.is_centered(&self.geometry.graph) {
-            return Some(position.clone());
+    fn center_of_body(&mut self, body: &Body, rotation: Value, position: Value) -> Option<Value> {
+        if body.is_centered {
+            return Some(position);
         }
-        let arm = self.geometry.matrix_product(rotation, &body.center()?)?;
-        let terms = [(position, Rational::ONE), (&arm, Rational::ONE)];
-        self.geometry.matrix_sum(&terms)
+        let arm = self.add(TypedOperation::MatrixProduct(rotation, body.center))?;
+        let terms = vec![(position, Rational::ONE), (arm, Rational::ONE)];
+        self.add(TypedOperation::Sum(terms))
     }
 
     /// ½ m |ċ|² + ½ ω·\[`I_C`\] ω (4.3).
     fn kinetic_of_body(
         &mut self,
         body: &Body,
-        (rotation, argument): (&Matrix, &Expr),
-        position: &Matrix,
+        (rotation, argument): (Value, &Expr),
+        position: Value,
         call: &dyn ToTokens,
         context: ExpressionContext,
-    ) -> Option<Expression> {
+    ) -> Option<Value> {
         let center = self.center_of_body(body, rotation, position)?;
         let angular = self.velocity(call, argument, rotation, false, context)?;
-        let Value::Array(angular) = angular else {
-            return None;
-        };
-        self.check_differentiable(call, &Value::Array(center.clone()))?;
-        if self.at_rest.is_some() {
-            return Some(self.geometry.graph.zero());
-        }
-        let velocity = self
-            .geometry
-            .matrix_time_derivative(&center, self.coordinates);
-        self.check_derivative(call, &Value::Array(velocity.clone()), context)?;
-        self.turning.push((body.mass, angular.elements().to_vec()));
-        let geometry = &mut self.geometry;
-        let square = geometry.norm_squared(&velocity);
-        let translation = geometry.graph.multiply(body.mass, square);
-        let momentum = geometry.matrix_product(&body.inertia()?, &angular)?;
-        let rotation = geometry.dot_product(&angular, &momentum)?;
-        Some(
-            geometry
-                .graph
-                .sum([(translation, Rational::HALF), (rotation, Rational::HALF)]),
-        )
+        let velocity = self.rate(call, center, context)?;
+        let mass = self.typed.expression(body.mass);
+        self.turning.push((mass, self.elements(angular).to_vec()));
+        let square = self.of_arrays("norm_squared", vec![velocity])?;
+        let factors = vec![(body.mass, Rational::ONE), (square, Rational::ONE)];
+        let translation = self.add(TypedOperation::Product(factors))?;
+        let momentum = self.add(TypedOperation::MatrixProduct(body.inertia, angular))?;
+        let rotation = self.of_arrays("dot", vec![angular, momentum])?;
+        let halves = [translation, rotation].map(|term| (term, Rational::HALF));
+        self.add(TypedOperation::Sum(halves.to_vec()))
     }
 
     /// −m g·c.
     fn potential_of_body(
         &mut self,
         body: &Body,
-        rotation: &Matrix,
-        position: &Matrix,
-        gravity: &Matrix,
-    ) -> Option<Expression> {
+        rotation: Value,
+        position: Value,
+        gravity: Value,
+    ) -> Option<Value> {
         let center = self.center_of_body(body, rotation, position)?;
-        let geometry = &mut self.geometry;
-        let along = geometry.dot_product(gravity, &center)?;
-        let weight = geometry.graph.multiply(body.mass, along);
-        Some(geometry.graph.negate(weight))
+        let along = self.of_arrays("dot", vec![gravity, center])?;
+        let factors = vec![(body.mass, Rational::ONE), (along, Rational::ONE)];
+        let weight = self.add(TypedOperation::Product(factors))?;
+        self.add(TypedOperation::Sum(vec![(weight, Rational::MINUS_ONE)]))
+    }
+
+    fn of_arrays(&mut self, function: &str, arguments: Vec<Value>) -> Option<Value> {
+        let function = ArrayFunction::named(function)?;
+        self.add(TypedOperation::OfArrays(function, arguments))
     }
 }

@@ -1,17 +1,17 @@
 //! Functions, called by name or as methods.
 
-use lagrangian_symbolic::{Binary, Expression, Rational, Unary};
+use lagrangian_symbolic::{ArrayFunction, Binary, Rational, TypedOperation, Unary, Value};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprMethodCall};
 
-use super::repetition::{repeated, stacked, without_parentheses};
+use super::repetition::{repeated, without_parentheses};
 use super::{ExpressionContext, Lowerer};
 use crate::lower::builtins;
 use crate::lower::hints;
 use crate::lower::scope::Binding;
-use crate::lower::value::Value;
 use crate::syntax::names::unraw;
+use crate::syntax::shape::Shape;
 
 impl Lowerer<'_> {
     pub(super) fn call(&mut self, call: &ExprCall, context: ExpressionContext) -> Option<Value> {
@@ -78,7 +78,7 @@ impl Lowerer<'_> {
             && call.args.is_empty()
             && let Some(length) = self.length_of_family(&call.receiver)
         {
-            return Some(Value::Scalar(self.geometry.graph.integer(length)));
+            return self.constant(length);
         }
         let mut arguments = vec![&*call.receiver];
         arguments.extend(&call.args);
@@ -116,19 +116,18 @@ impl Lowerer<'_> {
                            `.collect()` behind it";
             return self.reject(&call.method, message);
         }
-        let Value::Array(array) = self.lower(&call.receiver, context)? else {
+        let array = self.lower(&call.receiver, context)?;
+        let Shape::Array { rows, .. } = self.shape(array) else {
             let message = "`map` goes through a range or an array: write `(0..5).map(|i| …)`";
             return self.reject(&call.receiver, message);
         };
-        let (rows, columns) = (array.rows(), array.columns());
-        let components = array.elements().iter();
-        let components = components.map(|component| Value::Scalar(*component));
-        let values = self.applied(call, components.collect(), context)?;
+        let components = self.each_element(array)?;
+        let values = self.applied(call, components, context)?;
         let elements: Vec<_> = values
             .into_iter()
-            .map(|value| self.as_scalar(&value, &call.args))
+            .map(|value| self.as_scalar(value, &call.args))
             .collect::<Option<_>>()?;
-        lagrangian_symbolic::Matrix::new(rows, columns, elements).map(Value::Array)
+        self.add(TypedOperation::Array { rows, elements })
     }
 
     /// `vector(theta)`: the members of a family as a vector, or as the rows of a matrix.
@@ -150,11 +149,11 @@ impl Lowerer<'_> {
         let binding = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
         let Some((name, Binding::Family(origin, family))) = binding else {
             // What is a vector already stays one, and what is unknown is reported as such.
-            return match self.lower(argument, context)? {
-                array @ Value::Array(_) => Some(array),
-                other => {
-                    let message = format!("this is {}, and no family", other.shape());
-                    self.reject(argument, message)
+            let value = self.lower(argument, context)?;
+            return match self.shape(value) {
+                Shape::Array { .. } => Some(value),
+                shape @ Shape::Scalar => {
+                    self.reject(argument, format!("this is {shape}, and no family"))
                 }
             };
         };
@@ -166,14 +165,15 @@ impl Lowerer<'_> {
             );
             return self.reject(argument, message);
         }
-        let values: Vec<Value> = family.members.values().cloned().collect();
+        let values: Vec<Value> = family.members.values().copied().collect();
         for value in &values {
-            self.check_accelerations(name, origin, value, context)?;
+            self.check_accelerations(name, origin, *value, context)?;
         }
-        match stacked(&values) {
-            Ok(matrix) => Some(Value::Array(matrix)),
+        match self.stacked(&values) {
+            Ok(rows) => rows,
             Err(odd) => {
-                let message = hints::incompatible_rows(values[0].shape(), values[odd].shape());
+                let message =
+                    hints::incompatible_rows(self.shape(values[0]), self.shape(values[odd]));
                 self.reject(argument, message)
             }
         }
@@ -206,23 +206,29 @@ impl Lowerer<'_> {
         let mut unary = Unary::ALL.into_iter().filter(|one| one.is_written());
         let unary = unary.find(|one| one.name() == written);
         let binary = Binary::ALL.into_iter().find(|one| one.name() == written);
-        let of_arrays = builtins::arity_of_arrays(&written);
+        let of_arrays = ArrayFunction::named(&written);
         let is_scalar = unary.is_some() || binary.is_some();
         let expected = match written.as_str() {
-            "sqrt" | "recip" => 1,
-            "powi" => 2,
+            "sqrt" | "recip" | "identity" => 1,
+            "powi" | "row" | "column" => 2,
             _ if is_scalar => 1 + usize::from(unary.is_none()),
             // The time derivative is no method.
             "dot" if arguments.len() == 1 => {
                 return self.reject(name, hints::unknown_function("dot"));
             }
             _ => match of_arrays {
-                Some(arity) => arity,
+                Some(function) => function.arity,
                 None => return self.no_function(name),
             },
         };
         if arguments.len() != expected {
-            let count = ["one argument", "two arguments"][usize::from(expected == 2)];
+            let count = [
+                "no argument",
+                "one argument",
+                "two arguments",
+                "three arguments",
+            ];
+            let count = count[expected];
             let example = hints::example(&written, expected);
             return self.reject(
                 call,
@@ -234,27 +240,33 @@ impl Lowerer<'_> {
             .map(|argument| self.lower(argument, context))
             .collect();
         let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
-        if of_arrays.is_some() {
-            return self.array_function(name, arguments, &values, &call);
+        match written.as_str() {
+            "identity" => return self.identity(arguments[0]),
+            "row" | "column" => {
+                return self.row_or_column(&written, (values[0], arguments[0]), arguments[1]);
+            }
+            _ => {}
+        }
+        if let Some(function) = of_arrays {
+            return self.array_function(function, name, (arguments, &values), &call);
         }
         let scalars: Vec<_> = values
             .into_iter()
             .zip(arguments)
-            .map(|(value, argument)| self.as_scalar(&value, argument))
+            .map(|(value, argument)| self.as_scalar(value, argument))
             .collect();
-        let scalars: Vec<Expression> = scalars.into_iter().collect::<Option<_>>()?;
+        let scalars: Vec<Value> = scalars.into_iter().collect::<Option<_>>()?;
         self.check_domain(&written, unary, arguments, &scalars)?;
         match (unary, binary) {
-            (Some(function), _) => Some(self.geometry.graph.unary(function, scalars[0])),
+            (Some(function), _) => self.add(TypedOperation::Unary(function, scalars[0])),
             (_, Some(function)) => {
                 if function == Binary::Power {
                     self.check_range(arguments, &scalars)?;
                 }
-                Some(self.geometry.graph.binary(function, scalars[0], scalars[1]))
+                self.add(TypedOperation::Binary(function, [scalars[0], scalars[1]]))
             }
             _ => self.power(&written, arguments, &scalars),
         }
-        .map(Value::Scalar)
     }
 
     /// Rejects a number at which a function has no value.
@@ -263,13 +275,10 @@ impl Lowerer<'_> {
         name: &str,
         function: Option<Unary>,
         arguments: &[&Expr],
-        values: &[Expression],
+        values: &[Value],
     ) -> Option<()> {
-        let number = self
-            .geometry
-            .graph
-            .as_constant(*values.first()?)
-            .map(Rational::to_f64);
+        let number = self.typed.as_constant(*values.first()?);
+        let number = number.map(Rational::to_f64);
         let Some(number) = number else {
             return Some(());
         };
@@ -286,8 +295,8 @@ impl Lowerer<'_> {
     }
 
     /// Rejects a power of numbers that is beyond the range of numbers, before it is written out.
-    fn check_range(&mut self, arguments: &[&Expr], values: &[Expression]) -> Option<()> {
-        let number = |x: &Expression| self.geometry.graph.as_constant(*x).map(Rational::to_f64);
+    fn check_range(&mut self, arguments: &[&Expr], values: &[Value]) -> Option<()> {
+        let number = |x: &Value| self.typed.as_constant(*x).map(Rational::to_f64);
         let (Some(base), Some(exponent)) = (number(&values[0]), number(&values[1])) else {
             return Some(());
         };
@@ -324,18 +333,12 @@ impl Lowerer<'_> {
         self.reject(name, message)
     }
 
-    fn power(
-        &mut self,
-        name: &str,
-        arguments: &[&Expr],
-        values: &[Expression],
-    ) -> Option<Expression> {
+    fn power(&mut self, name: &str, arguments: &[&Expr], values: &[Value]) -> Option<Value> {
         let exponent = match name {
             "sqrt" => Rational::HALF,
             "recip" => Rational::MINUS_ONE,
             _ => match self
-                .geometry
-                .graph
+                .typed
                 .as_constant(values[1])
                 .and_then(Rational::to_integer)
             {
@@ -352,12 +355,12 @@ impl Lowerer<'_> {
                 }
             },
         };
-        if exponent.is_negative() && self.geometry.graph.is_zero(values[0]) {
+        if exponent.is_negative() && self.vanishes(values[0]) {
             return self.reject(
                 arguments[0],
                 "this divisor is zero: the quotient has no value anywhere",
             );
         }
-        Some(self.geometry.graph.power(values[0], &exponent))
+        self.add(TypedOperation::Power(values[0], exponent))
     }
 }

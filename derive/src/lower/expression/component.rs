@@ -1,6 +1,6 @@
 //! Indexing: members of families, components of vectors and matrices.
 
-use lagrangian_symbolic::Matrix;
+use lagrangian_symbolic::{TypedOperation, Value};
 use proc_macro2::Ident;
 use syn::{Expr, ExprField, Member};
 
@@ -8,7 +8,6 @@ use super::repetition::without_parentheses;
 use super::{ExpressionContext, Lowerer};
 use crate::lower::hints;
 use crate::lower::scope::{Binding, Family, Origin};
-use crate::lower::value::Value;
 use crate::syntax::label::Index;
 use crate::syntax::shape::Shape;
 
@@ -56,7 +55,7 @@ impl Lowerer<'_> {
             return self.reject(whole, message);
         }
         let value = self.family_member(name, origin, &family, &indices)?;
-        self.check_accelerations(name, origin, &value, context)?;
+        self.check_accelerations(name, origin, value, context)?;
         self.components(value, &indices[family.rank..])
     }
 
@@ -94,49 +93,45 @@ impl Lowerer<'_> {
         let Some((first, rest)) = indices.split_first() else {
             return Some(value);
         };
-        if value == Value::EmptySum {
-            return Some(Value::EmptySum);
+        if self.is_empty_sum(value) {
+            return Some(value);
         }
-        let Value::Array(array) = &value else {
-            let message = format!(
-                "this is {}, which has no components: leave out the index",
-                value.shape()
-            );
+        let shape = self.shape(value);
+        let Shape::Array { rows, columns } = shape else {
+            let message = format!("this is {shape}, which has no components: leave out the index");
             return self.reject(first, message);
         };
-        let (rows, columns) = (array.rows(), array.columns());
         let (row, column, rest) = match (without_parentheses(first), rest) {
             (Expr::Tuple(pair), rest) if pair.elems.len() == 2 => {
-                let row = self.index_below(&pair.elems[0], rows, "rows", array);
-                let column = self.index_below(&pair.elems[1], columns, "columns", array);
+                let row = self.index_below(&pair.elems[0], rows, "rows", shape);
+                let column = self.index_below(&pair.elems[1], columns, "columns", shape);
                 (row?, column?, rest)
             }
             (row, [column, rest @ ..]) => {
-                let row = self.index_below(row, rows, "rows", array);
-                let column = self.index_below(column, columns, "columns", array);
+                let row = self.index_below(row, rows, "rows", shape);
+                let column = self.index_below(column, columns, "columns", shape);
                 (row?, column?, rest)
             }
             (single, rest) if columns == 1 => (
-                self.index_below(single, rows, "components", array)?,
+                self.index_below(single, rows, "components", shape)?,
                 0,
                 rest,
             ),
             (single, rest) if rows == 1 => (
                 0,
-                self.index_below(single, columns, "components", array)?,
+                self.index_below(single, columns, "components", shape)?,
                 rest,
             ),
             (single, []) => {
                 let message = format!(
-                    "this is {}, whose entries have two indices: write `m[(i, j)]` for the entry in row i and \
-                     column j, or `m.row(i)` and `m.column(j)`",
-                    value.shape()
+                    "this is {shape}, whose entries have two indices: write `m[(i, j)]` for the entry in row i and \
+                     column j, or `m.row(i)` and `m.column(j)`"
                 );
                 return self.reject(single, message);
             }
         };
-        let component = array.get(row, column)?;
-        self.components(Value::Scalar(component), rest)
+        let component = self.add(TypedOperation::Element(value, column * rows + row))?;
+        self.components(component, rest)
     }
 
     /// An index that counts from 0 and is below `end`.
@@ -145,15 +140,14 @@ impl Lowerer<'_> {
         index: &Expr,
         end: usize,
         what: &str,
-        array: &Matrix,
+        shape: Shape,
     ) -> Option<usize> {
         let written = self.integer(index)?;
         match usize::try_from(written) {
             Ok(i) if i < end => Some(i),
             _ => {
                 let message = format!(
-                    "the index {written} is out of range: {} has {what} 0 to {}",
-                    Shape::of(array),
+                    "the index {written} is out of range: {shape} has {what} 0 to {}",
                     end.saturating_sub(1)
                 );
                 self.reject(index, message)
@@ -175,21 +169,22 @@ impl Lowerer<'_> {
             return self.reject(field, hints::unsupported_field(field));
         };
         let value = self.lower(&field.base, context)?;
-        match &value {
-            Value::EmptySum => return Some(Value::EmptySum),
-            Value::Array(array) if array.columns() == 1 && array.rows() <= 4 => {
-                if let Some(component) = array.get(position, 0) {
-                    return Some(Value::Scalar(component));
-                }
-            }
-            _ => {}
+        if self.is_empty_sum(value) {
+            return Some(value);
         }
-        let message = match &value {
-            Value::Array(array) if array.columns() == 1 && (2..=4).contains(&array.rows()) => {
-                let names = Index::AXES[..array.rows()].join("`, `.");
-                format!("this is {}: its components are `.{names}`", value.shape())
+        let shape = self.shape(value);
+        let message = match shape {
+            Shape::Array { rows, columns: 1 } if rows <= 4 && position < rows => {
+                return self.add(TypedOperation::Element(value, position));
             }
-            _ => format!("this is {}, which has no such component", value.shape()),
+            Shape::Array {
+                rows: rows @ 2..=4,
+                columns: 1,
+            } => {
+                let names = Index::AXES[..rows].join("`, `.");
+                format!("this is {shape}: its components are `.{names}`")
+            }
+            _ => format!("this is {shape}, which has no such component"),
         };
         self.reject(&field.member, message)
     }

@@ -1,5 +1,6 @@
 //! `dot(x)`: the total time derivative.
 
+use lagrangian_symbolic::{TypedOperation, Value};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, ExprCall};
@@ -7,7 +8,6 @@ use syn::{Expr, ExprCall};
 use super::external_function::MADE_OF;
 use super::{ExpressionContext, Lowerer};
 use crate::lower::scope::{Binding, Origin};
-use crate::lower::value::Value;
 
 impl Lowerer<'_> {
     pub(super) fn time_derivative(
@@ -26,46 +26,37 @@ impl Lowerer<'_> {
             _ => return self.reject(call, "`dot` takes one argument: write `dot(theta)`"),
         };
         let value = self.lower(argument, ExpressionContext::Observation)?;
-        if let Some(rest) = &mut self.at_rest {
-            return Some(rest.rate(&mut self.geometry.graph, value));
-        }
-        let mut components = value.components().iter();
-        let varies = components.any(|component| self.geometry.graph.contents(*component).varies());
-        if !varies && value != Value::EmptySum && !self.is_named(argument.to_token_stream()) {
+        let mut components = self.elements(value).iter();
+        let varies = components.any(|component| self.graph().contents(*component).varies());
+        if !varies && !self.is_empty_sum(value) && !self.is_named(argument.to_token_stream()) {
             return self.reject(
                 argument,
                 "this is constant in time: take `dot` of a coordinate, or of what is made of coordinates",
             );
         }
-        self.check_differentiable(call, &value)?;
-        let derivative = match value {
-            Value::Scalar(expression) => {
-                let derivatives = self
-                    .geometry
-                    .time_derivatives(&[expression], self.coordinates);
-                Value::Scalar(derivatives[0])
-            }
-            Value::Array(matrix) => Value::Array(
-                self.geometry
-                    .matrix_time_derivative(&matrix, self.coordinates),
-            ),
-            Value::EmptySum => Value::EmptySum,
-        };
-        self.check_derivative(call, &derivative, context)?;
-        Some(derivative)
+        self.rate(call, value, context)
+    }
+
+    /// The time derivative of a value.
+    pub(super) fn rate(
+        &mut self,
+        call: &dyn ToTokens,
+        value: Value,
+        context: ExpressionContext,
+    ) -> Option<Value> {
+        self.check_differentiable(call, value)?;
+        let rate = self.add(TypedOperation::TimeDerivative(value))?;
+        self.check_derivative(call, rate, context)?;
+        Some(rate)
     }
 
     /// Rejects the time derivative of inputs and accelerations.
-    pub(super) fn check_differentiable(
-        &mut self,
-        call: &dyn ToTokens,
-        value: &Value,
-    ) -> Option<()> {
+    pub(super) fn check_differentiable(&mut self, call: &dyn ToTokens, value: Value) -> Option<()> {
         if self.within_derivative {
             return self.reject(call, format!("no time passes in a function: {MADE_OF}"));
         }
-        let mut components = value.components().iter();
-        if components.any(|component| self.geometry.graph.contents(*component).has_input()) {
+        let mut components = self.elements(value).iter();
+        if components.any(|component| self.graph().contents(*component).has_input()) {
             return self.reject(
                 call,
                 "this contains an input, whose rate of change is unknown: take `dot` of coordinates and of \
@@ -86,7 +77,7 @@ impl Lowerer<'_> {
     pub(super) fn check_derivative(
         &mut self,
         call: &dyn ToTokens,
-        derivative: &Value,
+        derivative: Value,
         context: ExpressionContext,
     ) -> Option<()> {
         if context == ExpressionContext::Energy && self.has_acceleration(derivative) {

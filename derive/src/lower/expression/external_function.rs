@@ -1,13 +1,12 @@
 //! External functions: the declaration of their derivatives, and their application.
 
-use lagrangian_symbolic::{ExternalFunction, Symbol};
+use lagrangian_symbolic::{ExternalFunction, Symbol, TypedOperation, Value};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Expr;
 
 use super::{ExpressionContext, Lowerer};
 use crate::lower::scope::{Binding, Origin};
-use crate::lower::value::Value;
 use crate::syntax::external_function::{DerivativeDeclaration, FunctionDeclaration};
 use crate::syntax::names::unraw;
 
@@ -18,10 +17,8 @@ impl Lowerer<'_> {
         for declared in declared {
             let arguments: Vec<String> = declared.arguments.iter().map(unraw).collect();
             let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-            let function = self
-                .geometry
-                .graph
-                .declare_function(&unraw(&declared.name), &arguments);
+            let graph = &mut self.typed.geometry.graph;
+            let function = graph.declare_function(&unraw(&declared.name), &arguments);
             self.scope.declare_function(&declared.name, function);
             functions.push(function);
         }
@@ -40,8 +37,9 @@ impl Lowerer<'_> {
     ) {
         let mut hidden = Vec::new();
         for (i, argument) in (0..).zip(arguments) {
-            let value = Value::Scalar(self.geometry.graph.symbol(Symbol::Argument(i)));
-            hidden.push((argument, self.scope.bind(argument, value)));
+            if let Some(value) = self.add(TypedOperation::Symbol(Symbol::Argument(i))) {
+                hidden.push((argument, self.scope.bind(argument, value)));
+            }
         }
         self.within_derivative = true;
         let value = self.scalar(&derivative.expression, ExpressionContext::Observation);
@@ -52,12 +50,12 @@ impl Lowerer<'_> {
         let mut names = arguments.iter();
         let argument = names.position(|argument| unraw(argument) == unraw(&derivative.argument));
         if let (Some(value), Some(argument)) = (value, argument) {
-            if self.geometry.graph.contents(value).varies_in_time() {
+            let value = self.typed.expression(value);
+            let graph = &mut self.typed.geometry.graph;
+            if graph.contents(value).varies_in_time() {
                 return self.diagnostics.error(&derivative.expression, MADE_OF);
             }
-            self.geometry
-                .graph
-                .declare_derivative(function, argument, value);
+            graph.declare_derivative(function, argument, value);
         }
     }
 
@@ -71,9 +69,8 @@ impl Lowerer<'_> {
                 Binding::Quantity(Origin::Defined, _) | Binding::Family(..) | Binding::DefinedLater,
             ) => false,
             Some(Binding::Quantity(_, value)) => {
-                let mut components = value.components().iter();
-                !components
-                    .any(|component| self.geometry.graph.contents(*component).varies_in_time())
+                let mut components = self.elements(value).iter();
+                !components.any(|component| self.graph().contents(*component).varies_in_time())
             }
             _ => true,
         };
@@ -94,9 +91,9 @@ impl Lowerer<'_> {
         call: impl ToTokens,
         context: ExpressionContext,
     ) -> Option<Value> {
-        let expected = self.geometry.graph.function_arguments(function);
+        let expected = self.graph().function_arguments(function);
         if expected.len() != arguments.len() {
-            let name = self.geometry.graph.function_name(function);
+            let name = self.graph().function_name(function);
             let count = match expected {
                 [] => "no arguments".to_owned(),
                 [_] => "one argument".to_owned(),
@@ -114,7 +111,7 @@ impl Lowerer<'_> {
             .map(|argument| self.scalar(argument, context))
             .collect();
         let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
-        Some(Value::Scalar(self.geometry.graph.apply(function, &values)))
+        self.add(TypedOperation::External(function, values))
     }
 }
 

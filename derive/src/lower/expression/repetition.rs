@@ -1,13 +1,13 @@
 //! Iteration over ranges and arrays, unrolled: sums, products, families.
 
-use lagrangian_symbolic::{Matrix, Rational};
+use lagrangian_symbolic::{Components, Rational, TypedOperation, Value};
 use proc_macro2::Ident;
 use syn::{Expr, ExprClosure, ExprMethodCall, Pat, RangeLimits};
 
 use super::{ExpressionContext, Lowerer};
 use crate::limits::MAX_REPETITIONS;
 use crate::lower::hints;
-use crate::lower::value::{Product, Sum, Value};
+use crate::lower::value::{Product, Sum};
 use crate::syntax::named::ForClause;
 use crate::syntax::names::RESERVED;
 use crate::syntax::shape::Shape;
@@ -56,11 +56,11 @@ impl Lowerer<'_> {
         let mut sum = Sum::default();
         let mut factors = Product::default();
         for value in values {
-            let shape = value.shape();
+            let shape = self.shape(value);
             let result = if product {
-                factors.multiply(&mut self.geometry, value, Rational::ONE)
+                factors.multiply(&mut self.typed, value, Rational::ONE)
             } else {
-                sum.add(value, Rational::ONE)
+                sum.add(&self.typed, value, Rational::ONE)
             };
             if let Err(before) = result {
                 let message = if product {
@@ -73,11 +73,11 @@ impl Lowerer<'_> {
                 return self.reject(&call.method, message);
             }
         }
-        Some(if product {
-            factors.value(&mut self.geometry)
+        if product {
+            factors.value(&mut self.typed)
         } else {
-            sum.value(&mut self.geometry)
-        })
+            sum.value(&mut self.typed)
+        }
     }
 
     /// The values of a closure: for each index of a range, or each component of a vector.
@@ -88,26 +88,23 @@ impl Lowerer<'_> {
     ) -> Option<Vec<Value>> {
         let arguments: Vec<Value> = match without_parentheses(&map.receiver) {
             range @ Expr::Range(_) => {
-                let indices = self.indices(range)?;
-                indices
-                    .map(|i| Value::Scalar(self.geometry.graph.integer(i)))
-                    .collect()
+                let mut indices = self.indices(range)?;
+                indices.try_fold(Vec::new(), |mut known, i| {
+                    known.push(self.constant(i)?);
+                    Some(known)
+                })?
             }
-            receiver => match self.lower(receiver, context)? {
-                Value::Array(array) => {
-                    let components = array.elements().iter();
-                    components
-                        .map(|component| Value::Scalar(*component))
-                        .collect()
-                }
-                other => {
+            receiver => {
+                let array = self.lower(receiver, context)?;
+                if self.typed.components(array).array().is_none() {
                     let message = format!(
                         "this is {}, and `map` goes through a range or an array: write `(0..5).map(|i| …)`",
-                        other.shape()
+                        self.shape(array)
                     );
                     return self.reject(receiver, message);
                 }
-            },
+                self.each_element(array)?
+            }
         };
         self.applied(map, arguments, context)
     }
@@ -210,7 +207,7 @@ impl Lowerer<'_> {
         };
         self.check_variable(&iteration.index)?;
         for i in self.indices(&iteration.range)? {
-            let value = Value::Scalar(self.geometry.graph.integer(i));
+            let value = self.constant(i)?;
             let before = self.scope.bind(&iteration.index, value);
             let done = self.for_each(inner, action);
             self.scope.release(&iteration.index, before);
@@ -227,11 +224,12 @@ impl Lowerer<'_> {
                 "this range is empty: a vector has components",
             );
         }
-        let values = self.filled(values.to_vec());
-        match stacked(&values) {
-            Ok(matrix) => Some(Value::Array(matrix)),
+        let values = self.filled(values.to_vec())?;
+        match self.stacked(&values) {
+            Ok(rows) => rows,
             Err(odd) => {
-                let message = hints::incompatible_rows(values[0].shape(), values[odd].shape());
+                let message =
+                    hints::incompatible_rows(self.shape(values[0]), self.shape(values[odd]));
                 self.reject(&call.method, message)
             }
         }
@@ -239,34 +237,44 @@ impl Lowerer<'_> {
 }
 
 impl Lowerer<'_> {
-    /// The same values with empty sums replaced by zeros of the others' shape.
-    pub(super) fn filled(&mut self, values: Vec<Value>) -> Vec<Value> {
-        let zero = self.geometry.graph.zero();
-        let like = values.iter().find(|value| **value != Value::EmptySum);
-        let nothing = like.map_or(Shape::Scalar, Value::shape).filled(zero);
-        let filled = |value| match value {
-            Value::EmptySum => nothing.clone(),
-            other => other,
-        };
-        values.into_iter().map(filled).collect()
+    /// The elements of an array, column by column.
+    pub(super) fn each_element(&mut self, array: Value) -> Option<Vec<Value>> {
+        let count = self.elements(array).len();
+        let elements = (0..count).map(|i| self.add(TypedOperation::Element(array, i)));
+        elements.collect()
     }
-}
 
-/// Scalars as a vector, or vectors as the rows of a matrix; the position of the first value that does not
-/// fit those before.
-pub(super) fn stacked(values: &[Value]) -> Result<Matrix, usize> {
-    let shape = values.first().map(Value::shape).ok_or(0_usize)?;
-    let fits = |value: &Value| *value != Value::EmptySum && value.shape() == shape;
-    if let Some(odd) = values.iter().position(|value| !fits(value)) {
-        return Err(odd);
+    /// Values with empty sums replaced by zeros of the shape of the others.
+    pub(super) fn filled(&mut self, mut values: Vec<Value>) -> Option<Vec<Value>> {
+        let like = values.iter().find(|value| !self.is_empty_sum(**value));
+        let shape = like.map_or(Shape::Scalar, |value| self.shape(*value));
+        for value in &mut values {
+            if self.is_empty_sum(*value) {
+                *value = shape.zeros(&mut self.typed)?;
+            }
+        }
+        Some(values)
     }
-    let columns = match &values[0] {
-        Value::Array(matrix) if matrix.columns() > 1 && matrix.rows() > 1 => return Err(0),
-        other => other.components().len(),
-    };
-    let elements =
-        (0..columns).flat_map(|column| values.iter().map(move |row| row.components()[column]));
-    Matrix::new(values.len(), columns, elements.collect()).ok_or(0)
+
+    /// Scalars as a vector, or vectors as the rows of a matrix; the position of the first value that does not
+    /// fit those before.
+    pub(super) fn stacked(&mut self, values: &[Value]) -> Result<Option<Value>, usize> {
+        let shape = self.shape(*values.first().ok_or(0_usize)?);
+        let fits = |value: &Value| {
+            *self.typed.components(*value) != Components::EmptySum && self.shape(*value) == shape
+        };
+        if let Some(odd) = values.iter().position(|value| !fits(value)) {
+            return Err(odd);
+        }
+        if let Shape::Array {
+            rows: 2..,
+            columns: 2..,
+        } = shape
+        {
+            return Err(0);
+        }
+        Ok(self.add(TypedOperation::Rows(values.to_vec())))
+    }
 }
 
 pub(super) fn without_parentheses(expression: &Expr) -> &Expr {

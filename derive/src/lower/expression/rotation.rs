@@ -1,13 +1,13 @@
 //! Rotations by angles about body axes (intrinsic), and their angular velocities.
 
-use lagrangian_symbolic::{Axis, Expression, Matrix, NoRotation};
+use lagrangian_symbolic::{Axis, NoRotation, NoValue, TypedOperation, Value};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
 use super::{ExpressionContext, Lowerer};
 use crate::limits::MAX_ROTATIONS;
-use crate::lower::value::Value;
+use crate::syntax::shape::Shape;
 
 /// The result of a function of angles about axes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -76,17 +76,17 @@ impl Lowerer<'_> {
             .iter()
             .map(|angle| self.scalar(angle, context_of_angles))
             .collect();
-        let angles: Vec<Expression> = angles.into_iter().collect::<Option<_>>()?;
+        let angles: Vec<Value> = angles.into_iter().collect::<Option<_>>()?;
         let factors: Vec<_> = axes.into_iter().zip(angles).collect();
         self.count_rotation(call)?;
-        let rotation = self.geometry.rotation(&factors);
+        let rotation = self.add(TypedOperation::Rotation(factors))?;
         match function {
-            RotationFunction::Rotation => Some(Value::Array(rotation)),
+            RotationFunction::Rotation => Some(rotation),
             RotationFunction::AngularVelocity => {
-                self.velocity(call, call, &rotation, false, context)
+                self.velocity(call, call, rotation, false, context)
             }
             RotationFunction::AngularVelocityInertial => {
-                self.velocity(call, call, &rotation, true, context)
+                self.velocity(call, call, rotation, true, context)
             }
         }
     }
@@ -106,23 +106,21 @@ impl Lowerer<'_> {
             return self.reject(call, message);
         };
         let value = self.lower(argument, ExpressionContext::Observation)?;
-        match value {
-            Value::Array(matrix) if matrix.rows() == 3 && matrix.columns() == 3 => {
-                self.velocity(call, argument, &matrix, inertial, context)
-            }
-            other => {
-                let message = format!(
-                    "`{name}` is of a rotation, a 3×3 matrix, and this is {}{}",
-                    other.shape(),
-                    match &other {
-                        Value::Array(matrix) if matrix.shape() == (4, 4) =>
-                            ": of a homogeneous matrix write `a.view((0, 0), (3, 3))`",
-                        _ => "",
-                    }
-                );
-                self.reject(argument, message)
-            }
+        let square = |size| Shape::Array {
+            rows: size,
+            columns: size,
+        };
+        let shape = self.shape(value);
+        if shape == square(3) {
+            return self.velocity(call, argument, value, inertial, context);
         }
+        let hint = if shape == square(4) {
+            ": of a homogeneous matrix write `a.view((0, 0), (3, 3))`"
+        } else {
+            ""
+        };
+        let message = format!("`{name}` is of a rotation, a 3×3 matrix, and this is {shape}{hint}");
+        self.reject(argument, message)
     }
 
     /// One more rotation, unless there are too many.
@@ -143,35 +141,28 @@ impl Lowerer<'_> {
         &mut self,
         call: &dyn ToTokens,
         argument: &dyn ToTokens,
-        rotation: &Matrix,
-        inertial: bool,
+        rotation: Value,
+        is_inertial: bool,
         context: ExpressionContext,
     ) -> Option<Value> {
         self.count_rotation(call)?;
-        let value = Value::Array(rotation.clone());
-        self.check_differentiable(call, &value)?;
-        if let Some(rest) = &mut self.at_rest {
-            let velocity = rest.angular_velocity(&mut self.geometry.graph, rotation);
-            return Some(Value::Array(velocity));
-        }
-        let velocity = if inertial {
-            self.geometry
-                .angular_velocity_inertial(rotation, self.coordinates)
-        } else {
-            self.geometry.angular_velocity(rotation, self.coordinates)
+        self.check_differentiable(call, rotation)?;
+        let operation = TypedOperation::AngularVelocity {
+            rotation,
+            is_inertial,
         };
-        let velocity = match velocity {
+        let velocity = match self.typed.add(operation) {
             Ok(velocity) => velocity,
-            Err(reason) => {
+            Err(NoValue::NoRotation(reason)) => {
                 let message = format!(
                     "{}, so that it has no angular velocity",
                     no_rotation(reason)
                 );
                 return self.reject(argument, message);
             }
+            Err(_) => return None,
         };
-        let velocity = Value::Array(velocity);
-        self.check_derivative(call, &velocity, context)?;
+        self.check_derivative(call, velocity, context)?;
         Some(velocity)
     }
 }

@@ -20,7 +20,7 @@ fn value(symbol: Symbol) -> f64 {
 fn both(make: impl Fn(&mut Geometry) -> Vec<Expression>) -> [Vec<f64>; 2] {
     let graphs = [
         Geometry::new(),
-        Geometry::with_unresolved_vectors(COORDINATES),
+        Geometry::new().with_unresolved_vectors(COORDINATES),
     ];
     graphs.map(|mut geometry| {
         let roots = make(&mut geometry);
@@ -154,7 +154,7 @@ fn what_does_not_fit_is_computed_with_the_components() {
 
 #[test]
 fn a_projection_has_no_angular_velocity() {
-    let mut geometry = Geometry::with_unresolved_vectors(COORDINATES);
+    let mut geometry = Geometry::new().with_unresolved_vectors(COORDINATES);
     let turn = rotation(&mut geometry, &[Axis::Z], 0);
     let (zero, one) = (geometry.graph.zero(), geometry.graph.one());
     let flat = vec![one, zero, zero, zero, one, zero, zero, zero, zero];
@@ -167,7 +167,7 @@ fn a_projection_has_no_angular_velocity() {
 /// The rotation of Denavit and Hartenberg is one about z and a constant one about x.
 #[test]
 fn rotations_that_are_written_out_are_recognized() {
-    let mut geometry = Geometry::with_unresolved_vectors(COORDINATES);
+    let mut geometry = Geometry::new().with_unresolved_vectors(COORDINATES);
     let q = geometry.graph.symbol(Symbol::Coordinate(1));
     let twist = geometry.graph.symbol(Symbol::Parameter(0));
     let product = geometry.rotation(&[(Axis::Z, q), (Axis::X, twist)]);
@@ -253,7 +253,7 @@ fn velocities_that_are_computed_along_a_chain() {
             roots
         });
     }
-    let mut geometry = Geometry::with_unresolved_vectors(COORDINATES);
+    let mut geometry = Geometry::new().with_unresolved_vectors(COORDINATES);
     let [.., w, v] = recursion(&mut geometry, 1, true).unwrap();
     let [w, v] = [w, v].map(|x| geometry.unresolved_of(&x).unwrap());
     assert_eq!(w.axes, v.axes);
@@ -301,7 +301,7 @@ fn velocities_that_are_computed_along_inertial_axes() {
         let all = velocities(geometry);
         all.iter().flat_map(|x| x.elements().to_vec()).collect()
     });
-    let mut geometry = Geometry::with_unresolved_vectors(COORDINATES);
+    let mut geometry = Geometry::new().with_unresolved_vectors(COORDINATES);
     let [_, v, along, _] = velocities(&mut geometry);
     let [v, along] = [v, along].map(|x| geometry.unresolved_of(&x).unwrap());
     assert!(matches!(*v.terms, [Term::Rate(frame, _)] if frame == along.axes));
@@ -330,7 +330,7 @@ fn homogeneous_matrices_are_multiplied_by_blocks() {
     assert_equal(|geometry| {
         let [first, _, product, point] = homogeneous_matrices(geometry);
         let velocity = geometry.matrix_time_derivative(&point, COORDINATES);
-        let turn = geometry.graph.block(&product, (0, 0), (3, 3)).unwrap();
+        let turn = product.block((0, 0), (3, 3)).unwrap();
         let w = geometry.angular_velocity(&turn, COORDINATES).unwrap();
         let back = geometry.inverse(&first).unwrap();
         let back = geometry.matrix_product(&back, &product).unwrap();
@@ -354,7 +354,7 @@ fn homogeneous_matrices_are_multiplied_by_blocks() {
 fn homogeneous_matrices_are_those_of_their_elements() {
     for mut geometry in [
         Geometry::new(),
-        Geometry::with_unresolved_vectors(COORDINATES),
+        Geometry::new().with_unresolved_vectors(COORDINATES),
     ] {
         let [first, second, product, point] = homogeneous_matrices(&mut geometry);
         let inverse = geometry.inverse(&product).unwrap();
@@ -381,8 +381,8 @@ fn homogeneous_matrices_are_those_of_their_elements() {
             assert!(x.abs() < 1e-12, "{x}");
         }
         // A block is one of the elements.
-        assert!(geometry.graph.block(&product, (1, 2), (3, 2)).is_some());
-        assert!(geometry.graph.block(&product, (1, 2), (4, 2)).is_none());
-        assert!(geometry.graph.block(&product, (1, 2), (0, 2)).is_none());
+        assert!(product.block((1, 2), (3, 2)).is_some());
+        assert!(product.block((1, 2), (4, 2)).is_none());
+        assert!(product.block((1, 2), (0, 2)).is_none());
     }
 }

@@ -7,12 +7,11 @@
 
 use std::collections::BTreeMap;
 
-use lagrangian_symbolic::{Expression, Graph, Matrix, Node, Rational, Symbol};
-
-use crate::lower::value::Value;
+use crate::typed::components::Components;
+use crate::{Expression, Graph, Matrix, Node, Rational, Symbol};
 
 /// The unknowns that stand for velocities.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Rest {
     /// The rates of what depends on coordinates, by what they are rates of.
     rates: BTreeMap<Expression, Expression>,
@@ -22,6 +21,7 @@ pub(crate) struct Rest {
 }
 
 /// A position of which there is a product, and the rate of one of its components.
+#[derive(Debug)]
 struct Position {
     vector: Matrix,
     rate: Expression,
@@ -49,11 +49,13 @@ impl Rest {
     }
 
     /// The rate of a value.
-    pub(crate) fn rate(&mut self, graph: &mut Graph, value: Value) -> Value {
+    pub(crate) fn rate(&mut self, graph: &mut Graph, value: &Components) -> Components {
         match value {
-            Value::Scalar(expression) => Value::Scalar(self.rate_of(graph, expression)),
-            Value::Array(matrix) => Value::Array(mapped(&matrix, &mut |x| self.rate_of(graph, x))),
-            Value::EmptySum => Value::EmptySum,
+            Components::Scalar(x) => Components::Scalar(self.rate_of(graph, *x)),
+            Components::Array(matrix) => {
+                Components::Array(mapped(matrix, &mut |x| self.rate_of(graph, x)))
+            }
+            Components::EmptySum => Components::EmptySum,
         }
     }
 
