@@ -197,6 +197,8 @@ impl Lowerer<'_> {
 
     /// Gives a name its binding, or the members of a family theirs.
     fn define(&mut self, definition: &NamedExpression) {
+        #[cfg(test)]
+        definitions_lowered::add_one();
         if definition.indices.is_empty() {
             if let Some(iteration) = definition.iterations.first() {
                 let name = &definition.name;
@@ -226,6 +228,8 @@ impl Lowerer<'_> {
 
     /// Defines one member of a family.
     fn define_member(&mut self, definition: &NamedExpression) -> Option<()> {
+        #[cfg(test)]
+        definitions_lowered::add_one();
         let name = &definition.name;
         self.check_not_bound(name, &definition.iterations)?;
         let indices = self.member(&definition.indices)?;
@@ -294,4 +298,22 @@ impl Lowerer<'_> {
 /// Four billion names do not fit into a source file.
 pub(crate) fn count(length: usize) -> u32 {
     u32::try_from(length).unwrap_or(u32::MAX)
+}
+
+/// How many definitions, and members of families of them, were lowered on this thread.
+#[cfg(test)]
+pub(crate) mod definitions_lowered {
+    use core::cell::Cell;
+
+    std::thread_local! {
+        static COUNT: Cell<usize> = const { Cell::new(0) };
+    }
+
+    pub(super) fn add_one() {
+        COUNT.set(COUNT.get() + 1);
+    }
+
+    pub(crate) fn take() -> usize {
+        COUNT.take()
+    }
 }

@@ -6,6 +6,7 @@ mod editor;
 mod families;
 mod golden;
 mod huge_powers;
+mod lowered_once;
 mod half_typed;
 mod mixed_derivatives;
 mod operations;

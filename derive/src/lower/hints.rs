@@ -2,6 +2,7 @@
 
 use core::fmt::Display;
 use core::iter;
+use lagrangian_symbolic::ArrayFunction;
 
 use proc_macro2::Ident;
 use syn::{BinOp, Expr, ExprField, ExprPath, Member};
@@ -318,8 +319,9 @@ pub(crate) fn example(name: &str, arguments: usize) -> String {
         ("row" | "column", _) => format!("m.{name}(0)"),
         ("identity", _) => "identity(3)".to_owned(),
         ("sum" | "product", _) => format!("(0..5).map(|i| m[i]).{name}()"),
-        ("dot" | "cross" | "outer" | "component_mul", _) => format!("a.{name}(b)"),
         (_, 1) => format!("{name}(x)"),
+        (_, 3) => format!("{name}(a, b, c)"),
+        _ if ArrayFunction::named(name).is_some() => format!("a.{name}(b)"),
         _ => format!("{name}(x, y)"),
     }
 }

@@ -1,6 +1,6 @@
 //! Functions, sums over an index, and the energies of bodies in print.
 
-use lagrangian_symbolic::print_sum_sign;
+use lagrangian_symbolic::{ArrayFunction, ArrayNotation, print_sum_sign};
 use proc_macro2::Ident;
 use syn::{Expr, ExprMethodCall, Lit, Pat, UnOp};
 
@@ -61,25 +61,14 @@ impl FormulaPrinter<'_> {
             ("kinetic_energy", [body, r, p]) => self.kinetic_energy(body, r, p),
             ("potential_energy", [body, r, p, g]) => self.potential_energy(body, r, p, g),
             ("powi" | "powf", [base, exponent]) => self.power(base, exponent),
-            ("dot", [x, y]) if method => {
-                let product = self.between(x, y, "·", " \\cdot ")?;
-                Some(Notation::new(product.texts, Precedence::InnerProduct))
-            }
-            ("cross", [x, y]) => self.between(x, y, " × ", " \\times "),
-            ("norm" | "abs", [x]) => Some(bars(self.print(x)?)),
-            ("norm_squared", [x]) => Some(bars(self.print(x)?).followed_by("²", "^{2}")),
-            ("transpose", [x]) => self.with_exponent(x, "ᵀ", "^{T}"),
-            ("inverse" | "recip", [x]) => self.with_exponent(x, "⁻¹", "^{-1}"),
+            ("dot", _) if !method => None,
+            ("abs", [x]) => Some(bars(self.print(x)?)),
+            ("recip", [x]) => self.with_exponent(x, "⁻¹", "^{-1}"),
             ("sqrt", [x]) => {
                 let inner = self.print(x)?;
                 let latex = format!("\\sqrt{{{}}}", inner.texts[1]);
                 let unicode = format!("√{}", inner.at_least(Precedence::Atom).texts[0]);
                 Some(Notation::new([unicode, latex], Precedence::Function))
-            }
-            ("normalize", [x]) => Some(self.print(x)?.over(bars(self.print(x)?))),
-            ("component_mul", [x, y]) => {
-                let diagonal = self.print(x)?.within(["diag(", ")"], DIAGONAL);
-                Some(diagonal.times(self.print(y)?))
             }
             ("exp" | "signum", [x]) => {
                 let [unicode, latex] = in_books(&name)?;
@@ -94,7 +83,46 @@ impl FormulaPrinter<'_> {
                 let [unicode, latex] = in_books(function)?;
                 self.function(x, unicode, latex)
             }
-            _ => self.operator(&name, arguments),
+            _ => match ArrayFunction::named(&name) {
+                Some(function) => self.function_of_arrays(function.notation, arguments),
+                None => self.operator(&name, arguments),
+            },
+        }
+    }
+
+    /// A function of vectors and matrices.
+    fn function_of_arrays(
+        &mut self,
+        notation: ArrayNotation,
+        arguments: &[&Expr],
+    ) -> Option<Notation> {
+        match (notation, arguments) {
+            (ArrayNotation::InnerProduct, [x, y]) => {
+                let product = self.between(x, y, "·", " \\cdot ")?;
+                Some(Notation::new(product.texts, Precedence::InnerProduct))
+            }
+            (ArrayNotation::Between([unicode, latex]), [x, y]) => {
+                self.between(x, y, unicode, latex)
+            }
+            (ArrayNotation::Enclosed { brackets, exponent }, _) => {
+                let arguments = arguments.iter().map(|argument| self.print(argument));
+                let arguments: Vec<_> = arguments.collect::<Option<_>>()?;
+                let texts: Vec<_> = arguments.iter().map(|argument| &argument.texts).collect();
+                let list = Notation::new(join(&texts, ", "), Precedence::Sum);
+                let [unicode, latex] = exponent;
+                let enclosed = list.within(brackets[0], brackets[1]);
+                Some(enclosed.followed_by(unicode, latex))
+            }
+            (ArrayNotation::Raised([unicode, latex]), [x]) => self.with_exponent(x, unicode, latex),
+            (ArrayNotation::Direction, [x]) => {
+                let x = self.print(x)?;
+                Some(x.clone().over(bars(x)))
+            }
+            (ArrayNotation::Diagonal, [x, y]) => {
+                let diagonal = self.print(x)?.within(["diag(", ")"], DIAGONAL);
+                Some(diagonal.times(self.print(y)?))
+            }
+            _ => None,
         }
     }
 
