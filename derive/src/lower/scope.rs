@@ -74,11 +74,14 @@ impl<T> Family<T> {
     }
 }
 
+/// Components with their names.
+type Labelled = Vec<(Label, Expression)>;
+
 /// The names of a declaration, with what they refer to.
 pub(crate) struct Scope {
     bindings: BTreeMap<String, Binding>,
     /// The components of what is defined, by names and indices of members.
-    defined: BTreeMap<String, BTreeMap<Vec<usize>, Vec<(Label, Expression)>>>,
+    defined: BTreeMap<String, BTreeMap<Vec<usize>, Labelled>>,
     /// The external functions.
     functions: BTreeMap<String, ExternalFunction>,
     /// Where a field is first mentioned: the emitted code accesses it with that span.
@@ -295,7 +298,7 @@ impl Scope {
     }
 
     /// The components of what is defined as `name`.
-    pub(crate) fn defined(&self, name: &str) -> Vec<(Label, Expression)> {
+    pub(crate) fn defined(&self, name: &str) -> Labelled {
         let members = self.defined.get(name).into_iter().flatten();
         members
             .flat_map(|(_, components)| components.iter().cloned())

@@ -63,8 +63,9 @@ impl AtRest {
         needed[end - 1] = true;
         for i in (0..end).rev() {
             if needed[i] && !self.evaluated[i] {
-                let arguments = graph.operations[i].arguments();
-                arguments.iter().for_each(|x| needed[x.0 as usize] = true);
+                for argument in graph.operations[i].arguments() {
+                    needed[argument.0 as usize] = true;
+                }
             }
         }
         for (i, operation) in graph.operations[..end].iter().enumerate() {

@@ -3,7 +3,7 @@
 use crate::typed::components::Components;
 use crate::typed::evaluation::{Evaluation, NoValue};
 use crate::typed::operation::{TypedOperation, Value};
-use crate::{Expression, Geometry, Graph, Rational, Symbol};
+use crate::{Expression, Geometry, Graph, Rational};
 
 /// An arena of scalars, vectors and matrices, each with the [operation](TypedOperation) by which it is declared and its
 /// [components](Components) as expressions of coordinates and velocities.
@@ -41,7 +41,7 @@ impl TypedGraph {
     }
 
     /// Marks the beginning of definitions and energies. What is added before is shared by [energies in
-    /// frames](Self::energies_in_frames) and [positions at rest](Self::at_rest), which evaluate what is added afterwards.
+    /// frames](Self::energies_in_frames) and [positions at rest](crate::AtRest), which evaluate what is added afterwards.
     pub fn begin_definitions(&mut self) {
         self.beginning = Beginning {
             graph: self.geometry.graph.clone(),
@@ -90,15 +90,6 @@ impl TypedGraph {
         match self.components(value) {
             Components::Scalar(x) => self.geometry.graph.as_constant(*x),
             Components::Array(_) | Components::EmptySum => None,
-        }
-    }
-
-    /// The symbol that a scalar is, if it is one.
-    #[must_use]
-    pub fn as_symbol(&self, expression: Expression) -> Option<Symbol> {
-        match self.geometry.graph.node(expression) {
-            crate::Node::Symbol(symbol) => Some(*symbol),
-            _ => None,
         }
     }
 }
