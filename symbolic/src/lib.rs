@@ -68,6 +68,7 @@ pub use typed::evaluation::NoValue;
 pub use typed::graph::TypedGraph;
 pub use typed::in_frames::EnergiesInFrames;
 pub use typed::operation::{TypedOperation, Value};
+pub use typed::virtual_work::ConstraintForces;
 pub use validation::{
     AccelerationProgram, ConstraintPrograms, LinearizationProgram, Method, Programs,
     ReductionCheck, RequestedPrograms, SensitivityProgram, SeriesCheck, Validator,

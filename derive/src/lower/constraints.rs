@@ -1,6 +1,8 @@
 //! Constraints, component by component, and their reactions.
 
-use lagrangian_symbolic::{Constraint, Expression, Symbol, TypedOperation, Value};
+use lagrangian_symbolic::{
+    Constraint, ConstraintForces, Expression, Symbol, TypedOperation, Value,
+};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{BinOp, Expr};
@@ -35,6 +37,7 @@ pub(crate) struct DeclaredConstraint {
     /// The indices of a member.
     pub(super) member: Vec<usize>,
     pub(super) shape: Shape,
+    value: Value,
     /// The index of the first component.
     first: usize,
 }
@@ -163,6 +166,7 @@ impl Lowerer<'_> {
             expression: constraint.expression.clone(),
             member,
             shape,
+            value,
             first: constraints.len(),
         });
         let components = self.elements(value).iter().copied();
@@ -170,11 +174,17 @@ impl Lowerer<'_> {
         Some(())
     }
 
-    /// `reaction(name)`: the multipliers of a constraint, in its shape.
+    /// `reaction(name)`: the multipliers of a constraint, in its shape; `reaction(name, quantity)`: the force or moment of the
+    /// constraint on a position, an angle or a rotation that it contains.
     pub(super) fn reaction(&mut self, call: &impl ToTokens, arguments: &[&Expr]) -> Option<Value> {
-        let [argument] = arguments else {
-            let message = "`reaction` takes the name of a constraint: write `reaction(name)`";
-            return self.reject(call, message);
+        let (argument, quantity) = match arguments {
+            [argument] => (argument, None),
+            [argument, quantity] => (argument, Some(*quantity)),
+            _ => {
+                let message = "`reaction` takes the name of a constraint, and of what it acts on: write `reaction(name)`, or \
+                               `reaction(name, p)` for its force on a position p";
+                return self.reject(call, message);
+            }
         };
         let (base, indices) = base_and_indices(argument);
         let name = match base {
@@ -227,7 +237,55 @@ impl Lowerer<'_> {
             Shape::Scalar => *elements.first()?,
             Shape::Array { rows, .. } => self.add(TypedOperation::Array { rows, elements })?,
         };
-        self.components(value, of_component)
+        let Some(quantity) = quantity else {
+            return self.components(value, of_component);
+        };
+        if let Some(index) = of_component.first() {
+            let message = format!(
+                "a force is of all components of a constraint: write `reaction({name}, …)` without this index"
+            );
+            return self.reject(index, message);
+        }
+        let forces = ConstraintForces {
+            constraint: constraint.value,
+            is_holonomic: constraints
+                .components
+                .get(constraint.first)
+                .is_some_and(|component| component.is_holonomic()),
+            multipliers: self.elements(value).to_vec(),
+        };
+        self.force_on(&forces, name, quantity)
+    }
+
+    /// The force of a constraint on a quantity that it contains.
+    fn force_on(
+        &mut self,
+        forces: &ConstraintForces,
+        name: &Ident,
+        written: &Expr,
+    ) -> Option<Value> {
+        let quantity = self.lower(written, ExpressionContext::Observation)?;
+        if let Shape::Array {
+            rows,
+            columns: columns @ 2..,
+        } = self.shape(quantity)
+            && (rows, columns) != (3, 3)
+        {
+            let message = format!(
+                "a constraint acts on a position, an angle or a rotation, which is a 3×3 matrix, and this is {}",
+                self.shape(quantity)
+            );
+            return self.reject(written, message);
+        }
+        let force = self.typed.force_on(forces, quantity);
+        if force.is_none() {
+            let message = format!(
+                "`{name}` does not contain this quantity as it is defined: write the name of a definition or coordinate of which the \
+                 constraint is made"
+            );
+            return self.reject(written, message);
+        }
+        force
     }
 
     /// Says that there is no constraint of a name, whose reaction or compliance is meant, and how one of the others is written.

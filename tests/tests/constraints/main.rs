@@ -5,6 +5,7 @@ mod consistency;
 mod door;
 mod four_bars;
 mod freedom;
+mod joints;
 mod junctions;
 mod light_bodies;
 mod mechanisms;
