@@ -13,7 +13,6 @@ use proc_macro2::Ident;
 
 use crate::check::check;
 use crate::diagnostics::{Diagnostics, similar};
-use crate::lower::constraints::Constraints;
 use crate::lower::quantities::Quantities;
 use crate::lower::scope::Scope;
 use crate::lower::{Lowered, count};
@@ -70,7 +69,7 @@ impl ReducedDeclaration {
             scope: Scope::new(&reduced, &mut TypedGraph::new(Graph::new(), 0)),
             quantities: Quantities::new(&reduced),
             outputs: retained(&clauses.outputs, &lowered.outputs),
-            constraints: Constraints::default(),
+            constraints: lowered.constraints.clone(),
             events: retained(&clauses.events, &lowered.events),
             turning: Vec::new(),
         };

@@ -14,11 +14,7 @@ pub(crate) fn refuse_clauses(declaration: &Declaration, diagnostics: &mut Diagno
     if clauses.constraints.is_empty() && clauses.nonholonomic.is_empty() {
         return;
     }
-    let clauses: [(Option<&Ident>, &str); 3] = [
-        (
-            clauses.routhian.as_ref().map(|clause| &clause.keyword),
-            "a model with constraints has no reduced model: leave `routhian` out",
-        ),
+    let clauses: [(Option<&Ident>, &str); 2] = [
         (
             clauses.regressor.as_ref().map(|clause| &clause.keyword),
             "a model with constraints has no regressor: leave `regressor` out, or declare the model once more without constraints",

@@ -59,6 +59,9 @@ pub(super) fn reduced_declaration(
         clauses: Clauses {
             coordinates: remaining_coordinates(declaration, labels, split, clause),
             functions: clauses.functions.clone(),
+            constraints: clauses.constraints.clone(),
+            nonholonomic: clauses.nonholonomic.clone(),
+            compliances: clauses.compliances.clone(),
             outputs: retained(&clauses.outputs, clause),
             events: retained(&clauses.events, clause),
             taylor: clauses.taylor.clone().filter(|_| wanted("taylor")),

@@ -33,6 +33,19 @@ pub(super) fn message(reason: &NoReduction, lowered: &Lowered, model: &Model) ->
             name(acted),
             name(on)
         ),
+        NoReduction::ConstraintDependsOn {
+            constraint,
+            coordinate,
+        } => {
+            let labels = lowered.constraints.labels();
+            let constraint = labels.get(*constraint).map(ToString::to_string);
+            format!(
+                "the constraint `{}` depends on {}, which would be ignorable otherwise: the other coordinates do not move \
+                 independently of it; leave `routhian` out, or write the constraint in other coordinates",
+                constraint.unwrap_or_default(),
+                name(coordinate)
+            )
+        }
         NoReduction::NotQuadratic(coordinate) => format!(
             "{} is ignorable, but the Lagrangian is not quadratic in its velocity, so that the velocity cannot be \
              eliminated: leave `routhian` out",
@@ -50,6 +63,7 @@ fn spoiled(spoiler: &Spoiler, name: &str) -> String {
         Obstacle::Force => "a force acts on it",
         Obstacle::Input => "an input acts on it",
         Obstacle::Dissipation => "dissipation acts on it",
+        Obstacle::Constraint => "a constraint acts on it",
     });
     let reasons: Vec<&str> = reasons.collect();
     format!("{name} is not, since {}", reasons.join(" and "))

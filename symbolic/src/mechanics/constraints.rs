@@ -84,6 +84,14 @@ impl Constraint {
         }
     }
 
+    /// A constraint of this kind, with another expression.
+    pub(crate) const fn with_expression(self, expression: Expression) -> Self {
+        match self {
+            Self::Holonomic(_) => Self::Holonomic(expression),
+            Self::Nonholonomic(_) => Self::Nonholonomic(expression),
+        }
+    }
+
     /// Whether it is declared as a relation of coordinates.
     #[must_use]
     pub const fn is_holonomic(self) -> bool {

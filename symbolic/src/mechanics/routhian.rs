@@ -9,6 +9,8 @@
 //! - T of the reduced model is T₂ at `u_B`: the squares that T was declared as remain squares of one sign,
 //! - `V_eff` = V + ½ (C − b)ᵀ A⁻¹ (C − b) (4.10), and the gyroscopic terms (C − b)·`u_B` − b·q̇ stand beside it.
 //!
+//! Constraints that contain neither ignorable coordinates nor their velocities remain as they are, with their multipliers.
+//!
 //! Where L is quadratic in u alone, `L_R` is L at u = 0 less ½ (C − β)ᵀ A⁻¹ (C − β), with β = p at u = 0.
 
 mod elimination;
@@ -20,7 +22,7 @@ use std::collections::BTreeMap;
 
 use crate::algebra::half_angles::HalfAngleForm;
 use crate::mechanics::conservation::independent_of;
-use crate::{Energies, Equations, Expression, Graph, Model, Symbol};
+use crate::{Constraint, Energies, Equations, Expression, Graph, Model, Symbol};
 use elimination::Elimination;
 use ignorability::{Influences, spoilers};
 pub use ignorability::{Obstacle, Spoiler};
@@ -57,6 +59,13 @@ pub enum NoReduction {
     NoneRemains,
     /// The force on the first coordinate depends on the second one, which is otherwise ignorable.
     ForceDependsOn(usize, usize),
+    /// This component of the constraints depends on this coordinate, which is otherwise ignorable.
+    ConstraintDependsOn {
+        /// The component, as it is counted in the model.
+        constraint: usize,
+        /// The coordinate.
+        coordinate: usize,
+    },
     /// L is not quadratic in the velocity of this ignorable coordinate, or A is singular.
     NotQuadratic(usize),
 }
@@ -90,7 +99,9 @@ impl Reduction {
             None => system.quadratic_in_ignorable_velocities(&mut graph),
         };
         let mut outputs = split.outputs(model, &mut graph, &reduced.velocities);
-        split.renumber(&mut graph, &mut reduced, &mut system.forces, &mut outputs);
+        let mut constraints = split.constraints(model, &mut graph);
+        let constrained = (&mut *constraints, &mut *outputs);
+        split.renumber(&mut graph, &mut reduced, &mut system.forces, constrained);
         let direct = reduced.effective_potential;
         let (written, mut poles) = in_half_angles(&mut graph, &[direct], HalfAngleForm::Squares);
         reduced.effective_potential = written[0];
@@ -119,7 +130,7 @@ impl Reduction {
             evaluated,
             dissipation: graph.zero(),
             forces: system.forces,
-            constraints: Vec::new(),
+            constraints,
             outputs: Vec::new(),
             in_frames: None,
             graph,
@@ -229,6 +240,16 @@ impl Split {
                 return Err(NoReduction::ForceDependsOn(*i, ignorable[position]));
             }
         }
+        let constraints = &equations.constraints;
+        for (velocity, constraint) in constraints.velocities.iter().zip(&constraints.declared) {
+            let absent = independent_of(model, *velocity, &symbols);
+            if let Some(position) = absent.iter().position(|absent| !absent) {
+                return Err(NoReduction::ConstraintDependsOn {
+                    constraint: *constraint,
+                    coordinate: ignorable[position],
+                });
+            }
+        }
         Ok(Self {
             ignorable,
             remaining,
@@ -301,15 +322,34 @@ impl Split {
         roots.to_vec()
     }
 
-    /// Numbers the coordinates that remain.
+    /// The constraints, at fixed values of the ignorable coordinates and their velocities, of which they may contain what cancels.
+    fn constraints(&self, model: &Model, graph: &mut Graph) -> Vec<Constraint> {
+        let expressions = model.constraints.iter();
+        let expressions: Vec<_> = expressions.map(|one| one.expression()).collect();
+        let fixed = self.fixed_with(graph, &expressions, expressions.len());
+        let zero = graph.zero();
+        let at_rest = self.ignorable.iter().map(|i| (velocity(*i), zero));
+        let fixed = graph.substitute(&fixed, &at_rest.collect());
+        let pairs = model.constraints.iter().zip(fixed);
+        pairs
+            .map(|(one, expression)| one.with_expression(expression))
+            .collect()
+    }
+
+    /// Numbers the coordinates that remain, and the multipliers behind their accelerations.
     fn renumber(
         &self,
         graph: &mut Graph,
         reduced: &mut Reduced,
         forces: &mut Vec<Expression>,
-        outputs: &mut [Result<Expression, usize>],
+        (constraints, outputs): (&mut [Constraint], &mut [Result<Expression, usize>]),
     ) {
         let mut values = BTreeMap::new();
+        let all = self.remaining.len() + self.ignorable.len();
+        for i in 0..constraints.len() {
+            let multiplier = graph.symbol(acceleration(self.remaining.len() + i));
+            values.insert(acceleration(all + i), multiplier);
+        }
         for (k, i) in self.remaining.iter().enumerate() {
             for symbol in [coordinate, velocity, acceleration] {
                 values.insert(symbol(*i), graph.symbol(symbol(k)));
@@ -317,6 +357,10 @@ impl Split {
         }
         for output in outputs.iter_mut().flatten() {
             *output = graph.substitute(&[*output], &values)[0];
+        }
+        for constraint in constraints {
+            let expression = graph.substitute(&[constraint.expression()], &values)[0];
+            *constraint = constraint.with_expression(expression);
         }
         *forces = {
             // The forces may depend on the velocities of ignorable coordinates.

@@ -22,7 +22,7 @@ const ROUNDED: f64 = 1e-7;
 pub struct ReductionCheck<'a> {
     reduction: &'a Reduction,
     parameters: u32,
-    /// L of the full model as a sum of roots, then D, then the forces, then the outputs.
+    /// L of the full model as a sum of roots, then D, the forces, the constraints, and the outputs.
     full: Tape,
     weights: &'static [f64],
     /// u; then `V_eff`.
@@ -118,9 +118,12 @@ impl<'a> ReductionCheck<'a> {
             most.compare(roots[of_reduced + k], expected, 1e-3);
         }
         let all = self.roots_at(point, &eliminated, None);
-        let outputs = all[of_full + remaining.len() + velocities.len()..].iter();
-        let determined = outputs.zip(&self.reduction.outputs);
-        let determined = determined.filter(|(_, output)| output.is_ok());
+        let observed = &all[of_full + remaining.len() + velocities.len()..];
+        let constraints = self.reduction.model.constraints.len();
+        let outputs = self.reduction.outputs.iter().map(Result::is_ok);
+        let is_determined = core::iter::repeat_n(true, constraints).chain(outputs);
+        let determined = observed.iter().zip(is_determined);
+        let determined = determined.filter(|(_, is_determined)| *is_determined);
         let found = &roots[of_reduced + remaining.len()..];
         for ((expected, _), found) in determined.zip(found) {
             if expected.value.is_finite() {
@@ -222,7 +225,11 @@ impl<'a> ReductionCheck<'a> {
             Symbol::Acceleration(i) => match (place(i), ignorable(i)) {
                 (Some(place), _) => point.value(Symbol::Acceleration(place)),
                 (None, Some(k)) => eliminated.accelerations[k],
-                (None, None) => 0.0,
+                // A multiplier.
+                (None, None) => {
+                    let behind = u32::try_from(self.reduction.ignorable.len()).unwrap_or(0);
+                    point.value(Symbol::Acceleration(i.saturating_sub(behind)))
+                }
             },
             other => point.value(other),
         }
@@ -243,11 +250,13 @@ impl Largest {
     }
 }
 
-/// T and V, or L; then D; then the forces; and the weights of the first ones in L.
+/// T and V, or L; then D, the forces and the constraints; and the weights of the first ones in L.
 fn roots(model: &Model) -> (Vec<Expression>, &'static [f64]) {
     let (mut roots, weights) = energy_roots(model.energies);
     roots.push(model.dissipation);
     roots.extend(&model.forces);
+    let constraints = model.constraints.iter();
+    roots.extend(constraints.map(|constraint| constraint.expression()));
     (roots, weights)
 }
 

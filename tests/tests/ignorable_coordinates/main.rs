@@ -1,6 +1,7 @@
 //! Ignorable coordinates: the constants of motion that they give, and the models that are left without them.
 
 mod clauses;
+mod constrained;
 mod constants_of_motion;
 mod digits;
 mod equal_constants;

@@ -27,6 +27,8 @@ pub enum Obstacle {
     Input,
     /// Dissipation acts on it.
     Dissipation,
+    /// A constraint acts on it.
+    Constraint,
 }
 
 /// On which coordinates the parts of L depend, and on which the forces act.
@@ -65,6 +67,11 @@ impl Influences {
             .concat();
         let drags = drags.iter().map(|drag| !graph.vanishes(&[*drag]));
         found.push((Obstacle::Dissipation, drags.collect()));
+        let constrained = (0..coordinates.len()).map(|i| {
+            let column = equations.constraints.column(i);
+            !model.graph.vanishes(&column)
+        });
+        found.push((Obstacle::Constraint, constrained.collect()));
         Self(found)
     }
 }

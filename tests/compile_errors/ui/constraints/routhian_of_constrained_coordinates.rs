@@ -7,8 +7,6 @@ use lagrangian::Lagrangian;
     potential = m * g * y,
     constraint(rod = x.powi(2) + y.powi(2) - l.powi(2)),
     routhian(Reduced),
-    regressor(m),
-    hamiltonian,
 )]
 struct Model {
     m: f64,
