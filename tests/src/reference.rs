@@ -65,6 +65,12 @@ pub fn governor() -> Value {
     document("governor.json")
 }
 
+/// The motion of Bricard's mechanism with six revolute joints.
+#[must_use]
+pub fn bricard() -> Value {
+    document("bricard.json")
+}
+
 fn document(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("data")

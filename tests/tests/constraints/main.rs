@@ -1,5 +1,6 @@
 //! Models with constraints.
 
+mod bricard;
 mod closed_forms;
 mod consistency;
 mod door;
