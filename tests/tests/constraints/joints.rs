@@ -26,6 +26,7 @@ macro_rules! joint {
                 constraint($($constraint)+),
                 output(
                     end = end,
+                    axle = r * axle,
                     force = $force,
                     moment = $moment,
                     change_of_momentum = body.mass * (dot(dot(p)) - [0.0, 0.0, -9.81]),
@@ -35,20 +36,23 @@ macro_rules! joint {
             struct Body {
                 body: PrincipalBody<f64>,
                 arm: Vector3<f64>,
+                axle: Vector3<f64>,
             }
             let model = Body {
                 body: PrincipalBody::new(2.0, [0.3, 0.4, 0.5]).expect("it is a body"),
                 arm: Vector3::new(0.2, -0.1, 0.4),
+                axle: Vector3::new(0.6, 0.0, 0.8),
             };
             let guess = State::new(
                 0.0,
                 [0.2, 0.1, 0.4, 0.42, -0.03, 0.01],
-                [0.3, 0.1, -0.2, 0.5, 0.4, 0.3],
+                [0.3, 0.1, -0.2, 1.5, -0.4, 2.3],
             );
             let found = model.assemble(guess).solve().expect("the joint is near");
             let freedom = model.degrees_of_freedom(&found.state);
             assert_eq!((freedom.velocities, freedom.coordinates), ($free, $free));
             let seen = model.outputs(&found.state);
+            assert!(seen.moment.norm() > 0.05, "{}", seen.moment);
             for (what, found, expected) in [
                 ("force", seen.force, seen.change_of_momentum),
                 ("moment", seen.moment, seen.change_of_angular_momentum),
@@ -71,7 +75,7 @@ joint!(
     1,
     [
         pin = end - q,
-        axis = [s.column(0).dot(r.column(2)), s.column(1).dot(r.column(2))]
+        axis = [s.column(0).dot((r * axle)), s.column(1).dot((r * axle))]
     ],
     reaction(pin, p),
     reaction(pin, r) + reaction(axis, r)
@@ -87,7 +91,7 @@ joint!(
     cylindrical,
     2,
     [
-        axis = [s.column(0).dot(r.column(2)), s.column(1).dot(r.column(2))],
+        axis = [s.column(0).dot((r * axle)), s.column(1).dot((r * axle))],
         guide = [s.column(0).dot(p - q), s.column(1).dot(p - q)]
     ],
     reaction(guide, p),
@@ -97,7 +101,7 @@ joint!(
     prismatic,
     1,
     [
-        axis = [s.column(0).dot(r.column(2)), s.column(1).dot(r.column(2))],
+        axis = [s.column(0).dot((r * axle)), s.column(1).dot((r * axle))],
         guide = [s.column(0).dot(p - q), s.column(1).dot(p - q)],
         lock = s.column(0).dot(r.column(1))
     ],
@@ -108,7 +112,7 @@ joint!(
     planar,
     3,
     [
-        axis = [s.column(0).dot(r.column(2)), s.column(1).dot(r.column(2))],
+        axis = [s.column(0).dot((r * axle)), s.column(1).dot((r * axle))],
         plane = s.column(2).dot(p - q)
     ],
     reaction(plane, p),
