@@ -7,7 +7,9 @@
 //! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with no digits lost near θ = 0. M is not inverted; the
 //! solution is straight-line code with one division for each pivot.
 
+use crate::identity::modular_point::ModularPoint;
 use crate::limits::{MAX_TRANSPARENT_ELIMINATION, MIN_ELIMINATED_GRADIENT, MIN_SADDLE_POINT_PIVOT};
+use crate::matrix::elimination_order::elimination_order;
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
 use crate::{Expression, Graph, Node, Rational};
 
@@ -67,13 +69,47 @@ impl Ldlt {
         })
     }
 
+    /// Factors the matrix of a saddle point problem in the order that its [pattern](elimination_order) of zeros gives; none
+    /// where that leaves no pivot, or one that vanishes everywhere.
+    pub(crate) fn factor_by_pattern(
+        graph: &mut Graph,
+        mass: &[Vec<Expression>],
+        coordinates: usize,
+    ) -> Option<Self> {
+        let order = elimination_order(graph, mass, coordinates)?;
+        let mut matrix = SymmetricElimination::new(graph, mass, |i| i);
+        let mut pivots = vec![graph.zero(); mass.len()];
+        let mut rows = Vec::with_capacity(mass.len());
+        for unknown in order {
+            let mut row = matrix.take(graph, unknown);
+            row.is_opaque = true;
+            row.pivot = graph.opaque(row.pivot);
+            for (_, entry) in &mut row.others {
+                *entry = graph.opaque(*entry);
+            }
+            matrix.reduce(graph, &row, |_, entry| entry);
+            pivots[unknown] = row.pivot;
+            rows.push(row);
+        }
+        let is_regular =
+            rows.iter().all(|row| !graph.is_zero(row.pivot)) && !vanishes_any(graph, &pivots);
+        is_regular.then_some(Self {
+            pivots,
+            conditions: Vec::new(),
+            refined: Vec::new(),
+            rows,
+        })
+    }
+
     /// Reverses the pivots of constraints, the rows of a saddle point problem from `coordinates` on, which are negative, and adds
     /// the conditions for a stable solution: where these and all pivots are positive, no entry loses or gains many digits.
     ///
     /// - A pivot is no small remainder of what it is subtracted from.
     /// - The pivot p of a constraint that is eliminated before a coordinate k, to which e couples it, leaves k with e²/p more:
     ///   this is no large multiple of what is left of Mₖₖ. Where k is without mass, e is no large multiple of the other components
-    ///   of the gradient, of which p is made; that depends on units, as all pivoting does.
+    ///   of the gradient, of which p is made; that depends on units, as all pivoting does. A constraint whose coordinates are all
+    ///   eliminated leaves no more than Mₖₖ: constraints among the other coordinates raise the inertia of k, but only by what the
+    ///   freedom of these had taken from it.
     pub(crate) fn with_negative_pivots(
         mut self,
         graph: &mut Graph,
@@ -106,6 +142,9 @@ impl Ldlt {
             let [before, squares] = self.reductions(graph, row.unknown, position, coordinates);
             if self.reduces_by_constraint(graph, row.unknown, position, coordinates) {
                 conditions.push(exceeds(graph, pivot, before, MIN_SADDLE_POINT_PIVOT));
+            }
+            if self.is_complete(graph, &mass[row.unknown], position, coordinates) {
+                continue;
             }
             for (k, entry) in &row.others {
                 if *k >= coordinates || graph.is_zero(*entry) {
@@ -170,6 +209,18 @@ impl Ldlt {
         })
     }
 
+    /// Whether the coordinates with these coefficients in the row of a constraint are all eliminated before a position.
+    fn is_complete(
+        &self,
+        graph: &Graph,
+        row: &[Expression],
+        position: usize,
+        coordinates: usize,
+    ) -> bool {
+        let mut later = self.rows[position..].iter().map(|row| row.unknown);
+        later.all(|k| k >= coordinates || graph.is_zero(row[k]))
+    }
+
     /// x in M x = `right`; of a saddle point problem, refined once (Higham, Accuracy and Stability of Numerical Algorithms, 2nd
     /// edition 2002, chapter 12), for the reason that the numerical factorization in `runtime/src/linalg/saddle_point.rs` has.
     pub fn solve(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
@@ -197,9 +248,18 @@ impl Ldlt {
     /// x in M x = `right`, by the factors alone.
     fn eliminate(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
         let rewrite = rewriting(self.rows.len());
+        // Opaque rows make what they use opaque, and what is added up until then is one sum.
+        let is_opaque = self.rows.iter().any(|row| row.is_opaque);
+        let rewrite_right = |graph: &mut Graph, entry| {
+            if is_opaque {
+                entry
+            } else {
+                rewrite(graph, entry)
+            }
+        };
         let mut right = right.iter().copied().enumerate().collect();
         for row in &self.rows {
-            row.reduce_right(graph, &mut right, &rewrite);
+            row.reduce_right(graph, &mut right, rewrite_right);
         }
         let mut solution = vec![graph.zero(); self.rows.len()];
         for row in self.rows.iter().rev() {
@@ -208,6 +268,12 @@ impl Ldlt {
         }
         solution
     }
+}
+
+/// Whether one of these expressions vanishes, as far as a random point in modular arithmetic tells; false where there is none.
+fn vanishes_any(graph: &Graph, expressions: &[Expression]) -> bool {
+    let mut found = ModularPoint::attempts().filter_map(|point| point.evaluate(graph, expressions));
+    found.next().is_some_and(|values| values.contains(&0))
 }
 
 /// What is positive where `x` exceeds this part of `y`.
