@@ -157,6 +157,16 @@ pub(crate) const MIN_ELIMINATED_GRADIENT: (i64, i64) = (1, 1 << 4);
 /// of straight-line code, with 3, five links (462) are left to numerical elimination.
 pub(crate) const MAX_PIVOT_NEIGHBOURS: usize = 7;
 
+/// A saddle point problem whose rows of pivots are longer is eliminated as straight-line code if the products of a dense
+/// factorization are at least this many times as many. By judgement: loops over dense columns use vectors, straight-line code
+/// does not.
+pub(crate) const MIN_SPARSITY: usize = 2;
+
+/// No saddle point problem is eliminated as straight-line code that takes more products, so that compiling takes less than a
+/// minute. Those of 40 four-bar linkages in a row take some 4000 with one right-hand side, those of 200 would take 20 000. Loops over
+/// repeated parts would lift it.
+pub(crate) const MAX_ELIMINATION_PRODUCTS: usize = 20_000;
+
 /// Sums of more terms become opaque during articulated-body elimination. Made by chains; measured: with 1, most
 /// systems change by one operation in either direction, with 4, eight different links by one.
 pub(crate) const MAX_TRANSPARENT_INERTIA_LENGTH: usize = 2;

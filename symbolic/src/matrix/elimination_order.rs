@@ -12,7 +12,33 @@
 
 use std::collections::BTreeSet;
 
+use crate::limits::{MAX_ELIMINATION_PRODUCTS, MAX_PIVOT_NEIGHBOURS, MIN_SPARSITY};
 use crate::{Expression, Graph};
+
+/// An order of elimination, and what it takes.
+pub(crate) struct EliminationOrder {
+    /// The unknowns.
+    pub(crate) unknowns: Vec<usize>,
+    /// How many others each of them is coupled to when it is eliminated.
+    neighbours: Vec<usize>,
+}
+
+impl EliminationOrder {
+    /// Whether elimination as straight-line code is worth it: the rows of pivots are short, or it takes a small part of the
+    /// products of a dense numerical factorization.
+    pub(crate) fn is_sparse(&self) -> bool {
+        let size = self.neighbours.len();
+        let products = |neighbours: usize| neighbours * (neighbours + 1) / 2 + 3 * neighbours;
+        let sparse: usize = self.neighbours.iter().map(|count| products(*count)).sum();
+        let dense: usize = (0..size).map(products).sum();
+        let are_short = || {
+            self.neighbours
+                .iter()
+                .all(|count| *count <= MAX_PIVOT_NEIGHBOURS)
+        };
+        sparse <= MAX_ELIMINATION_PRODUCTS && (MIN_SPARSITY * sparse <= dense || are_short())
+    }
+}
 
 /// The pattern of what is left of a symmetric matrix in the course of elimination.
 struct Pattern {
@@ -31,16 +57,20 @@ pub(crate) fn elimination_order(
     graph: &Graph,
     matrix: &[Vec<Expression>],
     coordinates: usize,
-) -> Option<Vec<usize>> {
+) -> Option<EliminationOrder> {
     let mut pattern = Pattern::new(graph, matrix, coordinates);
     let mut left: BTreeSet<_> = (0..matrix.len()).collect();
-    let mut order = Vec::with_capacity(matrix.len());
+    let mut order = EliminationOrder {
+        unknowns: Vec::with_capacity(matrix.len()),
+        neighbours: Vec::with_capacity(matrix.len()),
+    };
     while !left.is_empty() {
         let ready = left.iter().copied().filter(|i| pattern.is_ready(*i));
         let best = ready.min_by_key(|i| (pattern.fill(*i), pattern.neighbours[*i].len(), *i))?;
         left.remove(&best);
+        order.unknowns.push(best);
+        order.neighbours.push(pattern.neighbours[best].len());
         pattern.eliminate(best);
-        order.push(best);
     }
     Some(order)
 }

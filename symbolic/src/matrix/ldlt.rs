@@ -69,18 +69,21 @@ impl Ldlt {
         })
     }
 
-    /// Factors the matrix of a saddle point problem in the order that its [pattern](elimination_order) of zeros gives; none
-    /// where that leaves no pivot, or one that vanishes everywhere.
+    /// Factors the matrix of a saddle point problem in the order that its [pattern](elimination_order) of zeros gives. None
+    /// where it is not sparse, and where a pivot vanishes everywhere.
     pub(crate) fn factor_by_pattern(
         graph: &mut Graph,
         mass: &[Vec<Expression>],
         coordinates: usize,
     ) -> Option<Self> {
         let order = elimination_order(graph, mass, coordinates)?;
+        if !order.is_sparse() {
+            return None;
+        }
         let mut matrix = SymmetricElimination::new(graph, mass, |i| i);
         let mut pivots = vec![graph.zero(); mass.len()];
         let mut rows = Vec::with_capacity(mass.len());
-        for unknown in order {
+        for unknown in order.unknowns {
             let mut row = matrix.take(graph, unknown);
             row.is_opaque = true;
             row.pivot = graph.opaque(row.pivot);
