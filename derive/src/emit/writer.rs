@@ -153,6 +153,14 @@ impl Writer<'_> {
                 }
             }
             MethodOutputs::RelativePivots(outputs) => self.relative_pivots(outputs),
+            MethodOutputs::Pivots(pivots) => {
+                let root = &self.emitter.declaration.root;
+                let (statements, pivots) = self.compute(pivots);
+                joined([
+                    statements,
+                    quote!(#root::__private::not_positive([#(#pivots),*])),
+                ])
+            }
             MethodOutputs::Declared(outputs) => self.declared_outputs(outputs),
             MethodOutputs::ByColumns(columns) => self.by_columns(*columns),
         }
