@@ -7,6 +7,7 @@ mod families;
 mod golden;
 mod huge_powers;
 mod half_typed;
+mod linkages;
 mod mixed_derivatives;
 mod operations;
 mod pages;

@@ -11,8 +11,8 @@ use lagrangian::prelude::*;
 /// `joint`, and the drives of the legs, `drive`, move the level platform along a circle of this radius. With a radius of 0 it
 /// is held at rest.
 ///
-/// The reaction of `drive` is the force in N with which each drive pushes its rod out of its cylinder, the reaction of `joint` is the
-/// force of the rod's end on the platform, reversed: it acts on the rod.
+/// The reaction of `drive` is the force in N with which each drive pushes its rod out of its cylinder, and the reaction of `joint` the
+/// force of the platform on the rod. The output `carried` is the sum of the forces of the rods on the platform.
 ///
 /// The axes of bodies are those of space while all angles are zero, so that legs are along z. The origins of cylinders are their
 /// universal joints, and those of rods their spherical joints.
@@ -34,8 +34,11 @@ use lagrangian::prelude::*;
 /// };
 /// let start = model.assemble(model.guess(0.0)).solve()?.state;
 /// // At rest, the forces of the joints on the platform carry its weight.
+/// let weight = 40.0 * 9.81;
 /// let outputs = model.outputs(&start);
-/// assert!((outputs.carried - Vector3::new(0.0, 0.0, 40.0 * 9.81)).norm() < 1e-10);
+/// assert!((outputs.carried - Vector3::new(0.0, 0.0, weight)).norm() < 1e-12 * weight);
+/// // All drives push alike.
+/// assert!(outputs.force.iter().all(|force| (force - outputs.force[0]).abs() < 1e-12 * weight));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Lagrangian, Clone, Debug)]

@@ -27,8 +27,8 @@ use crate::{Expression, Graph};
 pub(crate) struct EliminationOrder {
     /// The unknowns.
     pub(crate) unknowns: Vec<usize>,
-    /// How many others each of them is coupled to when it is eliminated.
-    neighbours: Vec<usize>,
+    /// The others to which each of them is coupled when it is eliminated, in order.
+    pub(crate) neighbours: Vec<Vec<usize>>,
 }
 
 /// Products for a pivot with so many other entries, for the factors and for one right-hand side.
@@ -81,15 +81,15 @@ impl EliminationOrder {
     }
 
     fn products(&self) -> usize {
-        self.neighbours.iter().map(|count| products(*count)).sum()
+        self.neighbours.iter().map(|row| products(row.len())).sum()
     }
 
     /// Whether the rows of pivots are short, or elimination takes a small part of the products of a dense factorization.
     fn is_sparse(&self) -> bool {
         let sparse = self.products();
         let dense: usize = (0..self.neighbours.len()).map(products).sum();
-        let mut counts = self.neighbours.iter();
-        let are_short = counts.all(|count| *count <= MAX_PIVOT_NEIGHBOURS);
+        let mut rows = self.neighbours.iter();
+        let are_short = rows.all(|row| row.len() <= MAX_PIVOT_NEIGHBOURS);
         sparse <= MAX_ELIMINATION_PRODUCTS && (are_short || MIN_SPARSITY * sparse <= dense)
     }
 }
@@ -151,8 +151,8 @@ impl Entries {
         missing.sum()
     }
 
-    /// Eliminates an unknown whose pivot does not vanish; how many others it is coupled to.
-    fn eliminate(&mut self, unknown: usize) -> Option<usize> {
+    /// Eliminates an unknown whose pivot does not vanish; the others to which it is coupled.
+    fn eliminate(&mut self, unknown: usize) -> Option<Vec<usize>> {
         let mut row = core::mem::take(&mut self.rows[unknown]);
         let reciprocal = residue::reciprocal(row.remove(&unknown)?, self.p)?;
         for (i, entry) in &row {
@@ -168,6 +168,6 @@ impl Entries {
                 }
             }
         }
-        Some(row.len())
+        Some(row.into_keys().collect())
     }
 }

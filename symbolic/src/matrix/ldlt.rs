@@ -81,8 +81,16 @@ impl Ldlt {
         let mut matrix = SymmetricElimination::new(graph, mass, |i| i);
         let mut pivots = vec![graph.zero(); mass.len()];
         let mut rows = Vec::with_capacity(mass.len());
-        for unknown in order.unknowns {
+        for (unknown, neighbours) in order.unknowns.into_iter().zip(order.neighbours) {
             let mut row = matrix.take(graph, unknown);
+            // What cancels by an identity of functions is seen at a random point, and not by the graph.
+            let is_coupled = |(i, _): &(usize, Expression)| neighbours.binary_search(i).is_ok();
+            let (coupled, others): (Vec<_>, Vec<_>) = row.others.into_iter().partition(is_coupled);
+            let others: Vec<_> = others.into_iter().map(|(_, entry)| entry).collect();
+            if !others.is_empty() && !graph.vanishes(&others) {
+                return None;
+            }
+            row.others = coupled;
             row.is_opaque = true;
             row.pivot = graph.opaque(row.pivot);
             for (_, entry) in &mut row.others {

@@ -7,6 +7,7 @@ mod four_bars;
 mod freedom;
 mod junctions;
 mod light_bodies;
+mod linkages;
 mod mechanisms;
 mod pendulum;
 mod reactions;
