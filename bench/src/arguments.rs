@@ -82,6 +82,11 @@ pub(crate) struct Arguments {
     #[arg(long, group = "task")]
     pub(crate) linkages: bool,
 
+    /// With `--linkages`: instead of motions, the instructions of accelerations and multipliers of 5 to 40 linkages; needs
+    /// valgrind.
+    #[arg(long, requires = "linkages")]
+    pub(crate) instructions: bool,
+
     /// Ensembles of 10,000 motions at equal errors, beside heyoka and `ode_solvers`.
     #[arg(long, group = "task")]
     pub(crate) ensembles: bool,

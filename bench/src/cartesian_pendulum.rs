@@ -6,10 +6,11 @@
 
 use std::process::Command;
 
-use crate::cargo::{Built, build_source};
+use crate::cargo::build_source;
 use crate::command::output;
 use crate::flags::Flags;
 use crate::folders::Folders;
+use crate::instructions::counted;
 use crate::verdict::{Verdict, judge};
 
 /// The instructions by the position over those by the angle.
@@ -68,7 +69,7 @@ pub(crate) fn run() -> Result<(), String> {
                 Flags::Vectors256,
             )?;
             let end = output(&mut Command::new(built.program()))?;
-            instructions[side] = counted(&folders, &built)?;
+            instructions[side] = counted(&folders, &built, &[])?;
             println!(
                 "{method} by the {name}: {:.1} million instructions; x, y and steps: {}",
                 instructions[side] / 1e6,
@@ -88,19 +89,4 @@ pub(crate) fn run() -> Result<(), String> {
         });
     }
     judge(&verdicts)
-}
-
-/// The instructions of a program, from the last line of what callgrind writes.
-fn counted(folders: &Folders, built: &Built) -> Result<f64, String> {
-    let path = folders.output.join("callgrind.out");
-    output(
-        Command::new("valgrind")
-            .arg("--tool=callgrind")
-            .arg(format!("--callgrind-out-file={}", path.display()))
-            .arg(built.program()),
-    )?;
-    let text = std::fs::read_to_string(&path).map_err(|error| error.to_string())?;
-    let total = text.lines().find_map(|line| line.strip_prefix("totals: "));
-    let total = total.and_then(|total| total.trim().parse().ok());
-    total.ok_or_else(|| format!("no total in {}", path.display()))
 }

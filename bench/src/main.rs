@@ -55,6 +55,8 @@ mod compile_costs;
 mod reduced;
 mod light_cart_pole;
 mod linkages;
+mod linkage_instructions;
+mod instructions;
 mod ensembles;
 mod constraints;
 mod cartesian_pendulum;
@@ -107,6 +109,9 @@ fn run(arguments: &Arguments) -> Result<(), String> {
         return cartesian_pendulum::run();
     }
     if arguments.linkages {
+        if arguments.instructions {
+            return linkage_instructions::run();
+        }
         return linkages::run(arguments);
     }
     if arguments.ensembles {

@@ -15,6 +15,11 @@ pub(crate) const MAX_SCOPES: usize = 1000;
 /// cache of instructions is better in one function, whose values wait on the stack; a larger cache would move it.
 pub(crate) const MAX_ASSIGNED: usize = 4;
 
+/// Like [`MAX_ASSIGNED`], for the accelerations and multipliers of a constrained model by the factors of its saddle point problem.
+/// Those of 40 four-bar linkages in a row (6000 variables) take 0.8 of the time in one function, and half of the instructions: pieces
+/// would keep all factors in an array, which has to be cleared. Compiling with optimization takes 9 s in place of 6.
+pub(crate) const MAX_ASSIGNED_FACTORS: usize = 8;
+
 /// How many statements a piece has of a method in pieces; with what it reads these are fewer scopes than [`MAX_SCOPES`]. The
 /// accelerations of thirty joints take the same time, to 3 %, in pieces of 300 and of 1000. Compiled with optimization, a function of
 /// 6000 random statements takes 27 s and its pieces of 300 take 4 s. Loops over links of one kind would move it.
@@ -56,7 +61,29 @@ pub(crate) struct MethodLimits {
     pub(crate) costliest_derivatives: usize,
 }
 
+/// The variables beyond which the body of a method takes another form.
+#[derive(Clone, Copy)]
+pub(crate) struct BodyLimits {
+    /// See [`MAX_SCOPES`].
+    pub(crate) most_scopes: usize,
+    /// The variables that are declared at once and assigned.
+    pub(crate) most_assigned: usize,
+}
+
 impl MethodLimits {
+    /// Those of the body of a method, which may solve a saddle point problem by its factors.
+    pub(crate) const fn of_body(self, solves_saddle_point: bool) -> BodyLimits {
+        let times = if solves_saddle_point {
+            MAX_ASSIGNED_FACTORS
+        } else {
+            MAX_ASSIGNED
+        };
+        BodyLimits {
+            most_scopes: self.most_scopes,
+            most_assigned: self.most_scopes.saturating_mul(times),
+        }
+    }
+
     /// Those of what users get; tests have others, too.
     pub(crate) const OF_EXPANSIONS: Self = Self {
         most_scopes: MAX_SCOPES,

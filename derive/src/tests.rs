@@ -8,6 +8,7 @@ mod golden;
 mod huge_powers;
 mod lowered_once;
 mod half_typed;
+mod linkages;
 mod mixed_derivatives;
 mod operations;
 mod pages;

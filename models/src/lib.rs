@@ -12,6 +12,7 @@ mod general_top;
 mod gyroscope;
 mod simple_pendulum;
 mod spherical_pendulum;
+mod stewart_platform;
 mod symmetric_top;
 
 pub use arm::Arm;
@@ -23,4 +24,5 @@ pub use general_top::GeneralTop;
 pub use gyroscope::Gyroscope;
 pub use simple_pendulum::SimplePendulum;
 pub use spherical_pendulum::SphericalPendulum;
+pub use stewart_platform::StewartPlatform;
 pub use symmetric_top::SymmetricTop;

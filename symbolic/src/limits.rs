@@ -165,6 +165,25 @@ pub(crate) const MIN_ELIMINATED_GRADIENT: (i64, i64) = (1, 1 << 4);
 /// of straight-line code, with 3, five links (462) are left to numerical elimination.
 pub(crate) const MAX_PIVOT_NEIGHBOURS: usize = 7;
 
+/// A saddle point problem whose rows of pivots are longer is eliminated as straight-line code if the products of a dense
+/// factorization are at least this many times as many. By judgement: loops over dense columns use vectors, straight-line code
+/// does not.
+pub(crate) const MIN_SPARSITY: usize = 2;
+
+/// Constraints are eliminated before the coordinates of hubs if that takes less than half of the products: it is stable at fewer
+/// configurations. Made by a platform on six legs, where it takes 0.47 of them; in rows of four-bar linkages without hubs,
+/// constraints that wait for nothing would take 0.65, and be unstable at most configurations.
+pub(crate) const MIN_SPARSITY_OF_HUBS: usize = 2;
+
+/// A coordinate that so many constraints restrict is one of a hub. Made by a platform on six legs; the coordinates of rods in
+/// rows of four-bar linkages are restricted by three.
+pub(crate) const MIN_CONSTRAINTS_OF_HUB: usize = 4;
+
+/// No saddle point problem is eliminated as straight-line code that takes more products, so that compiling takes less than a
+/// minute. Those of 40 four-bar linkages in a row take some 4000 with one right-hand side, those of 200 would take 20 000. Loops over
+/// repeated parts would lift it.
+pub(crate) const MAX_ELIMINATION_PRODUCTS: usize = 20_000;
+
 /// Sums of more terms become opaque during articulated-body elimination. Made by chains; measured: with 1, most
 /// systems change by one operation in either direction, with 4, eight different links by one.
 pub(crate) const MAX_TRANSPARENT_INERTIA_LENGTH: usize = 2;

@@ -21,7 +21,7 @@ use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, To
 use quote::{ToTokens, quote};
 
 use super::locals::Locals;
-use crate::limits::{MAX_ASSIGNED, STATEMENTS_PER_PIECE};
+use crate::limits::{BodyLimits, STATEMENTS_PER_PIECE};
 use crate::syntax::scalar::Scalar;
 use angles::Angles;
 use block::{Block, Form};
@@ -69,13 +69,13 @@ impl<'a> Body<'a> {
         scalar: &'a Scalar<'a>,
         source: &'a dyn SymbolReader,
         functions: Vec<Ident>,
-        most_scopes: usize,
+        limits: BodyLimits,
     ) -> Self {
         let mut variables = Variables::of(program, |value| locals.is_defined(value));
         let scopes = program.symbols().len() + variables.count();
         let form = match scopes {
-            _ if scopes <= most_scopes => Form::Nested,
-            _ if scopes <= most_scopes.saturating_mul(MAX_ASSIGNED) => Form::Assigned,
+            _ if scopes <= limits.most_scopes => Form::Nested,
+            _ if scopes <= limits.most_assigned => Form::Assigned,
             _ => Form::Pieces,
         };
         if form == Form::Pieces {
@@ -94,7 +94,7 @@ impl<'a> Body<'a> {
             arrays: Vec::new(),
             given: BTreeMap::new(),
             homes: HashMap::new(),
-            piece_length: STATEMENTS_PER_PIECE.min(most_scopes).max(1),
+            piece_length: STATEMENTS_PER_PIECE.min(limits.most_scopes).max(1),
             variables,
             block: Block::new(form),
             is_long: false,

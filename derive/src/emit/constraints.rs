@@ -150,6 +150,13 @@ impl Emitter<'_> {
                 }
             }
         });
+        let pivots = constraints.and_then(|methods| methods.pivots.as_ref());
+        let pivoted = if let Some(pivots) = pivots {
+            let body = self.body(pivots, ParameterSource::Prepared, &[]);
+            quote!(::core::option::Option::Some({ #body }))
+        } else {
+            quote!(::core::option::Option::None)
+        };
         quote! {
             #check
             const CONSTRAINTS: &'static [&'static str] = &Self::CONSTRAINTS;
@@ -158,7 +165,9 @@ impl Emitter<'_> {
                 state: #state,
                 prepared: &#prepared,
             ) -> ::core::option::Option<#root::problem::Projection<#scalar, #root::Phase<#scalar, #n>>> {
-                ::core::option::Option::Some(#root::__private::project::<Self, #arguments>(self, state, prepared))
+                ::core::option::Option::Some(
+                    #root::__private::project::<Self, #arguments>(self, state, prepared, #pivoted),
+                )
             }
             fn sizes_in_metric(
                 &self,

@@ -201,7 +201,7 @@ impl Emitter<'_> {
             &self.scalar,
             &symbols,
             Vec::new(),
-            self.limits.most_scopes,
+            self.limits.of_body(false),
         );
         let groups = taylor.recurrence.groups.iter();
         let mut groups = groups.map(|group| body.group(group));

@@ -67,6 +67,11 @@ impl Emitter<'_> {
         let functions = functions.map(value_name).collect();
         let locals = Locals::new(graph, &self.lowered.scope, &self.lowered.quantities)
             .with_arguments(arguments.iter().map(unraw));
+        let is_solution = matches!(
+            &method.outputs,
+            MethodOutputs::Accelerations(AccelerationOutputs::Symbolic { .. })
+        );
+        let solves_saddle_point = is_solution && self.is_constrained();
         let mut writer = Writer {
             emitter: self,
             method,
@@ -78,7 +83,7 @@ impl Emitter<'_> {
                 &self.scalar,
                 &symbols,
                 functions,
-                self.limits.most_scopes,
+                self.limits.of_body(solves_saddle_point),
             ),
             computed: Vec::new(),
         };
@@ -148,6 +153,14 @@ impl Writer<'_> {
                 }
             }
             MethodOutputs::RelativePivots(outputs) => self.relative_pivots(outputs),
+            MethodOutputs::Pivots(pivots) => {
+                let root = &self.emitter.declaration.root;
+                let (statements, pivots) = self.compute(pivots);
+                joined([
+                    statements,
+                    quote!(#root::__private::not_positive([#(#pivots),*])),
+                ])
+            }
             MethodOutputs::Declared(outputs) => self.declared_outputs(outputs),
             MethodOutputs::ByColumns(columns) => self.by_columns(*columns),
         }

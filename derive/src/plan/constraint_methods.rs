@@ -1,6 +1,6 @@
 //! The programs of a model's constraints.
 
-use lagrangian_symbolic::{ConstraintEquations, ConstraintPrograms, Expression, Model};
+use lagrangian_symbolic::{ConstraintEquations, ConstraintPrograms, Expression, Model, Solution};
 
 use super::method::Method;
 use super::outputs::MethodOutputs;
@@ -20,6 +20,8 @@ pub(crate) struct ConstraintMethods {
     pub(crate) rates: Method,
     /// The compliances, if some are declared.
     pub(crate) compliances: Option<Method>,
+    /// Where the accelerations are solved for symbolically: what is positive where that is without pivoting.
+    pub(crate) pivots: Option<Method>,
 }
 
 impl ConstraintMethods {
@@ -28,6 +30,7 @@ impl ConstraintMethods {
         model: &Model,
         equations: &ConstraintEquations,
         compliances: Option<&[Expression]>,
+        solution: Option<&Solution>,
     ) -> Option<Self> {
         if equations.is_empty() {
             return None;
@@ -45,6 +48,8 @@ impl ConstraintMethods {
             jacobian: Method::single(model, &columns, MethodOutputs::ConstraintJacobian),
             rates: vector(&equations.rates),
             compliances: compliances.map(vector),
+            pivots: solution
+                .map(|solution| Method::single(model, &solution.pivots, MethodOutputs::Pivots)),
         })
     }
 

@@ -170,7 +170,12 @@ impl Methods {
             accelerations,
             inverse_dynamics,
             linearize,
-            constraints: ConstraintMethods::schedule(model, &equations.constraints, compliances),
+            constraints: ConstraintMethods::schedule(
+                model,
+                &equations.constraints,
+                compliances,
+                kinetics.solution.as_ref(),
+            ),
             relative_pivots: pivots.map(|pivots| pivots.schedule(model)),
             stays_regular,
             energies: energies.natural.map(|energies| energies.map(scalar)),

@@ -218,6 +218,8 @@ pub(crate) enum MethodOutputs {
         velocities: OutputSlice,
     },
     RelativePivots(PivotOutputs),
+    /// What is positive where a saddle point problem is solved without pivoting.
+    Pivots(OutputSlice),
     /// The declared outputs, in their order.
     Declared(Vec<(Shape, OutputSlice)>),
     /// There is no program: a matrix is computed column by column.

@@ -32,6 +32,10 @@ impl PreparedArray {
                 array.add(method);
             }
         }
+        let constraints = methods.constraints.as_ref();
+        if let Some(pivots) = constraints.and_then(|methods| methods.pivots.as_ref()) {
+            array.add(pivots);
+        }
         if let Some(series) = series {
             array.add(&series.motion.initial);
             let events = series.events.iter().map(|events| &events.series);

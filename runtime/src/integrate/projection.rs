@@ -18,6 +18,8 @@ pub struct Projection<S, X> {
     pub(super) residual: S,
     /// The index of this constraint.
     pub(super) constraint: S,
+    /// 1 in lanes in which the equations of motion are solved with pivoting, 0 in the others.
+    pub(super) pivoted: S,
 }
 
 impl<S: Scalar, X> Projection<S, X> {
@@ -25,13 +27,14 @@ impl<S: Scalar, X> Projection<S, X> {
     #[inline]
     #[must_use]
     pub fn new(state: X) -> Self {
-        let [failed, residual, constraint] = [S::zero(); 3];
+        let [failed, residual, constraint, pivoted] = [S::zero(); 4];
         Self {
             state,
             sizes: None,
             failed,
             residual,
             constraint,
+            pivoted,
         }
     }
 
@@ -61,6 +64,14 @@ impl<S: Scalar, X> Projection<S, X> {
         self
     }
 
+    /// Sets the mask of the lanes in which the equations of motion are solved with pivoting.
+    #[inline]
+    #[must_use]
+    pub(crate) fn with_pivoting(mut self, pivoted: S) -> Self {
+        self.pivoted = pivoted;
+        self
+    }
+
     /// Returns the projection with another state in place of its own.
     #[inline]
     pub(crate) fn map<Y>(self, state: impl Fn(X) -> Y) -> Projection<S, Y> {
@@ -70,6 +81,7 @@ impl<S: Scalar, X> Projection<S, X> {
             failed,
             residual,
             constraint,
+            pivoted,
         } = self;
         Projection {
             state: state(before),
@@ -77,6 +89,7 @@ impl<S: Scalar, X> Projection<S, X> {
             failed,
             residual,
             constraint,
+            pivoted,
         }
     }
 

@@ -118,6 +118,10 @@ pub struct Statistics {
     /// allowed error; for fixed steps, over the error that a tolerance of 1 would allow. 0 without a projection.
     #[cfg_attr(feature = "serde", serde(default))]
     pub projection: f64,
+    /// Steps at whose ends the accelerations of a model with constraints are solved for with pivoting, by a dense numerical
+    /// factorization, because a pivot without it would be too small; in several lanes at once, steps in which one of them is.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub pivoted: u64,
 }
 
 impl Statistics {
@@ -135,7 +139,14 @@ impl Statistics {
             rejected: self.rejected + other.rejected,
             evaluations: self.evaluations + other.evaluations,
             projection: self.projection.max(other.projection),
+            pivoted: self.pivoted + other.pivoted,
         }
+    }
+
+    /// Notes the projection of the end of a step, which moved it by so much and is pivoted where this is positive.
+    pub(crate) fn note_projection(&mut self, distance: f64, pivoted: f64) {
+        self.projection = self.projection.max(distance);
+        self.pivoted += u64::from(pivoted > 0.0);
     }
 }
 

@@ -177,6 +177,12 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
         }
     }
 
+    /// Returns the mask of the lanes in which the matrix is factored with pivoting.
+    #[must_use]
+    pub fn pivoted(&self) -> S {
+        S::one() - self.ldlt
+    }
+
     /// Returns the number of independent constraints.
     #[must_use]
     pub fn rank(&self) -> S {

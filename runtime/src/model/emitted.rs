@@ -106,6 +106,13 @@ pub fn if_positive<S: Scalar, T: LaneSelect<S>, const K: usize>(
     }
 }
 
+/// Returns the mask of the lanes in which some pivot is not positive.
+#[inline]
+pub fn not_positive<S: Scalar, const K: usize>(pivots: [S; K]) -> S {
+    let positive = |all, pivot| all * greater(pivot, S::zero());
+    S::one() - pivots.into_iter().fold(S::one(), positive)
+}
+
 /// Returns the value of `otherwise`, and the mask of the lanes in which all pivots are positive. The computed value is
 /// not passed to this function, so that it stays in registers.
 #[cold]
@@ -114,8 +121,7 @@ fn without_positive<S: Scalar, T, const K: usize>(
     pivots: [S; K],
     otherwise: impl FnOnce() -> T,
 ) -> (T, S) {
-    let positive = |all, pivot| all * greater(pivot, S::zero());
-    let definite = pivots.into_iter().fold(S::one(), positive);
+    let definite = S::one() - not_positive(pivots);
     (otherwise(), definite)
 }
 

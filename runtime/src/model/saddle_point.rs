@@ -107,7 +107,7 @@ pub fn fix_rank<M, S, const N: usize, const C: usize, const K: usize>(
         let mut nearby = *state;
         nearby.q += free + correction(&factors, &residuals);
         for _ in 0..TO_NEARBY {
-            nearby.x = project::<M, S, N, C, K>(model, &nearby, prepared).into_state();
+            nearby.x = project::<M, S, N, C, K>(model, &nearby, prepared, None).into_state();
         }
         let there = at_state::<M, S, N, C, K>(model, &nearby, prepared);
         found = found.max(there.rank());
@@ -357,11 +357,14 @@ where
 /// Projects a state onto the constraints in the metric of M: coordinates by Newton's method with the factors at the
 /// state, then velocities with the constraints at the projected coordinates.
 ///
+/// Where accelerations are solved for with pivoting, the projection is `pivoted`; without that, where its own factors are.
+///
 /// E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), IV.4 and VII.1.
 pub fn project<M, S, const N: usize, const C: usize, const K: usize>(
     model: &M,
     state: &State<S, N>,
     prepared: &M::Prepared,
+    pivoted: Option<S>,
 ) -> Projection<S, Phase<S, N>>
 where
     M: Constraints<N, C, S>,
@@ -388,7 +391,10 @@ where
     let positions = model.constraint_positions(&projected, prepared);
     let velocities = model.constraint_velocities(&projected, prepared);
     let sizes = phase_in_metric(&mass, &projected.x);
-    let mut projection = Projection::new(projected.x).with_sizes(sizes);
+    let pivoted = pivoted.unwrap_or_else(|| factors.pivoted());
+    let mut projection = Projection::new(projected.x)
+        .with_sizes(sizes)
+        .with_pivoting(pivoted);
     let tolerance = S::from_f64(max_residual::<S>());
     let mut allowed = [
         SVector::<S, C>::from_fn(|j, _| {

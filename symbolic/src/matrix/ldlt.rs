@@ -7,9 +7,12 @@
 //! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with no digits lost near θ = 0. M is not inverted; the
 //! solution is straight-line code with one division for each pivot.
 
-use crate::limits::{MAX_TRANSPARENT_ELIMINATION, MIN_ELIMINATED_GRADIENT, MIN_SADDLE_POINT_PIVOT};
+mod stability;
+
+use crate::limits::MAX_TRANSPARENT_ELIMINATION;
+use crate::matrix::elimination_order::EliminationOrder;
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
-use crate::{Expression, Graph, Node, Rational};
+use crate::{Expression, Graph, Rational};
 
 /// A symbolically factored symmetric matrix.
 #[derive(Clone, Debug)]
@@ -67,106 +70,42 @@ impl Ldlt {
         })
     }
 
-    /// Reverses the pivots of constraints, the rows of a saddle point problem from `coordinates` on, which are negative, and adds
-    /// the conditions for a stable solution: where these and all pivots are positive, no entry loses or gains many digits.
-    ///
-    /// - A pivot is no small remainder of what it is subtracted from.
-    /// - The pivot p of a constraint that is eliminated before a coordinate k, to which e couples it, leaves k with e²/p more:
-    ///   this is no large multiple of what is left of Mₖₖ. Where k is without mass, e is no large multiple of the other components
-    ///   of the gradient, of which p is made; that depends on units, as all pivoting does.
-    pub(crate) fn with_negative_pivots(
-        mut self,
+    /// Factors the matrix of a saddle point problem in the order that its [pattern](EliminationOrder) of zeros gives. None
+    /// where it is not sparse, and where a pivot vanishes everywhere.
+    pub(crate) fn factor_by_pattern(
         graph: &mut Graph,
         mass: &[Vec<Expression>],
         coordinates: usize,
     ) -> Option<Self> {
-        if coordinates == mass.len() {
-            return Some(self);
-        }
-        for pivot in &mut self.pivots[coordinates..] {
-            *pivot = graph.negate(*pivot);
-        }
-        let are_first = self.rows[..coordinates]
-            .iter()
-            .all(|row| row.unknown < coordinates);
-        let refined = mass.iter().cloned().enumerate();
-        self.refined = refined
-            .skip(if are_first { coordinates } else { 0 })
-            .collect();
-        let mut conditions = Vec::new();
-        for (position, row) in self.rows.iter().enumerate() {
-            let pivot = self.pivots[row.unknown];
-            if row.unknown < coordinates {
-                if has_difference(graph, pivot) {
-                    let before = mass[row.unknown][row.unknown];
-                    conditions.push(exceeds(graph, pivot, before, MIN_SADDLE_POINT_PIVOT));
-                }
-                continue;
+        let order = EliminationOrder::of(graph, mass, coordinates)?;
+        let mut matrix = SymmetricElimination::new(graph, mass, |i| i);
+        let mut pivots = vec![graph.zero(); mass.len()];
+        let mut rows = Vec::with_capacity(mass.len());
+        for (unknown, neighbours) in order.unknowns.into_iter().zip(order.neighbours) {
+            let mut row = matrix.take(graph, unknown);
+            // What cancels by an identity of functions is seen at a random point, and not by the graph.
+            let is_coupled = |(i, _): &(usize, Expression)| neighbours.binary_search(i).is_ok();
+            let (coupled, others): (Vec<_>, Vec<_>) = row.others.into_iter().partition(is_coupled);
+            let others: Vec<_> = others.into_iter().map(|(_, entry)| entry).collect();
+            if !others.is_empty() && !graph.vanishes(&others) {
+                return None;
             }
-            let [before, squares] = self.reductions(graph, row.unknown, position, coordinates);
-            if self.reduces_by_constraint(graph, row.unknown, position, coordinates) {
-                conditions.push(exceeds(graph, pivot, before, MIN_SADDLE_POINT_PIVOT));
+            row.others = coupled;
+            row.is_opaque = true;
+            row.pivot = graph.opaque(row.pivot);
+            for (_, entry) in &mut row.others {
+                *entry = graph.opaque(*entry);
             }
-            for (k, entry) in &row.others {
-                if *k >= coordinates || graph.is_zero(*entry) {
-                    continue;
-                }
-                let square = graph.multiply(*entry, *entry);
-                let [reduction, _] = self.reductions(graph, *k, position, coordinates);
-                let inertia = graph.subtract(mass[*k][*k], reduction);
-                conditions.push(if graph.vanishes(&[inertia]) {
-                    exceeds(graph, squares, square, MIN_ELIMINATED_GRADIENT)
-                } else {
-                    let product = graph.multiply(pivot, inertia);
-                    exceeds(graph, product, square, MIN_SADDLE_POINT_PIVOT)
-                });
-            }
+            matrix.reduce(graph, &row, |_, entry| entry);
+            pivots[unknown] = row.pivot;
+            rows.push(row);
         }
-        for condition in conditions {
-            match graph.as_constant(condition) {
-                Some(number) if *number > Rational::ZERO => {}
-                Some(_) => return None,
-                None if self.conditions.contains(&condition) => {}
-                None => self.conditions.push(condition),
-            }
-        }
-        Some(self)
-    }
-
-    /// What the elimination of coordinates before a position makes of the diagonal entry of an unknown, Σ e²/p, and Σ e² of its
-    /// entries e there.
-    fn reductions(
-        &self,
-        graph: &mut Graph,
-        unknown: usize,
-        position: usize,
-        coordinates: usize,
-    ) -> [Expression; 2] {
-        let (mut quotients, mut squares) = (Vec::new(), Vec::new());
-        for row in &self.rows[..position] {
-            if row.unknown < coordinates {
-                let entry = row.entry(unknown).unwrap_or(graph.zero());
-                let factor = graph.divide(entry, row.pivot);
-                quotients.push((graph.multiply(factor, entry), Rational::ONE));
-                squares.push((graph.multiply(entry, entry), Rational::ONE));
-            }
-        }
-        [graph.sum(quotients), graph.sum(squares)]
-    }
-
-    /// Whether constraints that are eliminated before a position change the diagonal entry of an unknown.
-    fn reduces_by_constraint(
-        &self,
-        graph: &Graph,
-        unknown: usize,
-        position: usize,
-        coordinates: usize,
-    ) -> bool {
-        let constraints = self.rows[..position].iter();
-        let mut constraints = constraints.filter(|row| row.unknown >= coordinates);
-        constraints.any(|row| {
-            row.entry(unknown)
-                .is_some_and(|entry| !graph.is_zero(entry))
+        let is_regular = rows.iter().all(|row| !graph.is_zero(row.pivot));
+        is_regular.then_some(Self {
+            pivots,
+            conditions: Vec::new(),
+            refined: Vec::new(),
+            rows,
         })
     }
 
@@ -197,9 +136,18 @@ impl Ldlt {
     /// x in M x = `right`, by the factors alone.
     fn eliminate(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
         let rewrite = rewriting(self.rows.len());
+        // Opaque rows make what they use opaque, and what is added up until then is one sum.
+        let is_opaque = self.rows.iter().any(|row| row.is_opaque);
+        let rewrite_right = |graph: &mut Graph, entry| {
+            if is_opaque {
+                entry
+            } else {
+                rewrite(graph, entry)
+            }
+        };
         let mut right = right.iter().copied().enumerate().collect();
         for row in &self.rows {
-            row.reduce_right(graph, &mut right, &rewrite);
+            row.reduce_right(graph, &mut right, rewrite_right);
         }
         let mut solution = vec![graph.zero(); self.rows.len()];
         for row in self.rows.iter().rev() {
@@ -207,29 +155,6 @@ impl Ldlt {
             solution[row.unknown] = rewrite(graph, value);
         }
         solution
-    }
-}
-
-/// What is positive where `x` exceeds this part of `y`.
-fn exceeds(
-    graph: &mut Graph,
-    x: Expression,
-    y: Expression,
-    (numerator, denominator): (i64, i64),
-) -> Expression {
-    let least = Rational::new(-numerator, denominator).unwrap_or(Rational::ZERO);
-    graph.sum([(x, Rational::ONE), (y, least)])
-}
-
-/// Whether terms are subtracted in a pivot.
-fn has_difference(graph: &Graph, pivot: Expression) -> bool {
-    let mut pivot = pivot;
-    while let Node::Opaque(operand) = graph.node(pivot) {
-        pivot = *operand;
-    }
-    match graph.node(pivot) {
-        Node::Sum(terms) => terms.iter().any(|(_, factor)| factor.is_negative()),
-        _ => false,
     }
 }
 

@@ -22,6 +22,8 @@ pub(crate) struct PivotRow<U> {
     pub(crate) pivot: Expression,
     /// The other entries; zeros may be among them.
     pub(crate) others: Vec<(U, Expression)>,
+    /// Whether its entries over the pivot, and its right-hand sides, are opaque: each is one value wherever it is used.
+    pub(crate) is_opaque: bool,
 }
 
 impl<U: Copy + Ord> SymmetricElimination<U> {
@@ -78,6 +80,7 @@ impl<U: Copy + Ord> SymmetricElimination<U> {
             unknown,
             pivot,
             others: row.into_iter().collect(),
+            is_opaque: false,
         }
     }
 
@@ -92,7 +95,7 @@ impl<U: Copy + Ord> SymmetricElimination<U> {
             if graph.is_zero(*entry) {
                 continue;
             }
-            let factor = graph.divide(*entry, row.pivot);
+            let factor = row.factor(graph, *entry);
             for (v, other) in &row.others[..=position] {
                 let change = graph.multiply(factor, *other);
                 let after = graph.subtract(self.entry(graph, *u, *v), change);
@@ -133,6 +136,20 @@ impl<U: Copy + Ord> PivotRow<U> {
         entry.map(|(_, entry)| *entry)
     }
 
+    /// One of its entries over the pivot.
+    fn factor(&self, graph: &mut Graph, entry: Expression) -> Expression {
+        let factor = graph.divide(entry, self.pivot);
+        self.rewritten(graph, factor)
+    }
+
+    fn rewritten(&self, graph: &mut Graph, value: Expression) -> Expression {
+        if self.is_opaque {
+            graph.opaque(value)
+        } else {
+            value
+        }
+    }
+
     /// Subtracts the same multiples of its right-hand side from the others.
     pub(crate) fn reduce_right(
         &self,
@@ -142,8 +159,9 @@ impl<U: Copy + Ord> PivotRow<U> {
     ) {
         let zero = graph.zero();
         let own = right.get(&self.unknown).copied().unwrap_or(zero);
+        let own = self.rewritten(graph, own);
         for (u, entry) in &self.others {
-            let factor = graph.divide(*entry, self.pivot);
+            let factor = self.factor(graph, *entry);
             let change = graph.multiply(factor, own);
             let before = right.get(u).copied().unwrap_or(zero);
             let after = graph.subtract(before, change);
@@ -158,8 +176,9 @@ impl<U: Copy + Ord> PivotRow<U> {
         right: &BTreeMap<U, Expression>,
         mut value: impl FnMut(&mut Graph, U) -> Expression,
     ) -> Expression {
-        let own = right.get(&self.unknown).copied();
-        let mut terms = vec![(own.unwrap_or(graph.zero()), Rational::ONE)];
+        let own = right.get(&self.unknown).copied().unwrap_or(graph.zero());
+        let own = self.rewritten(graph, own);
+        let mut terms = vec![(own, Rational::ONE)];
         for (u, entry) in &self.others {
             let value = value(graph, *u);
             terms.push((graph.multiply(*entry, value), Rational::MINUS_ONE));

@@ -102,7 +102,7 @@ impl Kinetics {
         let has_ldlt = passes.has(Pass::Ldlt) && constraints.surplus.is_empty();
         let ldlt = |graph: &mut Graph, system: &LinearSystem| {
             let system = system.clone().with_constraints(graph, constraints);
-            ldlt_solver(graph, &system, model.coordinates as usize)
+            ldlt_solvers(graph, &system, model.coordinates as usize)
         };
         let mut solvers = Vec::new();
         if has_ldlt {
@@ -342,12 +342,20 @@ impl Kinetics {
     }
 }
 
-/// The solution through the factors of M, or of the matrix of a saddle point problem. There as many pivots as there are
+/// The solutions through the factors of M, or of the matrix of a saddle point problem. There as many pivots as there are
 /// `coordinates` are positive where M is, and those of the multipliers negative; their opposites are the pivots.
-fn ldlt_solver(graph: &mut Graph, system: &LinearSystem, coordinates: usize) -> Option<Solver> {
-    let ldlt = Ldlt::factor(graph, &system.mass, MAX_PIVOT_NEIGHBOURS)?;
-    let ldlt = ldlt.with_negative_pivots(graph, &system.mass, coordinates)?;
-    Some(Solver::Ldlt(ldlt, system.forcing.clone()))
+fn ldlt_solvers(graph: &mut Graph, system: &LinearSystem, coordinates: usize) -> Vec<Solver> {
+    let matrix = &system.mass;
+    let mut factors = vec![Ldlt::factor(graph, matrix, MAX_PIVOT_NEIGHBOURS)];
+    if matrix.len() > coordinates {
+        factors.push(Ldlt::factor_by_pattern(graph, matrix, coordinates));
+    }
+    let mut solvers = Vec::with_capacity(factors.len());
+    for ldlt in factors.into_iter().flatten() {
+        let ldlt = ldlt.with_negative_pivots(graph, matrix, coordinates);
+        solvers.extend(ldlt.map(|ldlt| Solver::Ldlt(ldlt, system.forcing.clone())));
+    }
+    solvers
 }
 
 /// The equations along the links of a mechanism, if the model is one and they are Lagrange's.

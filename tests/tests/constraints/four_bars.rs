@@ -46,6 +46,7 @@ macro_rules! four_bars {
 
 four_bars!(OneFourBar, 2, 1);
 four_bars!(TwoFourBars, 3, 2);
+four_bars!(SixFourBars, 7, 6);
 
 /// The linkages as one pendulum, by the angle from the upright.
 #[derive(Clone, Lagrangian)]

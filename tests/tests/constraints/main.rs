@@ -9,6 +9,7 @@ mod freedom;
 mod joints;
 mod junctions;
 mod light_bodies;
+mod linkages;
 mod mechanisms;
 mod pendulum;
 mod reactions;

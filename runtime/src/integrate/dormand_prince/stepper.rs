@@ -379,7 +379,8 @@ impl<X> Dop853Stepper<X> {
         let allowed = before.zip_map(&after, Scalar::max);
         let found = (&projection, end.value());
         let distance = step.check(found, &correction, &allowed, is_limited)?;
-        self.statistics.projection = self.statistics.projection.max(distance);
+        self.statistics
+            .note_projection(distance, projection.pivoted.largest());
         Ok(end)
     }
 

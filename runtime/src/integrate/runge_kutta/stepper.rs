@@ -136,7 +136,8 @@ impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
         let size = dynamics.allowed_error(state.value(), &error_of_size(1.0));
         let found = (&projection, end.value());
         let distance = step.check(found, &correction, &size, false)?;
-        self.statistics.projection = self.statistics.projection.max(distance);
+        self.statistics
+            .note_projection(distance, projection.pivoted.largest());
         Ok(end)
     }
 }

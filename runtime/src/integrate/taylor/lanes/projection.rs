@@ -90,8 +90,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             match checked {
                 None => end.copy_lane(lane, &self.state),
                 Some(Ok(distance)) => {
-                    let most = &mut self.statistics[lane].projection;
-                    *most = most.max(distance);
+                    let pivoted = projection.pivoted.in_lane(lane);
+                    self.statistics[lane].note_projection(distance, pivoted);
                     let change = correction.lane(lane);
                     self.coefficients.change_end_in(lane, tau.0[lane], &change);
                 }

@@ -41,7 +41,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let allowed = dynamics.allowed_error(&sizes, &tolerance);
         let found = (projection, end.value());
         let distance = step.check(found, &correction, &allowed, is_limited)?;
-        self.statistics.projection = self.statistics.projection.max(distance);
+        self.statistics
+            .note_projection(distance, projection.pivoted.largest());
         let [present, next] = [self.exchanged, !self.exchanged].map(usize::from);
         self.polynomials[next].from = end;
         self.polynomials[present]

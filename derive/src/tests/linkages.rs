@@ -1,0 +1,79 @@
+//! Operations of the accelerations and multipliers of loops in a row.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::plan::Methods;
+use crate::tests::derived::derive;
+
+/// Four-bar linkages in a row, in Cartesian coordinates: cranks about fixed points, whose ends couplers connect.
+fn linkages(count: usize) -> Methods {
+    let (couplers, cranks) = (count, count + 1);
+    let [couplers, cranks] = [couplers, cranks].map(Literal::usize_unsuffixed);
+    methods(quote! {
+        #[lagrangian(
+            coordinates(x[#cranks], y[#cranks]),
+            kinetic = (0..#cranks).map(|i| m / 6.0 * (dot(x[i]).powi(2) + dot(y[i]).powi(2))).sum()
+                + (0..#couplers).map(|i| m / 6.0 * (dot(x[i]).powi(2) + dot(y[i]).powi(2)
+                    + dot(x[i + 1]).powi(2) + dot(y[i + 1]).powi(2)
+                    + dot(x[i]) * dot(x[i + 1]) + dot(y[i]) * dot(y[i + 1]))).sum(),
+            potential = m * g * (0..#cranks).map(|i| y[i]).sum(),
+            constraint(
+                crank[i] = (x[i] - i * l).powi(2) + y[i].powi(2) - l.powi(2) for i in 0..#cranks,
+                coupler[i] = (x[i + 1] - x[i]).powi(2) + (y[i + 1] - y[i]).powi(2) - d.powi(2) for i in 0..#couplers,
+            ),
+        )]
+        struct Linkages { m: f64, g: f64, l: f64, d: f64 }
+    })
+}
+
+fn methods(declaration: TokenStream) -> Methods {
+    derive(declaration).methods
+}
+
+#[test]
+fn operations_of_linkages_in_a_row_grow_linearly() {
+    let counts = [4, 8, 16].map(|count| linkages(count).accelerations.count.total());
+    assert_eq!(counts[2] - counts[1], 2 * (counts[1] - counts[0]));
+    let prepared = [8, 16].map(|count| linkages(count).prepare.count.total());
+    assert!(prepared[1] <= 2 * prepared[0]);
+}
+
+/// A platform in a plane on legs of two angles each, whose ends hold it: the loops meet in it.
+#[test]
+fn operations_of_legs_below_a_platform_grow_linearly() {
+    let counts = [8, 16, 32].map(|legs| {
+        let legs = Literal::usize_unsuffixed(legs);
+        let methods = methods(quote! {
+            #[lagrangian(
+                coordinates(x, y, phi, a[#legs], s[#legs]),
+                kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)) + 0.5 * j * dot(phi).powi(2),
+                kinetic = (0..#legs).map(|k| 0.5 * n * (dot(s[k]).powi(2) + s[k].powi(2) * dot(a[k]).powi(2))).sum(),
+                potential = m * g * y,
+                constraint(
+                    joint[k] = [s[k] * cos(a[k]) + b[k] - x - c[k] * cos(phi), s[k] * sin(a[k]) - y - c[k] * sin(phi)]
+                        for k in 0..#legs,
+                ),
+            )]
+            struct Platform { m: f64, j: f64, n: f64, g: f64, b: [f64; #legs], c: [f64; #legs] }
+        });
+        methods.accelerations.count.total()
+    });
+    // Parts of a sum are shared in some legs and not in others.
+    assert!(100 * (counts[2] - counts[1]) <= 202 * (counts[1] - counts[0]));
+}
+
+/// Each constraint restricts all coordinates, and M is full.
+#[test]
+fn what_is_coupled_throughout_is_left_to_the_numerical_factorization() {
+    let methods = methods(quote! {
+        #[lagrangian(
+            coordinates(q[12]),
+            kinetic = 0.5 * m * ((0..12).map(|i| dot(q[i])).sum().powi(2) + (0..12).map(|i| dot(q[i]).powi(2)).sum()),
+            potential = 0.0,
+            constraint(sum[k] = (0..12).map(|i| sin((k + 1) * q[i])).sum() - c for k in 0..6),
+        )]
+        struct Coupled { m: f64, c: f64 }
+    });
+    assert!(methods.accelerations.outputs.pivots().is_none());
+}
