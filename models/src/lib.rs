@@ -4,6 +4,7 @@
 //! throughout; those of SI are named. All have the clause `taylor`, so that [`Taylor`](lagrangian::Taylor) steps them.
 
 mod arm;
+mod bicycle;
 mod cart_pole;
 mod double_pendulum;
 mod free_body;
@@ -15,6 +16,7 @@ mod spherical_pendulum;
 mod symmetric_top;
 
 pub use arm::Arm;
+pub use bicycle::Bicycle;
 pub use cart_pole::CartPole;
 pub use double_pendulum::DoublePendulum;
 pub use free_body::FreeBody;

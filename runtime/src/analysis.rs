@@ -7,6 +7,8 @@
 //!   [`DampedModes`], the [`Spectrum`] and the [`Stability`].
 //! - [`StateSpace`] is a linear model with inputs and outputs, about any state: its poles, its [`Controllability`], its
 //!   discretization and its linear-quadratic [`Regulator`].
+//! - [`TangentSpace`] is the choice of independent coordinates and velocities of a constrained model, for its
+//!   [`StateSpace`](StateSpace::reduced).
 //!
 //! Nothing allocates. Eigenvalues of nonsymmetric matrices are computed in `f64`; everything else is generic over
 //! scalars that are a single number.
@@ -37,6 +39,10 @@ mod controllability;
 mod matrix_exponential;
 mod state_space;
 mod linear_outputs;
+mod tangent_error;
+mod tangent_space;
+mod tangents;
+mod reduced_state_space;
 mod riccati;
 mod matrix_sign;
 mod lyapunov;
@@ -58,6 +64,8 @@ pub use small_oscillations::SmallOscillations;
 pub use spectrum::Spectrum;
 pub use stability::{LinearStability, SecondVariation, Stability, Verdict};
 pub use state_space::{DiscreteStateSpace, StateSpace};
+pub use tangent_error::{IndependentVariables, TangentError};
+pub use tangent_space::{TangentBasis, TangentSpace};
 
 /// Returns whether a number exceeds a limit; NaN counts as exceeding it.
 fn exceeds(value: f64, limit: f64) -> bool {

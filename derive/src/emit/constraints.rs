@@ -84,6 +84,25 @@ impl Emitter<'_> {
         self.interface(Interface::Impacts, TokenStream::new())
     }
 
+    /// The impl of `DirectionalDerivatives`, for a model with constraints that is one on dual numbers, on which external functions
+    /// have derivatives that may not be the declared ones.
+    pub(super) fn directional_derivatives(&self) -> TokenStream {
+        let has_functions = self.model.graph.functions().next().is_some();
+        if !self.is_constrained() || !self.scalar.is_generic() || has_functions {
+            return TokenStream::new();
+        }
+        let root = &self.declaration.root;
+        let signatures = self.signatures();
+        let methods = signatures.directional_derivatives(
+            |method, arguments| quote!(#root::__private::#method(self, #arguments)),
+        );
+        let (n, c, scalar) = (self.coordinates(), self.constraint_count(), &self.scalar);
+        self.implement(
+            &quote!(#root::quantities::DirectionalDerivatives::<#n, #c, #scalar>),
+            &methods,
+        )
+    }
+
     /// The impl of `StateJacobian`, for a model without constraints.
     pub(super) fn state_jacobian(&self) -> TokenStream {
         if self.is_constrained() {

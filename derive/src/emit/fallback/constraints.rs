@@ -44,7 +44,14 @@ impl Fallback<'_> {
                 ::core::unreachable!()
             }
         };
-        let constraints = self.interface(Interface::Constraints, &items);
+        let mut constraints = self.interface(Interface::Constraints, &items);
+        if scalar.is_generic() {
+            let methods = signatures.directional_derivatives(
+                |_, arguments| quote::quote!(let _ = (#arguments); ::core::unreachable!()),
+            );
+            let interface = quote::quote!(#root::quantities::DirectionalDerivatives::<#dimension, #count, #scalar>);
+            constraints.extend(self.implement(&interface, Some(scalar), &methods));
+        }
         if self.lowered.events.is_empty() {
             return constraints;
         }
