@@ -18,7 +18,7 @@ pub use model::{Law, Observed, Parametrized, rows};
 pub use motion::{Motion, motions};
 pub use random::Random;
 pub use reference::{
-    array, governor, linear_control, list, near_the_poles, number, numbers, public_cases,
+    array, bicycle, governor, linear_control, list, near_the_poles, number, numbers, public_cases,
     references, regulators, snakeboard, text,
 };
 
