@@ -49,9 +49,10 @@ impl Emitter<'_> {
                 prepared: &#prepared,
                 impulse_and_residuals: (&#vector, &#root::__private::SVector<#scalar, #c>),
                 held: &[::core::primitive::bool; #n],
+                count: ::core::primitive::usize,
             ) -> #vector {
                 #root::__private::constrained_response::<Self, #arguments>(
-                    self, state, prepared, impulse_and_residuals, held,
+                    self, state, prepared, impulse_and_residuals, held, count,
                 )
             }
         };

@@ -163,7 +163,8 @@ impl fmt::Display for TangentError {
                 slope,
             } => write!(
                 f,
-                "`{coordinate}` cannot be left out: it acts on `{on}`, with the derivative {}",
+                "`{coordinate}` cannot be left out: it acts on `{on}`, with the derivative {}; keep it, or choose independent \
+                 velocities that are the same in all directions",
                 Readable(slope)
             ),
             Self::Moving { name, velocity } => write!(

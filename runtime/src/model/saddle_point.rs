@@ -122,14 +122,15 @@ fn note_rank<S: Scalar>(prepared: &mut impl AsMut<[S]>, rank: S) {
 }
 
 /// Returns the change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r,
-/// with δᵢ = 0 for each component that is held. Without an impulse it is the smallest in the metric of M that takes the
-/// residuals away to first order.
+/// with δᵢ = 0 for each component that is held, and the rows of the first constraints alone, `count` in number. Without an impulse it is
+/// the smallest in the metric of M that takes the residuals away to first order.
 pub fn constrained_response<M, S, const N: usize, const C: usize, const K: usize>(
     model: &M,
     state: &State<S, N>,
     prepared: &M::Prepared,
     (impulse, residuals): (&SVector<S, N>, &SVector<S, C>),
     held: &[bool; N],
+    count: usize,
 ) -> SVector<S, N>
 where
     M: Constraints<N, C, S>,
@@ -145,7 +146,13 @@ where
         }
     });
     let jacobian = model.constraint_jacobian(state, prepared);
-    let jacobian = SMatrix::from_fn(|i, j| if held[j] { S::zero() } else { jacobian[(i, j)] });
+    let jacobian = SMatrix::from_fn(|i, j| {
+        if held[j] || i >= count {
+            S::zero()
+        } else {
+            jacobian[(i, j)]
+        }
+    });
     let factors: SaddlePoint<S, N, C, K> = saddle_point(&mass, &jacobian, S::zero());
     let impulse = SVector::from_fn(|i, _| if held[i] { S::zero() } else { impulse[i] });
     let right = joined::<S, N, C, K>(&impulse, residuals);

@@ -40,6 +40,7 @@ impl Fallback<'_> {
                 _: &#prepared,
                 _: (&#vector, &#root::__private::SVector<#scalar, #count>),
                 _: &[::core::primitive::bool; #dimension],
+                _: ::core::primitive::usize,
             ) -> #vector {
                 ::core::unreachable!()
             }
