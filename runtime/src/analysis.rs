@@ -19,6 +19,7 @@ mod force_balance;
 mod equilibrium;
 mod equilibrium_error;
 mod equilibrium_problem;
+mod constrained_balance;
 mod newton;
 mod levenberg_marquardt;
 mod equilibrium_search;
@@ -51,6 +52,7 @@ mod regulator;
 mod regulator_error;
 
 pub use balance::{Balance, FreeInputs, HeldInputs};
+pub use constrained_balance::OnConstraints;
 pub use controllability::{Controllability, UncontrollableMode};
 pub use damped_modes::{DampedMode, DampedModes};
 pub use equilibrium::{Equilibrium, SearchReport, Variable};

@@ -30,6 +30,26 @@ pub trait Balance<S: Scalar, const N: usize, const U: usize> {
     fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
     /// The conditioning of M q̈ = f by coordinates, as defined by [`Lagrangian::relative_pivots`].
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N>;
+    /// What takes coordinates onto holonomic constraints and velocities onto the others, with opposite sign; none without constraints.
+    fn corrections(&self, state: &State<S, N>) -> Option<SVector<S, N>> {
+        let _ = state;
+        None
+    }
+    /// The derivatives of the corrections by coordinates and by velocities, at a state that meets the constraints.
+    fn correction_slopes(&self, state: &State<S, N>) -> [SMatrix<S, N, N>; 2] {
+        let _ = state;
+        [SMatrix::zeros(); 2]
+    }
+    /// The state that meets the constraints near a state, without a change of coordinates and velocities that are held, if one is found.
+    fn corrected(&self, state: State<S, N>, held: [[bool; N]; 2]) -> Option<State<S, N>> {
+        let _ = held;
+        Some(state)
+    }
+    /// The constraint that a state violates most, and its residual.
+    fn violated(&self, state: &State<S, N>) -> Option<(&'static str, f64)> {
+        let _ = state;
+        None
+    }
 }
 
 /// A model whose inputs, if any, keep their values.
@@ -185,7 +205,7 @@ where
     gradients
 }
 
-/// Returns the accelerations, and the differences of the momenta from their prescribed values.
+/// Returns the accelerations, and the differences of the momenta from their prescribed values, or the corrections onto constraints.
 pub(super) fn residuals<S, B, const N: usize, const U: usize>(
     model: &B,
     point: &Point<S, N, U>,
@@ -197,7 +217,8 @@ where
 {
     let accelerations = model.accelerations(&point.state, &point.inputs);
     if momenta.iter().all(Option::is_none) {
-        return [accelerations, SVector::zeros()];
+        let corrections = model.corrections(&point.state);
+        return [accelerations, corrections.unwrap_or_else(SVector::zeros)];
     }
     let found = model.momenta(&point.state);
     let differences =
@@ -224,7 +245,13 @@ where
         inputs: SVector::from_fn(|j, _| by_inputs[(i, j)]),
     });
     if momenta.iter().all(Option::is_none) {
-        return [accelerations, [Variables::zeros(); N]];
+        let [by_positions, by_velocities] = model.correction_slopes(state);
+        let corrections = core::array::from_fn(|i| Variables {
+            positions: by_positions.row(i).transpose(),
+            velocities: by_velocities.row(i).transpose(),
+            inputs: SVector::zeros(),
+        });
+        return [accelerations, corrections];
     }
     let mass = model.mass_matrix(state);
     let gradients = momentum_gradients(model, point);

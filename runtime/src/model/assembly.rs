@@ -68,7 +68,7 @@ where
     M: Constraints<N, C, S> + ?Sized,
     S: Scalar,
 {
-    pub(super) fn new(model: &'a M, guess: State<S, N>) -> Self {
+    pub(crate) fn new(model: &'a M, guess: State<S, N>) -> Self {
         Self {
             model,
             guess,
