@@ -30,6 +30,11 @@ pub trait Balance<S: Scalar, const N: usize, const U: usize> {
     fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
     /// The conditioning of M q̈ = f by coordinates, as defined by [`Lagrangian::relative_pivots`].
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N>;
+    /// The coordinates whose accelerations determine all others; all without constraints.
+    fn independent(&self, state: &State<S, N>) -> [bool; N] {
+        let _ = state;
+        [true; N]
+    }
     /// What takes coordinates onto holonomic constraints and velocities onto the others, with opposite sign; none without constraints.
     fn corrections(&self, state: &State<S, N>) -> Option<SVector<S, N>> {
         let _ = state;
@@ -147,6 +152,8 @@ where
 pub(super) struct Point<S: Scalar, const N: usize, const U: usize> {
     pub(super) state: State<S, N>,
     pub(super) inputs: SVector<S, U>,
+    /// The coordinates whose accelerations are residuals; those of others follow from them.
+    pub(super) independent: [bool; N],
 }
 
 impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
@@ -159,7 +166,11 @@ impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
     ) -> Self {
         let factor = S::from_f64(factor);
         let change = step.zip_map(sizes, |x, size| factor * x * size);
-        let Self { state, inputs } = *self;
+        let Self {
+            state,
+            inputs,
+            independent,
+        } = *self;
         Self {
             state: State::new(
                 state.t,
@@ -167,6 +178,7 @@ impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
                 state.v + change.velocities,
             ),
             inputs: inputs + change.inputs,
+            independent,
         }
     }
 }
@@ -184,7 +196,7 @@ where
     S: SingleNumber,
     B: Balance<S, N, U>,
 {
-    let Point { state, inputs } = point;
+    let Point { state, inputs, .. } = point;
     let fastest = state
         .v
         .iter()
@@ -216,6 +228,9 @@ where
     B: Balance<S, N, U>,
 {
     let accelerations = model.accelerations(&point.state, &point.inputs);
+    let accelerations = accelerations.zip_map(&SVector::from(point.independent), |x, counts| {
+        if counts { x } else { S::zero() }
+    });
     if momenta.iter().all(Option::is_none) {
         let corrections = model.corrections(&point.state);
         return [accelerations, corrections.unwrap_or_else(SVector::zeros)];
@@ -236,13 +251,18 @@ where
     S: SingleNumber,
     B: Balance<S, N, U>,
 {
-    let Point { state, inputs } = point;
+    let Point { state, inputs, .. } = point;
     let slopes = model.linearize(state, inputs);
     let by_inputs = model.input_jacobian(state, inputs);
-    let accelerations = core::array::from_fn(|i| Variables {
-        positions: SVector::from_fn(|j, _| slopes.position[(i, j)]),
-        velocities: SVector::from_fn(|j, _| slopes.velocity[(i, j)]),
-        inputs: SVector::from_fn(|j, _| by_inputs[(i, j)]),
+    let accelerations = core::array::from_fn(|i| {
+        if !point.independent[i] {
+            return Variables::zeros();
+        }
+        Variables {
+            positions: SVector::from_fn(|j, _| slopes.position[(i, j)]),
+            velocities: SVector::from_fn(|j, _| slopes.velocity[(i, j)]),
+            inputs: SVector::from_fn(|j, _| by_inputs[(i, j)]),
+        }
     });
     if momenta.iter().all(Option::is_none) {
         let [by_positions, by_velocities] = model.correction_slopes(state);

@@ -1,14 +1,15 @@
 //! The equations satisfied by equilibria and steady motions of constrained models.
 //!
-//! The accelerations under constraints vanish, and so do the corrections that take a state onto its constraints, the smallest in
-//! the metric of M. Points of the search are corrected before they are evaluated.
+//! The independent accelerations under constraints vanish, and so do the corrections that take a state onto its constraints, the
+//! smallest in the metric of M. Points of the search are corrected before they are evaluated.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::balance::Balance;
 use crate::integrate::SingleNumber;
 use crate::model::{
-    Assembly, DirectionalDerivatives, Linearization, MotionDerivatives, Quantities, State,
+    Assembly, DegreesOfFreedom, DirectionalDerivatives, Linearization, MotionDerivatives,
+    Quantities, State,
 };
 use crate::scalar::Scalar;
 
@@ -87,6 +88,15 @@ where
 
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
         self.model.relative_pivots(state, &self.model.prepare())
+    }
+
+    fn independent(&self, state: &State<S, N>) -> [bool; N] {
+        let freedom = DegreesOfFreedom::<N, C>::of(self.model, state, &[false; N]);
+        let mut independent = [false; N];
+        freedom
+            .independent_velocities()
+            .for_each(|i| independent[i] = true);
+        independent
     }
 
     fn corrections(&self, state: &State<S, N>) -> Option<SVector<S, N>> {

@@ -54,7 +54,7 @@ where
             let nothing = SVector::repeat(S::from_f64(f64::NAN));
             Point {
                 state: State::new(moved.state.t, nothing, nothing),
-                inputs: moved.inputs,
+                ..moved
             }
         })
     }
@@ -65,10 +65,7 @@ where
             |unknown: &SVector<S, N>| core::array::from_fn(|i| unknown[i].largest() <= 0.0);
         let held = [&self.unknown.positions, &self.unknown.velocities].map(is_given);
         let state = self.model.corrected(point.state, held)?;
-        Some(Point {
-            state,
-            inputs: point.inputs,
-        })
+        Some(Point { state, ..point })
     }
 
     /// Returns the residuals of the equations at a point.

@@ -309,8 +309,10 @@ where
         let guess = Point {
             state: *guess,
             inputs: self.problem.model.inputs(),
+            independent: [true; N],
         };
-        let start = self.problem.corrected(guess).unwrap_or(guess);
+        let mut start = self.problem.corrected(guess).unwrap_or(guess);
+        start.independent = self.problem.model.independent(&start.state);
         let failed = match Newton::new(&self.problem, &start).run() {
             Err(
                 error @ (EquilibriumError::Stalled { .. } | EquilibriumError::NoConvergence { .. }),

@@ -147,6 +147,7 @@ fn under_held_inputs<S: Scalar, const N: usize>(state: &State<S, N>) -> Point<S,
     Point {
         state: *state,
         inputs: SVector::zeros(),
+        independent: [true; N],
     }
 }
 

@@ -73,7 +73,7 @@ fn equilibria_of_a_crank_in_all_coordinates() {
 #[test]
 fn a_linkage_settles() {
     let linkage = FourBar::EXAMPLE;
-    let guess = State::new(0.0, [0.9, 0.2, 1.5], [0.0; 3]);
+    let guess = State::new(0.0, [-0.5, 0.9, 1.8], [0.0; 3]);
     let found = EquilibriumSearch::constrained(&linkage)
         .near(&guess)
         .expect("an equilibrium");
