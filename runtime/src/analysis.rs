@@ -8,7 +8,7 @@
 //! - [`StateSpace`] is a linear model with inputs and outputs, about any state: its poles, its [`Controllability`], its
 //!   discretization and its linear-quadratic [`Regulator`].
 //! - [`TangentSpace`] is the choice of independent coordinates and velocities of a constrained model, for its
-//!   [`StateSpace`](StateSpace::reduced).
+//!   [`StateSpace`](StateSpace::reduced), and [`RequiredInputs`] are what its actuators do in a given motion.
 //!
 //! Nothing allocates. Eigenvalues of nonsymmetric matrices are computed in `f64`; everything else is generic over
 //! scalars that are a single number.
@@ -44,6 +44,8 @@ mod tangent_error;
 mod tangent_space;
 mod tangents;
 mod reduced_state_space;
+mod required_inputs;
+mod required_inputs_error;
 mod riccati;
 mod matrix_sign;
 mod lyapunov;
@@ -62,6 +64,8 @@ pub use normal_modes::NormalModes;
 pub use oscillation_error::OscillationError;
 pub use regulator::Regulator;
 pub use regulator_error::RegulatorError;
+pub use required_inputs::RequiredInputs;
+pub use required_inputs_error::RequiredInputsError;
 pub use small_oscillations::SmallOscillations;
 pub use spectrum::Spectrum;
 pub use stability::{LinearStability, SecondVariation, Stability, Verdict};
