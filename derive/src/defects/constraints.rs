@@ -14,14 +14,10 @@ pub(crate) fn refuse_clauses(declaration: &Declaration, diagnostics: &mut Diagno
     if clauses.constraints.is_empty() && clauses.nonholonomic.is_empty() {
         return;
     }
-    let clauses: [(Option<&Ident>, &str); 3] = [
+    let clauses: [(Option<&Ident>, &str); 2] = [
         (
             clauses.routhian.as_ref().map(|clause| &clause.keyword),
             "a model with constraints has no reduced model: leave `routhian` out",
-        ),
-        (
-            clauses.regressor.as_ref().map(|clause| &clause.keyword),
-            "a model with constraints has no regressor: leave `regressor` out, or declare the model once more without constraints",
         ),
         (
             clauses.hamiltonian.as_ref(),

@@ -74,6 +74,18 @@ pub struct TangentBasis<S: Scalar, const N: usize, const D: usize> {
     pub variables: [Variable; D],
 }
 
+impl<S: Scalar, const N: usize, const D: usize> TangentBasis<S, N, D> {
+    /// Returns the virtual displacements V, along which constraints do no work, G V = 0: the columns of `v` that belong to independent
+    /// velocities, and columns of zeros for the independent coordinates.
+    #[must_use]
+    pub fn virtual_displacements(&self) -> SMatrix<S, N, D> {
+        SMatrix::from_fn(|i, j| match self.variables[j] {
+            Variable::Velocity(_) => self.v[(i, j)],
+            _ => S::zero(),
+        })
+    }
+}
+
 impl<'a, M, S, const N: usize, const C: usize> TangentSpace<'a, M, S, N, C>
 where
     M: Lagrangian<N, S, Model: DirectionalDerivatives<N, C, S>> + ?Sized,

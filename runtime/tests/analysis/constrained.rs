@@ -6,6 +6,7 @@ use lagrangian::prelude::*;
 use lagrangian::quantities::DirectionalDerivatives;
 
 mod equilibria;
+mod identification;
 mod inverse_dynamics;
 mod mechanisms;
 mod mistakes;
