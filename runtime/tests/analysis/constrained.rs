@@ -5,6 +5,7 @@ use lagrangian::analysis::{StateSpace, TangentSpace, Variable};
 use lagrangian::prelude::*;
 use lagrangian::quantities::DirectionalDerivatives;
 
+mod derivatives;
 mod equilibria;
 mod identification;
 mod inverse_dynamics;
