@@ -9,9 +9,11 @@ mod derivatives;
 mod equilibria;
 mod identification;
 mod inverse_dynamics;
+mod linkages;
 mod mechanisms;
 mod mistakes;
 
+use linkages::*;
 use mechanisms::*;
 
 /// The part of a unit by which variables are displaced, and the weights of the differences between both sides at once and twice

@@ -5,6 +5,7 @@ use lagrangian::analysis::{
 };
 use lagrangian::prelude::*;
 
+use super::linkages::*;
 use super::mechanisms::*;
 
 /// A bob on a rod that a force holds, and a spring of no length at its support.

@@ -3,6 +3,7 @@
 use lagrangian::analysis::{IndependentVariables, StateSpace, TangentError, TangentSpace};
 use lagrangian::prelude::*;
 
+use super::linkages::*;
 use super::mechanisms::*;
 
 #[test]
