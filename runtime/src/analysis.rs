@@ -44,6 +44,7 @@ mod tangent_error;
 mod tangent_space;
 mod tangents;
 mod reduced_state_space;
+mod constrained_oscillations;
 mod required_inputs;
 mod required_inputs_error;
 mod riccati;

@@ -67,6 +67,11 @@ pub enum TangentError {
         /// The number of independent coordinates that are not left out, and of independent velocities.
         variables: [usize; 2],
     },
+    /// Small oscillations need an independent velocity for each independent coordinate that is not left out.
+    NoVelocity {
+        /// The coordinate.
+        name: &'static str,
+    },
     /// A coordinate that is left out acts on the others.
     Acts {
         /// The coordinate that is left out.
@@ -156,6 +161,11 @@ impl fmt::Display for TangentError {
                 f,
                 "the linear model has {coordinates} coordinates and {velocities} velocities: `D` is {}, not {given}",
                 coordinates + velocities
+            ),
+            Self::NoVelocity { name } => write!(
+                f,
+                "`{name}` is an independent coordinate, and its velocity is not independent: leave it out by `without`, or take \
+                 `StateSpace::reduced`"
             ),
             Self::Acts {
                 coordinate,

@@ -168,6 +168,35 @@ where
         Ok((basis, a))
     }
 
+    /// Returns the space with the variables of these tangents, at any state near this one.
+    pub(super) fn fixed(&self, tangents: &Tangents<'_, M::Model, S, N, C>) -> Self {
+        let [coordinates, velocities] = tangents.independent();
+        Self {
+            coordinates: Some(coordinates),
+            velocities: Some(velocities),
+            is_steady: false,
+            ..self.at_state(&self.state)
+        }
+    }
+
+    /// Returns the space with these choices at another state.
+    pub(super) fn at_state(&self, state: &State<S, N>) -> Self {
+        Self {
+            model: self.model,
+            state: *state,
+            coordinates: self.coordinates,
+            velocities: self.velocities,
+            left_out: self.left_out,
+            is_steady: self.is_steady,
+            missing: self.missing,
+        }
+    }
+
+    /// Returns the coordinates and velocities that determine others, as far as they are chosen.
+    pub(super) fn held(&self) -> [[bool; N]; 2] {
+        [self.coordinates, self.velocities].map(|marks| marks.unwrap_or([false; N]))
+    }
+
     fn marked(&mut self, coordinates: impl IntoIterator<Item = usize>) -> [bool; N] {
         let mut marks = [false; N];
         for index in coordinates {

@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::equilibrium::Variable;
 use super::exceeds;
+use super::small_oscillations::{Part, Reduced};
 use super::tangent_error::{IndependentVariables, TangentError};
 use super::tangent_space::TangentSpace;
 use crate::integrate::SingleNumber;
@@ -122,6 +123,60 @@ where
         Ok(variables)
     }
 
+    /// Returns which coordinates and which velocities are independent.
+    pub(super) const fn independent(&self) -> [[bool; N]; 2] {
+        [self.choice.coordinates, self.choice.velocities]
+    }
+
+    /// Returns the roles of the coordinates in small oscillations.
+    pub(super) fn parts(&self) -> Result<[Part; N], TangentError> {
+        let Choice {
+            coordinates,
+            velocities,
+            left_out,
+        } = self.choice;
+        let without_velocity = |i: &usize| coordinates[*i] && !left_out[*i] && !velocities[*i];
+        if let Some(i) = (0..N).find(without_velocity) {
+            let name = M::COORDINATES[i];
+            return Err(TangentError::NoVelocity { name });
+        }
+        Ok(core::array::from_fn(|i| {
+            match (velocities[i], coordinates[i] && !left_out[i]) {
+                (true, true) => Part::Oscillating,
+                (true, false) => Part::Moving,
+                (false, _) => Part::Eliminated,
+            }
+        }))
+    }
+
+    pub(super) fn mass_matrix(&self) -> SMatrix<S, N, N> {
+        self.model.mass_matrix(&self.state, &self.model.prepare())
+    }
+
+    /// Checks what is left out of small oscillations, and that they are about an equilibrium or a steady motion.
+    pub(super) fn check(
+        &self,
+        parts: &[Part; N],
+        reduced: &Reduced<S, N>,
+        is_steady: bool,
+    ) -> Result<(), TangentError> {
+        let entries = reduced.position.iter().chain(reduced.velocity.iter());
+        let largest = entries.fold(1.0, |most: f64, x| x.abs().largest().max(most));
+        let all = (0..N).filter(|i| parts[*i] != Part::Eliminated);
+        for i in all {
+            let of_coordinate = (parts[i] == Part::Oscillating).then_some(Variable::Coordinate(i));
+            let variables = [
+                Variable::Velocity(i),
+                of_coordinate.unwrap_or(Variable::Velocity(i)),
+            ];
+            self.check_left_out(&variables, largest)?;
+            if is_steady {
+                self.check_steady(&variables, largest)?;
+            }
+        }
+        Ok(())
+    }
+
     /// Returns the tangent along which one independent variable changes by 1, and the others do not.
     pub(super) fn along(&self, variable: Variable) -> Phase<S, N> {
         let unit = |i: usize| SVector::from_fn(|j, _| if i == j { S::one() } else { S::zero() });
@@ -187,9 +242,9 @@ where
     }
 
     /// Checks that coordinates which are left out act on no variable.
-    pub(super) fn check_left_out<const D: usize>(
+    pub(super) fn check_left_out(
         &self,
-        variables: &[Variable; D],
+        variables: &[Variable],
         largest: f64,
     ) -> Result<(), TangentError> {
         for i in (0..N).filter(|i| self.choice.left_out[*i]) {
@@ -209,9 +264,9 @@ where
     }
 
     /// Checks that no variable changes with time.
-    pub(super) fn check_steady<const D: usize>(
+    pub(super) fn check_steady(
         &self,
-        variables: &[Variable; D],
+        variables: &[Variable],
         largest: f64,
     ) -> Result<(), TangentError> {
         let rates = self.rates();

@@ -12,6 +12,7 @@ mod inverse_dynamics;
 mod linkages;
 mod mechanisms;
 mod mistakes;
+mod oscillations;
 
 use linkages::*;
 use mechanisms::*;
