@@ -44,10 +44,10 @@ fn crossing(
     [mut low, mut high]: [f64; 2],
     quantity: impl Fn(f64) -> Result<f64, TangentError>,
 ) -> Result<f64, TangentError> {
-    let sign = quantity(low)?.signum();
+    let is_positive = quantity(low)? > 0.0;
     while high - low > 1e-12 * high {
         let middle = 0.5 * (low + high);
-        if quantity(middle)?.signum() == sign {
+        if (quantity(middle)? > 0.0) == is_positive {
             low = middle;
         } else {
             high = middle;

@@ -105,7 +105,7 @@ where
             self.model.constraint_positions(state, &prepared),
             self.model.constraint_velocities(state, &prepared),
         );
-        Some(self.response(state, &self.of_each(&positions, &velocities)))
+        Some(self.response(state, &of_each::<M, S, N, C>(&positions, &velocities)))
     }
 
     fn correction_slopes(&self, state: &State<S, N>) -> [SMatrix<S, N, N>; 2] {
@@ -122,7 +122,10 @@ where
             } else {
                 SVector::zeros()
             };
-            self.response(state, &self.of_each(&of_positions, &constraint_velocities))
+            self.response(
+                state,
+                &of_each::<M, S, N, C>(&of_positions, &constraint_velocities),
+            )
         };
         [0, N].map(|first| {
             let columns: [SVector<S, N>; N] = core::array::from_fn(|j| column(first + j));
@@ -156,24 +159,6 @@ where
     S: SingleNumber,
     M: ?Sized,
 {
-    /// Returns the residuals of holonomic constraints in the coordinates, and those of the others in the velocities.
-    fn of_each<const N: usize>(
-        &self,
-        positions: &SVector<S, C>,
-        velocities: &SVector<S, C>,
-    ) -> SVector<S, C>
-    where
-        M: DirectionalDerivatives<N, C, S>,
-    {
-        SVector::from_fn(|j, _| {
-            if j < M::HOLONOMIC {
-                positions[j]
-            } else {
-                velocities[j]
-            }
-        })
-    }
-
     fn response<const N: usize>(
         &self,
         state: &State<S, N>,
@@ -188,6 +173,24 @@ where
             .model
             .constrained_response(state, &prepared, right, &[false; N], C)
     }
+}
+
+/// Returns the residuals of holonomic constraints in the coordinates, and those of the others in the velocities.
+fn of_each<M, S, const N: usize, const C: usize>(
+    positions: &SVector<S, C>,
+    velocities: &SVector<S, C>,
+) -> SVector<S, C>
+where
+    M: DirectionalDerivatives<N, C, S> + ?Sized,
+    S: SingleNumber,
+{
+    SVector::from_fn(|j, _| {
+        if j < M::HOLONOMIC {
+            positions[j]
+        } else {
+            velocities[j]
+        }
+    })
 }
 
 /// Returns the change of one coordinate, then of one velocity, then of the time.

@@ -110,7 +110,8 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
         F: Fn(&State<Dual, N>, &SVector<Dual, U>) -> R,
         R: IntoVector<Dual, Z>,
     {
-        let along = |j: usize| [basis.q.column(j), basis.v.column(j)].map(|x| x.into_owned());
+        let along =
+            |j: usize| [basis.q.column(j), basis.v.column(j)].map(nalgebra::Matrix::into_owned);
         self.with_outputs_in(along, at, outputs)
     }
 

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::equilibrium::Variable;
 use super::tangent_error::{IndependentVariables, TangentError};
-use super::tangents::Tangents;
+use super::tangents::{Tangents, check_finite};
 use crate::integrate::SingleNumber;
 use crate::model::{DirectionalDerivatives, Lagrangian, State};
 use crate::scalar::Scalar;
@@ -160,7 +160,7 @@ where
             a.set_column(j, &selected(&variables, &column.q, &column.v));
         }
         let largest = a.iter().fold(0.0, |most, x| x.abs().largest().max(most));
-        tangents.check_finite(&variables, &a)?;
+        check_finite::<M::Model, S, N, C, D>(&variables, &a)?;
         tangents.check_left_out(&variables, largest)?;
         if self.is_steady {
             tangents.check_steady(&variables, largest)?;

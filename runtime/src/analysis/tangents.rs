@@ -228,19 +228,6 @@ where
             .derivatives_along(&self.state, &self.inputs, &direction)
     }
 
-    pub(super) fn check_finite<const D: usize>(
-        &self,
-        variables: &[Variable; D],
-        a: &SMatrix<S, D, D>,
-    ) -> Result<(), TangentError> {
-        let is_finite = |i: usize| a.row(i).iter().all(|x| x.abs().largest().is_finite());
-        let found = (0..D).find(|i| !is_finite(*i));
-        found.map_or(Ok(()), |i| {
-            let name = name::<M, S, N, C>(variables[i]);
-            Err(TangentError::NotFinite { name })
-        })
-    }
-
     /// Checks that coordinates which are left out act on no variable.
     pub(super) fn check_left_out(
         &self,
@@ -288,6 +275,23 @@ where
         }
         Ok(())
     }
+}
+
+/// Checks that all derivatives of the variables are finite.
+pub(super) fn check_finite<M, S, const N: usize, const C: usize, const D: usize>(
+    variables: &[Variable; D],
+    a: &SMatrix<S, D, D>,
+) -> Result<(), TangentError>
+where
+    M: DirectionalDerivatives<N, C, S> + ?Sized,
+    S: SingleNumber,
+{
+    let is_finite = |i: usize| a.row(i).iter().all(|x| x.abs().largest().is_finite());
+    let found = (0..D).find(|i| !is_finite(*i));
+    found.map_or(Ok(()), |i| {
+        let name = name::<M, S, N, C>(variables[i]);
+        Err(TangentError::NotFinite { name })
+    })
 }
 
 /// Returns the independent coordinates and velocities: those that were chosen, or that are proposed.

@@ -23,10 +23,10 @@ impl<const C: usize, const N: usize> ColumnChoice<C, N> {
     /// several.
     pub(crate) fn choose_longest(&mut self, kept: &[bool; N]) {
         let mut longest: Option<(usize, f64)> = None;
-        for i in 0..N {
+        for i in (0..N).filter(|i| !kept[*i]) {
             let square = self.rest.column(i).norm_squared();
             let is_longer = longest.is_none_or(|(_, other)| square > other);
-            if !self.is_chosen[i] && !kept[i] && is_longer {
+            if !self.is_chosen[i] && is_longer {
                 longest = Some((i, square));
             }
         }

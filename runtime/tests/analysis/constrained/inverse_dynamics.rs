@@ -1,6 +1,6 @@
 //! The inputs of given motions of mechanisms.
 
-use lagrangian::analysis::{RequiredInputs, RequiredInputsError};
+use lagrangian::analysis::{RequiredInputs, RequiredInputsError, StateSpace, TangentSpace};
 use lagrangian::prelude::*;
 
 /// A four-bar linkage with motors at both joints of the frame and one between the crank and the coupler.
@@ -78,6 +78,23 @@ fn the_smallest_torques_of_a_linkage() {
     let forces = there.inverse_dynamics(&state, &accelerations);
     let reactions = linkage.constraint_jacobian(&state).transpose() * found.multipliers;
     assert!((forces - reactions).amax() < 1e-12);
+}
+
+/// The input matrix has the rows of the derived ∂q̈/∂u.
+#[test]
+fn the_input_matrix_of_a_linkage() {
+    let (linkage, state) = linkage();
+    let tangent = TangentSpace::at(&linkage, &state).along_motion();
+    let tangent = tangent
+        .coordinates([Linkage::ROCKER])
+        .velocities([Linkage::ROCKER]);
+    let plant = StateSpace::<f64, 2, 3, 2>::reduced(&tangent).expect("regular");
+    let expected = linkage.input_jacobian(&state);
+    assert!((plant.b.row(1) - expected.row(Linkage::ROCKER)).amax() < 1e-13);
+    assert!(plant.b.row(0).amax() <= 0.0 && plant.b.row(1).amax() > 0.1);
+    // Of the discrete model, to first order.
+    let discrete = plant.discretized(1e-4).b;
+    assert!((discrete.row(1) * 1e4 - plant.b.row(1)).amax() < 1e-2);
 }
 
 #[test]
