@@ -48,6 +48,7 @@ pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {
         emitter.quantities(),
         emitter.state_jacobian(),
         emitter.constraints(),
+        emitter.directional_derivatives(),
         emitter.energies(),
         emitter.constants_of_motion(),
         emitter.inputs(),

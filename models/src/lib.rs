@@ -4,6 +4,7 @@
 //! throughout; those of SI are named. All have the clause `taylor`, so that [`Taylor`](lagrangian::Taylor) steps them.
 
 mod arm;
+mod bicycle;
 mod cart_pole;
 mod double_pendulum;
 mod free_body;
@@ -16,6 +17,7 @@ mod stewart_platform;
 mod symmetric_top;
 
 pub use arm::Arm;
+pub use bicycle::Bicycle;
 pub use cart_pole::CartPole;
 pub use double_pendulum::DoublePendulum;
 pub use free_body::FreeBody;

@@ -7,6 +7,8 @@
 //!   [`DampedModes`], the [`Spectrum`] and the [`Stability`].
 //! - [`StateSpace`] is a linear model with inputs and outputs, about any state: its poles, its [`Controllability`], its
 //!   discretization and its linear-quadratic [`Regulator`].
+//! - [`TangentSpace`] is the choice of independent coordinates and velocities of a constrained model, for its
+//!   [`StateSpace`](StateSpace::reduced), and [`RequiredInputs`] are what its actuators do in a given motion.
 //!
 //! Nothing allocates. Eigenvalues of nonsymmetric matrices are computed in `f64`; everything else is generic over
 //! scalars that are a single number.
@@ -17,6 +19,7 @@ mod force_balance;
 mod equilibrium;
 mod equilibrium_error;
 mod equilibrium_problem;
+mod constrained_balance;
 mod newton;
 mod levenberg_marquardt;
 mod equilibrium_search;
@@ -37,6 +40,13 @@ mod controllability;
 mod matrix_exponential;
 mod state_space;
 mod linear_outputs;
+mod tangent_error;
+mod tangent_space;
+mod tangents;
+mod reduced_state_space;
+mod constrained_oscillations;
+mod required_inputs;
+mod required_inputs_error;
 mod riccati;
 mod matrix_sign;
 mod lyapunov;
@@ -45,6 +55,7 @@ mod regulator;
 mod regulator_error;
 
 pub use balance::{Balance, FreeInputs, HeldInputs};
+pub use constrained_balance::OnConstraints;
 pub use controllability::{Controllability, UncontrollableMode};
 pub use damped_modes::{DampedMode, DampedModes};
 pub use equilibrium::{Equilibrium, SearchReport, Variable};
@@ -54,10 +65,14 @@ pub use normal_modes::NormalModes;
 pub use oscillation_error::OscillationError;
 pub use regulator::Regulator;
 pub use regulator_error::RegulatorError;
+pub use required_inputs::RequiredInputs;
+pub use required_inputs_error::RequiredInputsError;
 pub use small_oscillations::SmallOscillations;
 pub use spectrum::Spectrum;
 pub use stability::{LinearStability, SecondVariation, Stability, Verdict};
 pub use state_space::{DiscreteStateSpace, StateSpace};
+pub use tangent_error::{IndependentVariables, TangentError};
+pub use tangent_space::{TangentBasis, TangentSpace};
 
 /// Returns whether a number exceeds a limit; NaN counts as exceeding it.
 fn exceeds(value: f64, limit: f64) -> bool {

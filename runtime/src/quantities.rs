@@ -18,6 +18,7 @@
 //! ```
 
 pub use crate::model::{
-    Constraints, Energies, EnergyBalance, Events, Hamiltonian, Impacts, Inputs, MembersInLanes,
-    MotionSeries, Outputs, Quantities, Regressor, RouthianSeries, Sensitivities, StateJacobian,
+    Constraints, DirectionalDerivatives, Energies, EnergyBalance, Events, Hamiltonian, Impacts,
+    Inputs, MembersInLanes, MotionDerivatives, MotionSeries, Outputs, Quantities, Regressor,
+    RouthianSeries, Sensitivities, StateJacobian,
 };

@@ -18,8 +18,8 @@ pub use model::{Law, Observed, Parametrized, rows};
 pub use motion::{Motion, motions};
 pub use random::Random;
 pub use reference::{
-    array, bricard, governor, linear_control, list, near_the_poles, number, numbers, public_cases,
-    references, regulators, snakeboard, text,
+    array, bicycle, bricard, governor, linear_control, list, near_the_poles, number, numbers,
+    public_cases, references, regulators, snakeboard, text,
 };
 
 /// The models of the random Lagrangians, written by the build script; `public_cases!` lists them.

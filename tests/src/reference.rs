@@ -71,6 +71,12 @@ pub fn bricard() -> Value {
     document("bricard.json")
 }
 
+/// The published linear equations of a bicycle.
+#[must_use]
+pub fn bicycle() -> Value {
+    document("bicycle.json")
+}
+
 fn document(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("data")

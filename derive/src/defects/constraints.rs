@@ -1,7 +1,6 @@
 //! Why constraints have no equations, reported at the constraint.
 
 use lagrangian_symbolic::{Constraint, ConstraintDefect, Model, Symbol};
-use proc_macro2::Ident;
 use syn::Expr;
 
 use crate::diagnostics::Diagnostics;
@@ -14,21 +13,10 @@ pub(crate) fn refuse_clauses(declaration: &Declaration, diagnostics: &mut Diagno
     if clauses.constraints.is_empty() && clauses.nonholonomic.is_empty() {
         return;
     }
-    let clauses: [(Option<&Ident>, &str); 2] = [
-        (
-            clauses.regressor.as_ref().map(|clause| &clause.keyword),
-            "a model with constraints has no regressor: leave `regressor` out, or declare the model once more without constraints",
-        ),
-        (
-            clauses.hamiltonian.as_ref(),
-            "a model with constraints has no canonical equations: leave `hamiltonian` out; momenta are \
-             `model.momenta(&state)`",
-        ),
-    ];
-    for (keyword, message) in clauses {
-        if let Some(keyword) = keyword {
-            diagnostics.error(keyword, message);
-        }
+    if let Some(keyword) = &clauses.hamiltonian {
+        let message = "a model with constraints has no canonical equations: leave `hamiltonian` out; momenta are \
+                       `model.momenta(&state)`";
+        diagnostics.error(keyword, message);
     }
 }
 

@@ -49,9 +49,10 @@ impl Emitter<'_> {
                 prepared: &#prepared,
                 impulse_and_residuals: (&#vector, &#root::__private::SVector<#scalar, #c>),
                 held: &[::core::primitive::bool; #n],
+                count: ::core::primitive::usize,
             ) -> #vector {
                 #root::__private::constrained_response::<Self, #arguments>(
-                    self, state, prepared, impulse_and_residuals, held,
+                    self, state, prepared, impulse_and_residuals, held, count,
                 )
             }
         };
@@ -82,6 +83,25 @@ impl Emitter<'_> {
             return TokenStream::new();
         }
         self.interface(Interface::Impacts, TokenStream::new())
+    }
+
+    /// The impl of `DirectionalDerivatives`, for a model with constraints that is one on dual numbers, on which external functions
+    /// have derivatives that may not be the declared ones.
+    pub(super) fn directional_derivatives(&self) -> TokenStream {
+        let has_functions = self.model.graph.functions().next().is_some();
+        if !self.is_constrained() || !self.scalar.is_generic() || has_functions {
+            return TokenStream::new();
+        }
+        let root = &self.declaration.root;
+        let signatures = self.signatures();
+        let methods = signatures.directional_derivatives(
+            |method, arguments| quote!(#root::__private::#method(self, #arguments)),
+        );
+        let (n, c, scalar) = (self.coordinates(), self.constraint_count(), &self.scalar);
+        self.implement(
+            &quote!(#root::quantities::DirectionalDerivatives::<#n, #c, #scalar>),
+            &methods,
+        )
     }
 
     /// The impl of `StateJacobian`, for a model without constraints.

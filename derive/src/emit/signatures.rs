@@ -112,6 +112,34 @@ impl Signatures<'_> {
             .collect()
     }
 
+    /// The methods of `DirectionalDerivatives`, with bodies that are made of their names and arguments.
+    pub(crate) fn directional_derivatives(
+        &self,
+        body: impl Fn(&Ident, TokenStream) -> TokenStream,
+    ) -> TokenStream {
+        let (root, scalar, n, c) = (self.root, self.scalar, &self.dimension, self.constraints);
+        let (state, inputs) = (self.state(), self.inputs());
+        let result = quote!(#root::quantities::MotionDerivatives<#scalar, #n, #c>);
+        let methods = [
+            ("derivatives_along", "direction", state.clone()),
+            (
+                "derivatives_by_input",
+                "input",
+                quote!(::core::primitive::usize),
+            ),
+        ];
+        let methods = methods.map(|(name, argument, ty)| {
+            let [name, argument] = [name, argument].map(|name| format_ident!("{name}"));
+            let body = body(&name, quote!(state, inputs, #argument));
+            quote! {
+                fn #name(&self, state: #state, inputs: &#inputs, #argument: #ty) -> #result {
+                    #body
+                }
+            }
+        });
+        quote!(#(#methods)*)
+    }
+
     /// The trait that declares a method.
     pub(crate) fn interface(&self, interface: Interface) -> TokenStream {
         let Self {

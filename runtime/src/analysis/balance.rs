@@ -30,6 +30,31 @@ pub trait Balance<S: Scalar, const N: usize, const U: usize> {
     fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
     /// The conditioning of M q̈ = f by coordinates, as defined by [`Lagrangian::relative_pivots`].
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N>;
+    /// The coordinates whose accelerations determine all others; all without constraints.
+    fn independent(&self, state: &State<S, N>) -> [bool; N] {
+        let _ = state;
+        [true; N]
+    }
+    /// What takes coordinates onto holonomic constraints and velocities onto the others, with opposite sign; none without constraints.
+    fn corrections(&self, state: &State<S, N>) -> Option<SVector<S, N>> {
+        let _ = state;
+        None
+    }
+    /// The derivatives of the corrections by coordinates and by velocities, at a state that meets the constraints.
+    fn correction_slopes(&self, state: &State<S, N>) -> [SMatrix<S, N, N>; 2] {
+        let _ = state;
+        [SMatrix::zeros(); 2]
+    }
+    /// The state that meets the constraints near a state, without a change of coordinates and velocities that are held, if one is found.
+    fn corrected(&self, state: State<S, N>, held: [[bool; N]; 2]) -> Option<State<S, N>> {
+        let _ = held;
+        Some(state)
+    }
+    /// The constraint that a state violates most, and its residual.
+    fn violated(&self, state: &State<S, N>) -> Option<(&'static str, f64)> {
+        let _ = state;
+        None
+    }
 }
 
 /// A model whose inputs, if any, keep their values.
@@ -127,6 +152,8 @@ where
 pub(super) struct Point<S: Scalar, const N: usize, const U: usize> {
     pub(super) state: State<S, N>,
     pub(super) inputs: SVector<S, U>,
+    /// The coordinates whose accelerations are residuals; those of others follow from them.
+    pub(super) independent: [bool; N],
 }
 
 impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
@@ -139,7 +166,11 @@ impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
     ) -> Self {
         let factor = S::from_f64(factor);
         let change = step.zip_map(sizes, |x, size| factor * x * size);
-        let Self { state, inputs } = *self;
+        let Self {
+            state,
+            inputs,
+            independent,
+        } = *self;
         Self {
             state: State::new(
                 state.t,
@@ -147,6 +178,7 @@ impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
                 state.v + change.velocities,
             ),
             inputs: inputs + change.inputs,
+            independent,
         }
     }
 }
@@ -164,7 +196,7 @@ where
     S: SingleNumber,
     B: Balance<S, N, U>,
 {
-    let Point { state, inputs } = point;
+    let Point { state, inputs, .. } = point;
     let fastest = state
         .v
         .iter()
@@ -185,7 +217,7 @@ where
     gradients
 }
 
-/// Returns the accelerations, and the differences of the momenta from their prescribed values.
+/// Returns the accelerations, and the differences of the momenta from their prescribed values, or the corrections onto constraints.
 pub(super) fn residuals<S, B, const N: usize, const U: usize>(
     model: &B,
     point: &Point<S, N, U>,
@@ -196,8 +228,12 @@ where
     B: Balance<S, N, U>,
 {
     let accelerations = model.accelerations(&point.state, &point.inputs);
+    let accelerations = accelerations.zip_map(&SVector::from(point.independent), |x, counts| {
+        if counts { x } else { S::zero() }
+    });
     if momenta.iter().all(Option::is_none) {
-        return [accelerations, SVector::zeros()];
+        let corrections = model.corrections(&point.state);
+        return [accelerations, corrections.unwrap_or_else(SVector::zeros)];
     }
     let found = model.momenta(&point.state);
     let differences =
@@ -215,16 +251,27 @@ where
     S: SingleNumber,
     B: Balance<S, N, U>,
 {
-    let Point { state, inputs } = point;
+    let Point { state, inputs, .. } = point;
     let slopes = model.linearize(state, inputs);
     let by_inputs = model.input_jacobian(state, inputs);
-    let accelerations = core::array::from_fn(|i| Variables {
-        positions: SVector::from_fn(|j, _| slopes.position[(i, j)]),
-        velocities: SVector::from_fn(|j, _| slopes.velocity[(i, j)]),
-        inputs: SVector::from_fn(|j, _| by_inputs[(i, j)]),
+    let accelerations = core::array::from_fn(|i| {
+        if !point.independent[i] {
+            return Variables::zeros();
+        }
+        Variables {
+            positions: SVector::from_fn(|j, _| slopes.position[(i, j)]),
+            velocities: SVector::from_fn(|j, _| slopes.velocity[(i, j)]),
+            inputs: SVector::from_fn(|j, _| by_inputs[(i, j)]),
+        }
     });
     if momenta.iter().all(Option::is_none) {
-        return [accelerations, [Variables::zeros(); N]];
+        let [by_positions, by_velocities] = model.correction_slopes(state);
+        let corrections = core::array::from_fn(|i| Variables {
+            positions: by_positions.row(i).transpose(),
+            velocities: by_velocities.row(i).transpose(),
+            inputs: SVector::zeros(),
+        });
+        return [accelerations, corrections];
     }
     let mass = model.mass_matrix(state);
     let gradients = momentum_gradients(model, point);

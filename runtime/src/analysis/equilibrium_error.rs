@@ -25,7 +25,7 @@ pub enum EquilibriumError<S: Scalar, const N: usize, const U: usize> {
         /// Its velocity in the guess.
         velocity: f64,
     },
-    /// A momentum was given for a coordinate that is not ignorable, so that its momentum is not constant.
+    /// A momentum was given for a coordinate that is not ignorable, so that its momentum is not constant, or for a constrained model.
     NoConstantMomentum {
         /// Its name.
         name: &'static str,
@@ -57,6 +57,15 @@ pub enum EquilibriumError<S: Scalar, const N: usize, const U: usize> {
         /// This acceleration, difference or force.
         residual: f64,
     },
+    /// The search ended at a state that does not meet the constraints.
+    Inconsistent {
+        /// The last iterate.
+        last: Equilibrium<S, N, U>,
+        /// The constraint that is violated most.
+        constraint: &'static str,
+        /// Its residual, or the residual of its velocity if the coordinates meet it.
+        residual: f64,
+    },
     /// The search ended where the mass matrix is nearly singular, and the forces are not balanced there.
     SingularMass {
         /// The last iterate.
@@ -80,6 +89,7 @@ impl<S: Scalar, const N: usize, const U: usize> EquilibriumError<S, N, U> {
             | Self::NoConvergence { last }
             | Self::Stalled { last }
             | Self::Unbalanced { last, .. }
+            | Self::Inconsistent { last, .. }
             | Self::SingularMass { last, .. } => Some(last),
             _ => None,
         }
@@ -105,7 +115,7 @@ impl<S: Scalar, const N: usize, const U: usize> fmt::Display for EquilibriumErro
             ),
             Self::NoConstantMomentum { name } => write!(
                 f,
-                "`{name}` is not ignorable, so that its momentum is no constant that could be given"
+                "`{name}` is not ignorable, or the model has constraints, so that its momentum is no constant that could be given"
             ),
             Self::NotFinite { last } => write!(
                 f,
@@ -137,6 +147,17 @@ impl<S: Scalar, const N: usize, const U: usize> fmt::Display for EquilibriumErro
                  {:?}, where the sum of squares is stationary; search from another guess, or name other unknowns",
                 Readable(*residual),
                 last.state
+            ),
+            Self::Inconsistent {
+                last,
+                constraint,
+                residual,
+            } => write!(
+                f,
+                "the search ended at {:?}, where the residual of the constraint `{constraint}` is {}; begin at a state that \
+                 `assemble` has found, or name more unknowns",
+                last.state,
+                Readable(*residual)
             ),
             Self::SingularMass {
                 last,

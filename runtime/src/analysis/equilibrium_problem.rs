@@ -1,8 +1,11 @@
 //! The equations that an equilibrium or a steady motion satisfies, and the choice of their unknowns.
 
+use nalgebra::SVector;
+
 use super::balance::{Balance, Point, jacobian, residuals};
 use super::jacobian_rows::{JacobianRows, Residuals, Variables};
 use crate::integrate::SingleNumber;
+use crate::model::State;
 use crate::scalar::Scalar;
 
 /// The problem that a search solves, and the required accuracy.
@@ -36,6 +39,33 @@ where
             let size = if size > 0.0 { size } else { 1.0 };
             S::from_f64(size) * unknown
         })
+    }
+
+    /// Returns the point displaced by `factor · step`, where the step is measured in `sizes`, on the constraints of the model. It is
+    /// not a number where no state nearby meets them.
+    pub(super) fn moved(
+        &self,
+        point: &Point<S, N, U>,
+        (step, factor): (&Variables<S, N, U>, f64),
+        sizes: &Variables<S, N, U>,
+    ) -> Point<S, N, U> {
+        let moved = point.moved(step, factor, sizes);
+        self.corrected(moved).unwrap_or_else(|| {
+            let nothing = SVector::repeat(S::from_f64(f64::NAN));
+            Point {
+                state: State::new(moved.state.t, nothing, nothing),
+                ..moved
+            }
+        })
+    }
+
+    /// Returns a point on the constraints of the model, with the given variables unchanged, if one is found.
+    pub(super) fn corrected(&self, point: Point<S, N, U>) -> Option<Point<S, N, U>> {
+        let is_given =
+            |unknown: &SVector<S, N>| core::array::from_fn(|i| unknown[i].largest() <= 0.0);
+        let held = [&self.unknown.positions, &self.unknown.velocities].map(is_given);
+        let state = self.model.corrected(point.state, held)?;
+        Some(Point { state, ..point })
     }
 
     /// Returns the residuals of the equations at a point.

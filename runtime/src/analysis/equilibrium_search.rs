@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::balance::{Balance, FreeInputs, HeldInputs, Point};
+use super::constrained_balance::OnConstraints;
 use super::equilibrium::{Equilibrium, SearchReport, Variable};
 use super::equilibrium_error::EquilibriumError;
 use super::equilibrium_problem::EquilibriumProblem;
@@ -12,7 +13,7 @@ use super::newton::Newton;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{EQUILIBRIUM_TOLERANCE, NEWTON_STEPS};
 use crate::linalg::IntoVector;
-use crate::model::{Inputs, Lagrangian, State, StateJacobian};
+use crate::model::{DirectionalDerivatives, Inputs, Lagrangian, Quantities, State, StateJacobian};
 use crate::scalar::Scalar;
 
 /// A search for equilibria, q̈ = 0 at q̇ = 0, and for steady motions (relative equilibria), in which only ignorable
@@ -138,6 +139,70 @@ where
     }
 }
 
+impl<'a, M, S, const N: usize, const C: usize>
+    EquilibriumSearch<OnConstraints<'a, M, <M as Quantities<N, S>>::Inputs, S, C, 0>, S, N, 0>
+where
+    M: DirectionalDerivatives<N, C, S> + ?Sized,
+    S: SingleNumber,
+{
+    /// Searches for equilibria and steady motions of a constrained model, with its inputs held, if it has some. The unknowns are all
+    /// coordinates, unless [`unknown`](Self::unknown) says otherwise. What is not unknown keeps its value, and the rest meets the
+    /// constraints.
+    ///
+    /// ```
+    /// use lagrangian::analysis::EquilibriumSearch;
+    /// use lagrangian::prelude::*;
+    ///
+    /// /// A load between the ends of two ropes, which are fixed at both sides.
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     coordinates(x, y),
+    ///     kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
+    ///     potential = m * g * y,
+    ///     constraint(rope = [x, y].norm() + [x - width, y].norm() - length),
+    /// )]
+    /// struct Load { m: f64, g: f64, width: f64, length: f64 }
+    ///
+    /// let load = Load { m: 2.0, g: 9.81, width: 3.0, length: 5.0 };
+    /// let guess = State::new(0.0, [1.0, -1.0], [0.0; 2]);
+    /// let found = EquilibriumSearch::constrained(&load).near(&guess)?;
+    /// assert!((found.state.q - Vector2::new(1.5, -2.0)).norm() < 1e-14);
+    /// // Both ropes carry half of the load, at a slope of 4/5.
+    /// let pull = load.multipliers(&found.state)[0];
+    /// assert!((pull + 9.81 / 0.8).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn constrained<L>(model: &'a L) -> Self
+    where
+        L: Lagrangian<N, S, Model = M> + ?Sized,
+    {
+        Self::in_all_coordinates(OnConstraints {
+            model: model.model(),
+            held: model.inputs(),
+            inputs: SVector::zeros(),
+            choose: |_, held| held.clone(),
+        })
+    }
+}
+
+impl<'a, M, S, const N: usize, const C: usize, const U: usize>
+    EquilibriumSearch<OnConstraints<'a, M, SVector<S, U>, S, C, U>, S, N, U>
+where
+    M: DirectionalDerivatives<N, C, S> + Inputs<N, U, S> + ?Sized,
+    S: SingleNumber,
+{
+    /// Searches for equilibria and steady motions of a constrained model with inputs, some of which may be unknown. The
+    /// fields of the model hold the guess of the inputs.
+    pub fn constrained_trim(model: &'a M) -> Self {
+        Self::in_all_coordinates(OnConstraints {
+            model,
+            held: model.inputs(),
+            inputs: model.inputs(),
+            choose: |inputs, _| *inputs,
+        })
+    }
+}
+
 impl<B, S, const N: usize, const U: usize> EquilibriumSearch<B, S, N, U>
 where
     B: Balance<S, N, U>,
@@ -161,7 +226,14 @@ where
         }
     }
 
-    /// Sets the unknown variables, instead of all coordinates that are not ignorable.
+    /// Also ignorable coordinates are unknown: constraints relate them to others.
+    fn in_all_coordinates(model: B) -> Self {
+        let mut search = Self::about(model);
+        search.problem.unknown.positions.fill(S::one());
+        search
+    }
+
+    /// Sets the unknown variables, instead of all coordinates that are not ignorable, or all of a constrained model.
     #[must_use]
     pub fn unknown(mut self, variables: &[Variable]) -> Self {
         self.problem.unknown = Variables::zeros();
@@ -180,8 +252,8 @@ where
         self
     }
 
-    /// Prescribes the momentum of an ignorable coordinate in a steady motion. A velocity has to be unknown to make up
-    /// for it.
+    /// Prescribes the momentum of an ignorable coordinate in a steady motion of a model without constraints. A velocity has to be
+    /// unknown to make up for it.
     #[must_use]
     pub fn momentum(mut self, coordinate: usize, momentum: S) -> Self {
         match self.problem.momenta.get_mut(coordinate) {
@@ -234,10 +306,13 @@ where
         guess: &State<S, N>,
     ) -> Result<Equilibrium<S, N, U>, EquilibriumError<S, N, U>> {
         self.check(guess)?;
-        let start = Point {
+        let guess = Point {
             state: *guess,
             inputs: self.problem.model.inputs(),
+            independent: [true; N],
         };
+        let mut start = self.problem.corrected(guess).unwrap_or(guess);
+        start.independent = self.problem.model.independent(&start.state);
         let failed = match Newton::new(&self.problem, &start).run() {
             Err(
                 error @ (EquilibriumError::Stalled { .. } | EquilibriumError::NoConvergence { .. }),
@@ -260,7 +335,11 @@ where
         if self.problem.unknown.largest() <= 0.0 {
             return Err(EquilibriumError::NoUnknown);
         }
+        let is_constrained = self.problem.model.corrections(guess).is_some();
         for (coordinate, name) in B::COORDINATES.into_iter().enumerate() {
+            if is_constrained && self.problem.momenta[coordinate].is_some() {
+                return Err(EquilibriumError::NoConstantMomentum { name });
+            }
             if B::IGNORABLE[coordinate] {
                 continue;
             }

@@ -36,7 +36,7 @@ where
         if step.norm().is_nan() || step.norm() <= DESCENT_END || predicted <= 0.0 {
             break;
         }
-        let trial = point.moved(&step, 1.0, &sizes);
+        let trial = problem.moved(&point, (&step, 1.0), &sizes);
         let after = problem.residuals(&trial);
         report.evaluations += 1;
         let gain = (squared(&found) - squared(&after)) / predicted;

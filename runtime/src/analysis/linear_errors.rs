@@ -22,20 +22,73 @@ use crate::scalar::Scalar;
 /// The sign patterns in which principal directions are combined.
 const PATTERNS: [fn(usize) -> bool; 3] = [|_| true, |i| i % 2 == 0, |i| i % 4 < 2];
 
+/// The states beside an equilibrium, and the equations there.
+pub(super) trait Neighbourhood<S: Scalar, const N: usize> {
+    /// Returns the state whose oscillating coordinates are displaced; its constant momenta are unchanged, and it meets the constraints.
+    fn moved(&self, displacement: &SVector<S, N>) -> State<S, N>;
+    /// Returns the reduced linear equations at a state.
+    fn reduced(&self, state: &State<S, N>) -> Reduced<S, N>;
+    /// Returns the accelerations.
+    fn accelerations(&self, state: &State<S, N>) -> SVector<S, N>;
+    /// Returns the generalized forces.
+    fn generalized_forces(&self, state: &State<S, N>) -> SVector<S, N>;
+    /// Returns what constraints allow of a change of velocities.
+    fn allowed(&self, state: &State<S, N>, change: SVector<S, N>) -> SVector<S, N>;
+}
+
+/// The neighbourhood of an equilibrium of a model without constraints.
+pub(super) struct Unconstrained<'a, M: ?Sized, S: Scalar, const N: usize> {
+    pub(super) model: &'a M,
+    pub(super) state: &'a State<S, N>,
+    pub(super) parts: &'a [Part; N],
+    pub(super) eliminated: &'a [SMatrix<S, N, N>; 2],
+}
+
+impl<M, S, const N: usize> Neighbourhood<S, N> for Unconstrained<'_, M, S, N>
+where
+    S: SingleNumber,
+    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
+{
+    fn moved(&self, displacement: &SVector<S, N>) -> State<S, N> {
+        let [by_position, _] = self.eliminated;
+        State::new(
+            self.state.t,
+            self.state.q + displacement,
+            self.state.v + by_position * displacement,
+        )
+    }
+
+    fn reduced(&self, state: &State<S, N>) -> Reduced<S, N> {
+        Reduced::at(self.model, state, self.parts)
+    }
+
+    fn accelerations(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.accelerations(state)
+    }
+
+    fn generalized_forces(&self, state: &State<S, N>) -> SVector<S, N> {
+        self.model.generalized_forces(state)
+    }
+
+    fn allowed(&self, _: &State<S, N>, change: SVector<S, N>) -> SVector<S, N> {
+        change
+    }
+}
+
 /// Returns bounds, entry by entry, for the differences of ∂q̈/∂q and ∂q̈/∂q̇ of small oscillations from their values at
 /// the equilibrium.
-pub(super) fn linear_errors<S, M, const N: usize>(
-    model: &M,
+pub(super) fn linear_errors<S, B, const N: usize>(
+    nearby: &B,
     state: &State<S, N>,
     parts: &[Part; N],
     reduced: &Reduced<S, N>,
 ) -> [SMatrix<S, N, N>; 2]
 where
     S: SingleNumber,
-    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
+    B: Neighbourhood<S, N>,
 {
     let place = Place {
-        model,
+        nearby,
         state,
         parts,
         reduced,
@@ -55,7 +108,7 @@ where
             continue;
         }
         for displacement in [displacement, -displacement] {
-            let beside = Reduced::at(model, &place.moved(&displacement), parts);
+            let beside = nearby.reduced(&nearby.moved(&displacement));
             let changes = [
                 beside.position - reduced.position,
                 beside.velocity - reduced.velocity,
@@ -75,29 +128,19 @@ where
     errors
 }
 
-/// A state beside an equilibrium.
-struct Place<'a, M: ?Sized, S: Scalar, const N: usize> {
-    model: &'a M,
+/// An equilibrium and its neighbourhood.
+struct Place<'a, B, S: Scalar, const N: usize> {
+    nearby: &'a B,
     state: &'a State<S, N>,
     parts: &'a [Part; N],
     reduced: &'a Reduced<S, N>,
 }
 
-impl<M, S, const N: usize> Place<'_, M, S, N>
+impl<B, S, const N: usize> Place<'_, B, S, N>
 where
     S: SingleNumber,
-    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
+    B: Neighbourhood<S, N>,
 {
-    /// Returns the displaced state, with unchanged constant momenta.
-    fn moved(&self, displacement: &SVector<S, N>) -> State<S, N> {
-        let [by_position, _] = &self.reduced.eliminated;
-        State::new(
-            self.state.t,
-            self.state.q + displacement,
-            self.state.v + by_position * displacement,
-        )
-    }
-
     /// Returns in its columns how far the equilibrium may be along each principal direction of K, including the
     /// rounding of positions.
     fn displacements(&self) -> SMatrix<S, N, N> {
@@ -181,8 +224,8 @@ where
         };
         let is_resolved = |length: f64| {
             let force = |length: f64| {
-                let beside = self.moved(&(direction * S::from_f64(length)));
-                let force = self.reduced.mass * self.model.accelerations(&beside);
+                let beside = self.nearby.moved(&(direction * S::from_f64(length)));
+                let force = self.reduced.mass * self.nearby.accelerations(&beside);
                 -direction.dot(&force).largest() / kappa
             };
             [length, -length].into_iter().all(|length| {
@@ -192,8 +235,8 @@ where
         };
         let is_another = |length: &f64| {
             [*length, -length].into_iter().any(|length| {
-                let beside = self.moved(&(direction * S::from_f64(length)));
-                let beside = Reduced::at(self.model, &beside, self.parts);
+                let beside = self.nearby.moved(&(direction * S::from_f64(length)));
+                let beside = self.nearby.reduced(&beside);
                 let there = -(beside.mass * beside.position);
                 let there = direction.dot(&(there * direction)).largest();
                 (there - kappa).abs() >= kappa.abs()
@@ -209,14 +252,14 @@ where
 
 /// Returns whether the generalized forces supply energy to some small perturbation, in whatever order: (Q(q, q̇ + w) −
 /// Q(q, q̇)) w > 0.
-pub(super) fn gives_energy<S, M, const N: usize>(
-    model: &M,
+pub(super) fn gives_energy<S, B, const N: usize>(
+    nearby: &B,
     state: &State<S, N>,
     reduced: &Reduced<S, N>,
 ) -> bool
 where
     S: SingleNumber,
-    M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
+    B: Neighbourhood<S, N>,
 {
     let steepest = reduced
         .position
@@ -241,8 +284,9 @@ where
     };
     let power = |q: SVector<S, N>, w: SVector<S, N>| {
         let still = State::new(state.t, state.q + q, state.v);
+        let w = nearby.allowed(&still, w);
         let moving = State::new(still.t, still.q, still.v + w);
-        let [before, after] = [&still, &moving].map(|state| model.generalized_forces(state));
+        let [before, after] = [&still, &moving].map(|state| nearby.generalized_forces(state));
         let terms = before.map(S::abs) + after.map(S::abs);
         let power = (after - before).dot(&w).largest();
         power > rounding * terms.dot(&w.map(S::abs)).largest()

@@ -126,7 +126,8 @@ where
                 self.report.residual = largest(&self.residuals);
                 return Err(EquilibriumError::Stalled { last: self.found() });
             }
-            let trial = self.point.moved(correction, damping, &self.sizes);
+            let step = (correction, damping);
+            let trial = self.problem.moved(&self.point, step, &self.sizes);
             let residuals = self.evaluate(&trial);
             let simplified = newton_correction(rows, &residuals);
             let after = simplified.norm();
@@ -165,7 +166,9 @@ where
     }
 
     fn move_by(&mut self, correction: &Variables<S, N, U>, factor: f64) {
-        self.point = self.point.moved(correction, factor, &self.sizes);
+        self.point = self
+            .problem
+            .moved(&self.point, (correction, factor), &self.sizes);
     }
 
     fn found(&self) -> Equilibrium<S, N, U> {
@@ -186,6 +189,13 @@ where
         let left = largest(&self.residuals);
         if left.is_nan() {
             return Err(EquilibriumError::NotFinite { last: self.found() });
+        }
+        if let Some((constraint, residual)) = self.problem.model.violated(&self.point.state) {
+            return Err(EquilibriumError::Inconsistent {
+                last: self.found(),
+                constraint,
+                residual,
+            });
         }
         let accurate = libm::pow(S::machine_epsilon(), UNBALANCED).max(self.problem.tolerance);
         let force = unbalanced_force(&self.problem.model, &self.point, &self.sizes, accurate);

@@ -10,14 +10,16 @@ use nalgebra::{SMatrix, SVector};
 
 use super::controllability::Controllability;
 use super::eigenvalues::balancing;
+use super::equilibrium::Variable;
 use super::exceeds;
 use super::lyapunov::{Square, lyapunov};
 use super::regulator_error::RegulatorError;
 use super::riccati;
 use super::riccati_newton::{Riccati, Solution};
 use super::spectrum::{Spectrum, modulus};
-use super::state_space::{DiscreteStateSpace, StateSpace, poles, stacked};
+use super::state_space::{DiscreteStateSpace, StateSpace, poles};
 use super::symmetric_eigenvalues::symmetric_eigenvalues;
+use super::tangent_space::selected;
 use crate::limits::analysis::{BORDER, RICCATI_CHANGE, UNREACHED};
 use crate::linalg::Factorization;
 use crate::model::State;
@@ -25,7 +27,7 @@ use crate::scalar::{DoubleDouble, Scalar};
 
 /// The linear-quadratic regulator u = u₀ − K (x − x₀).
 ///
-/// x₀ is the state of the linearization, coordinates first, then velocities, and u₀ are its inputs. In the deviations x
+/// x₀ is the state of the linearization, coordinates first, then velocities, as far as they are independent, and u₀ are its inputs. In the deviations x
 /// and u from this point, the regulator minimizes ∫ xᵀ Q x + uᵀ R u dt, or in discrete time the sum Σ xᵀ Q x + uᵀ R u
 /// over samples.
 ///
@@ -61,21 +63,23 @@ pub struct Regulator<const D: usize, const U: usize> {
     pub state: SVector<f64, D>,
     /// The inputs u₀.
     pub inputs: SVector<f64, U>,
+    /// The coordinates and velocities that the components of x are.
+    pub variables: [Variable; D],
 }
 
 impl<const D: usize, const U: usize> Regulator<D, U> {
     /// Returns the inputs u = u₀ − K (x − x₀) at a state of the linearized model.
     ///
-    /// A `D` other than 2 `N` does not compile.
+    /// A `D` larger than 2 `N` does not compile.
     #[must_use]
     pub fn input<const N: usize>(&self, state: &State<f64, N>) -> SVector<f64, U> {
         const {
             assert!(
-                D == 2 * N,
-                "the regulator is for states of twice as many components as there are coordinates"
+                D <= 2 * N,
+                "the regulator is for states of at most twice as many components as there are coordinates"
             );
         }
-        let x: SVector<f64, D> = stacked(&state.q, &state.v);
+        let x = selected(&self.variables, &state.q, &state.v);
         self.inputs - self.gain * (x - self.state)
     }
 }
@@ -84,6 +88,7 @@ impl<const D: usize, const U: usize> Regulator<D, U> {
 struct Problem<'a, const D: usize, const U: usize> {
     state: SVector<f64, D>,
     inputs: SVector<f64, U>,
+    variables: [Variable; D],
     a: &'a SMatrix<f64, D, D>,
     b: &'a SMatrix<f64, D, U>,
     q: &'a SMatrix<f64, D, D>,
@@ -110,6 +115,7 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
         let problem = Problem {
             state: self.state,
             inputs: self.inputs,
+            variables: self.variables,
             a: &self.a,
             b: &self.b,
             q: state_weight,
@@ -139,6 +145,7 @@ impl<const D: usize, const U: usize, const Y: usize> DiscreteStateSpace<f64, D, 
         let problem = Problem {
             state: self.state,
             inputs: self.inputs,
+            variables: self.variables,
             a: &self.a,
             b: &self.b,
             q: state_weight,
@@ -226,6 +233,7 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
             residual: self.residual(&cost, &gain),
             state: self.state,
             inputs: self.inputs,
+            variables: self.variables,
         })
     }
 

@@ -13,7 +13,7 @@ use super::eigenvalues::eigenvalues;
 use super::exceeds;
 use super::force_balance::{UnbalancedForce, unbalanced_force};
 use super::jacobian_rows::Variables;
-use super::linear_errors::{gives_energy, linear_errors};
+use super::linear_errors::{Unconstrained, gives_energy, linear_errors};
 use super::oscillation_error::OscillationError;
 use super::spectrum::Spectrum;
 use super::time_dependence::contains_time;
@@ -91,7 +91,7 @@ pub(super) struct Reduced<S: Scalar, const N: usize> {
     pub(super) mass: SMatrix<S, N, N>,
     pub(super) position: SMatrix<S, N, N>,
     pub(super) velocity: SMatrix<S, N, N>,
-    velocity_terms: SMatrix<S, N, N>,
+    pub(super) velocity_terms: SMatrix<S, N, N>,
     pub(super) eliminated: [SMatrix<S, N, N>; 2],
 }
 
@@ -147,6 +147,7 @@ fn under_held_inputs<S: Scalar, const N: usize>(state: &State<S, N>) -> Point<S,
     Point {
         state: *state,
         inputs: SVector::zeros(),
+        independent: [true; N],
     }
 }
 
@@ -189,6 +190,12 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
             (true, true) => Part::Eliminated,
         });
         let reduced = Reduced::of(&parts, &mass, &gradients, &slopes);
+        let nearby = Unconstrained {
+            model,
+            state,
+            parts: &parts,
+            eliminated: &reduced.eliminated,
+        };
         Ok(Self {
             parts,
             mass: reduced.mass,
@@ -196,8 +203,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
             velocity: reduced.velocity,
             eliminated: reduced.eliminated,
             velocity_terms: reduced.velocity_terms,
-            errors: linear_errors(model, state, &parts, &reduced),
-            gives_energy: gives_energy(model, state, &reduced),
+            errors: linear_errors(&nearby, state, &parts, &reduced),
+            gives_energy: gives_energy(&nearby, state, &reduced),
             contains_time: contains_time(model, state, &slopes),
         })
     }

@@ -4,6 +4,7 @@ use nalgebra::{Complex, SMatrix, SVector};
 
 use super::controllability::Controllability;
 use super::eigenvalues::eigenvalues;
+use super::equilibrium::Variable;
 use super::matrix_exponential::exponential;
 use super::spectrum::Spectrum;
 use crate::integrate::SingleNumber;
@@ -13,8 +14,8 @@ use crate::scalar::Scalar;
 /// A linear model ẋ = A x + B u + f₀, y = C x + D u + y₀ in the deviations x = (δq, δq̇) and u from the point of
 /// linearization.
 ///
-/// `D` is 2 `N`, `U` is the number of inputs and `Y` the number of outputs, which are the states unless others are
-/// given. At an equilibrium f₀ is 0; elsewhere it is the derivative (q̇, q̈) at the point of linearization, and the
+/// `D` is 2 `N`, or for a [constrained](StateSpace::reduced) model the number of its independent coordinates and velocities. `U` is
+/// the number of inputs and `Y` the number of outputs, which are the states unless others are given. At an equilibrium f₀ is 0; elsewhere it is the derivative (q̇, q̈) at the point of linearization, and the
 /// model holds for short times.
 ///
 /// ```
@@ -60,6 +61,8 @@ pub struct StateSpace<S: Scalar, const D: usize, const U: usize, const Y: usize>
     pub state: SVector<S, D>,
     /// The inputs u₀ at the point of linearization.
     pub inputs: SVector<S, U>,
+    /// The coordinates and velocities that the components of x are.
+    pub variables: [Variable; D],
 }
 
 /// A linear model in discrete time, xₖ₊₁ = A xₖ + B uₖ + f, yₖ = C xₖ + D uₖ + y₀; see [`StateSpace::discretized`].
@@ -81,12 +84,22 @@ pub struct DiscreteStateSpace<S: Scalar, const D: usize, const U: usize, const Y
     pub state: SVector<S, D>,
     /// The inputs u₀ at the point of linearization.
     pub inputs: SVector<S, U>,
+    /// The coordinates and velocities that the components of x are.
+    pub variables: [Variable; D],
     /// The sampling period.
     pub period: S,
 }
 
-fn identity<S: Scalar, const D: usize>() -> SMatrix<S, D, D> {
+pub(super) fn identity<S: Scalar, const D: usize>() -> SMatrix<S, D, D> {
     SMatrix::from_fn(|i, j| if i == j { S::one() } else { S::zero() })
+}
+
+/// Returns the variables of a model without constraints: all coordinates, then all velocities.
+fn all_variables<const D: usize>() -> [Variable; D] {
+    core::array::from_fn(|i| match i.checked_sub(D / 2) {
+        None => Variable::Coordinate(i),
+        Some(i) => Variable::Velocity(i),
+    })
 }
 
 impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
@@ -103,6 +116,7 @@ impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
             output: zero,
             state: zero,
             inputs: SVector::from_element(S::zero()),
+            variables: all_variables(),
         }
     }
 }
@@ -121,6 +135,7 @@ impl<S: Scalar, const D: usize, const U: usize> DiscreteStateSpace<S, D, U, D> {
             output: zero,
             state: zero,
             inputs: SVector::from_element(S::zero()),
+            variables: all_variables(),
             period,
         }
     }
@@ -143,6 +158,7 @@ impl<S: Scalar, const D: usize> StateSpace<S, D, 0, D> {
             output: stacked(&state.q, &state.v),
             state: stacked(&state.q, &state.v),
             inputs: SVector::from_element(S::zero()),
+            variables: all_variables(),
         }
     }
 }
@@ -166,6 +182,7 @@ impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
             output: stacked(&state.q, &state.v),
             state: stacked(&state.q, &state.v),
             inputs: model.inputs(),
+            variables: all_variables(),
         }
     }
 }
@@ -188,6 +205,7 @@ impl<S: Scalar, const D: usize, const U: usize, const Y: usize> StateSpace<S, D,
             output,
             state: self.state,
             inputs: self.inputs,
+            variables: self.variables,
         }
     }
 
@@ -235,6 +253,7 @@ impl<S: SingleNumber, const D: usize, const U: usize, const Y: usize> StateSpace
             output: self.output,
             state: self.state,
             inputs: self.inputs,
+            variables: self.variables,
             period,
         }
     }

@@ -117,6 +117,31 @@ impl<const B: usize> Identification<B> {
         }
     }
 
+    /// Adds the equations of one instant along [virtual displacements](crate::analysis::TangentBasis::virtual_displacements) V of a
+    /// constrained model, Vᵀ Y π = Vᵀ (τ − r). With constraints M q̈ − f = τ + Gᵀ λ, and G V = 0 takes the unknown reactions out
+    /// of the equations. Columns of zeros give no equations.
+    ///
+    /// What is known of the constraints has to be right, since V depends on it. Where the motion of a mechanism leaves combinations of
+    /// its base parameters open, [`solve`](Self::solve) names one.
+    pub fn add_along<M, const N: usize, const D: usize>(
+        &mut self,
+        model: &M,
+        (state, accelerations): (&State<f64, N>, &SVector<f64, N>),
+        forces: &SVector<f64, N>,
+        directions: &SMatrix<f64, N, D>,
+    ) where
+        M: Lagrangian<N, Model: Regressor<N, B>>,
+    {
+        let regressor = model.regressor(state, accelerations);
+        let right = forces - model.known_terms(state, accelerations);
+        for direction in directions.column_iter() {
+            if direction.iter().any(|entry| *entry != 0.0) {
+                let row = SVector::from_fn(|b, _| regressor.column(b).dot(&direction));
+                self.add_equation(row, right.dot(&direction));
+            }
+        }
+    }
+
     /// Adds the equation row · π = right.
     pub fn add_equation(&mut self, mut row: SVector<f64, B>, mut right: f64) {
         if !(right.is_finite() && row.iter().all(|entry| entry.is_finite())) {

@@ -137,3 +137,7 @@ pub(crate) const CAYLEY_SHIFTS: [f64; 6] = [1.0, 1.3, 0.8, 1.7, 0.6, 2.2];
 /// The number of doublings after which a Riccati equation has no solution: they converge quadratically, unless
 /// eigenvalues of the closed loop are on the border of stability.
 pub(crate) const DOUBLINGS: usize = 60;
+
+/// The limit of Newton steps for the inputs of a given motion: one, and a second for its rounding errors, where forces are linear in
+/// them.
+pub(crate) const INPUT_STEPS: usize = 20;

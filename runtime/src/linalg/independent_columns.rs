@@ -19,10 +19,11 @@ impl<const C: usize, const N: usize> ColumnChoice<C, N> {
         }
     }
 
-    /// Chooses the column that is farthest from the span of those that are chosen, the first of several.
-    pub(crate) fn choose_longest(&mut self) {
+    /// Chooses of the columns that are not kept the one that is farthest from the span of those that are chosen, the first of
+    /// several.
+    pub(crate) fn choose_longest(&mut self, kept: &[bool; N]) {
         let mut longest: Option<(usize, f64)> = None;
-        for i in 0..N {
+        for i in (0..N).filter(|i| !kept[*i]) {
             let square = self.rest.column(i).norm_squared();
             let is_longer = longest.is_none_or(|(_, other)| square > other);
             if !self.is_chosen[i] && is_longer {

@@ -58,6 +58,21 @@ pub(crate) fn smallest_sine<S: Scalar, const C: usize, const N: usize>(
     sines.fold(S::one(), |least, sine| least.min(*sine))
 }
 
+/// Returns the roots of the diagonal of a mass matrix, by which columns of `jacobian` are divided; of coordinates without mass the
+/// largest entry of the column.
+pub(crate) fn column_widths<S: Scalar, const C: usize, const N: usize>(
+    jacobian: &SMatrix<S, C, N>,
+    mass: &SVector<S, N>,
+) -> SVector<S, N> {
+    SVector::from_fn(|i, _| {
+        let column = jacobian.column(i);
+        let largest = column.iter().fold(S::zero(), |most, x| most.max(x.abs()));
+        let has_mass = greater(mass[i], S::zero());
+        let length = one_if_zero(mass[i]).abs().sqrt();
+        length.masked(has_mass) + one_if_zero(largest).masked(S::one() - has_mass)
+    })
+}
+
 /// Rows in the course of orthogonalization.
 struct Orthogonalization<S: Scalar, const C: usize, const N: usize> {
     /// The rest of each row, as a column, scaled to length 1 at the beginning.
@@ -129,13 +144,7 @@ impl<S: Scalar, const C: usize, const N: usize> Orthogonalization<S, C, N> {
     }
 
     fn new(jacobian: &SMatrix<S, C, N>, mass: &SVector<S, N>) -> Self {
-        let widths = SVector::<S, N>::from_fn(|i, _| {
-            let column = jacobian.column(i);
-            let largest = column.iter().fold(S::zero(), |most, x| most.max(x.abs()));
-            let has_mass = greater(mass[i], S::zero());
-            let length = one_if_zero(mass[i]).abs().sqrt();
-            length.masked(has_mass) + one_if_zero(largest).masked(S::one() - has_mass)
-        });
+        let widths = column_widths(jacobian, mass);
         let mut rows = SMatrix::<S, N, C>::from_fn(|j, i| jacobian[(i, j)] / widths[j]);
         let scales =
             SVector::from_fn(|i, _| S::one() / one_if_zero(norm(rows.column(i).as_slice())));

@@ -68,7 +68,7 @@ where
     M: Constraints<N, C, S> + ?Sized,
     S: Scalar,
 {
-    pub(super) fn new(model: &'a M, guess: State<S, N>) -> Self {
+    pub(crate) fn new(model: &'a M, guess: State<S, N>) -> Self {
         Self {
             model,
             guess,
@@ -109,7 +109,8 @@ where
         for _ in 0..VELOCITY_SWEEPS {
             let residuals = self.model.constraint_velocities(&state, &prepared);
             let (model, held) = (self.model, &self.held_velocities);
-            let step = model.constrained_response(&state, &prepared, (&zero(), &residuals), held);
+            let step =
+                model.constrained_response(&state, &prepared, (&zero(), &residuals), held, C);
             state.v += step;
         }
         let velocities = self.model.constraint_velocities(&state, &prepared);
@@ -127,9 +128,7 @@ where
     ) -> Result<(), AssemblyError> {
         for _ in 0..MAX_ITERATIONS {
             let residuals = self.model.constraint_positions(state, prepared);
-            let step =
-                self.model
-                    .constrained_response(state, prepared, (&zero(), &residuals), &self.held);
+            let step = self.step(state, prepared, &residuals);
             let length = self.length(state, prepared, &step);
             if length <= S::machine_epsilon() * self.length(state, prepared, &state.q) {
                 state.q += step;
@@ -157,9 +156,7 @@ where
             let mut trial = *state;
             trial.q += step.map(|x| x * S::from_f64(damping));
             let residuals = self.model.constraint_positions(&trial, prepared);
-            let next =
-                self.model
-                    .constrained_response(state, prepared, (&zero(), &residuals), &self.held);
+            let next = self.step(state, prepared, &residuals);
             let next = self.length(state, prepared, &next);
             if next <= (1.0 - SUFFICIENT_DECREASE * damping) * length {
                 *state = trial;
@@ -168,6 +165,17 @@ where
             damping *= 0.5;
         }
         false
+    }
+
+    /// Returns the step that takes the residuals of holonomic constraints away to first order.
+    fn step(
+        &self,
+        state: &State<S, N>,
+        prepared: &M::Prepared,
+        residuals: &SVector<S, C>,
+    ) -> SVector<S, N> {
+        let (model, count) = (self.model, M::HOLONOMIC);
+        model.constrained_response(state, prepared, (&zero(), residuals), &self.held, count)
     }
 
     /// Returns the length of a change of coordinates in the metric of the diagonal of M, in any lane.

@@ -65,14 +65,16 @@ pub trait Constraints<const N: usize, const C: usize, S: Scalar = f64>: Quantiti
         prepared: &Self::Prepared,
     ) -> SMatrix<S, C, N>;
 
-    /// The change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r, without a
-    /// change of those that are held.
+    /// The change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r of the first
+    /// constraints, `count` in number, without a change of those that are held. Coordinates move freely along what only velocities are
+    /// restricted by.
     fn constrained_response(
         &self,
         state: &State<S, N>,
         prepared: &Self::Prepared,
         impulse_and_residuals: (&SVector<S, N>, &SVector<S, C>),
         held: &[bool; N],
+        count: usize,
     ) -> SVector<S, N>;
 
     /// The compliances cᵢ of the constraints, deformations per unit of λ; 1 by default. Where constraints depend on each other,

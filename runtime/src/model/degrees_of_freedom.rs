@@ -55,7 +55,9 @@ pub struct DegreesOfFreedom<const N: usize, const C: usize> {
 }
 
 impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
-    pub(super) fn of<M, S>(model: &M, state: &State<S, N>) -> Self
+    /// Proposes independent coordinates that contain those which are `kept`, as far as their number allows, and independent velocities among
+    /// them.
+    pub(crate) fn of<M, S>(model: &M, state: &State<S, N>, kept: &[bool; N]) -> Self
     where
         M: Constraints<N, C, S> + ?Sized,
         S: Scalar,
@@ -74,14 +76,14 @@ impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
         let all = Rows::<N, C>::of(&all, &mass);
         let mut coordinates = ColumnChoice::new(holonomic.directions);
         for _ in 0..holonomic.rank {
-            coordinates.choose_longest();
+            coordinates.choose_longest(kept);
         }
         let mut velocities = ColumnChoice::new(all.directions);
         for i in (0..N).filter(|i| coordinates.is_chosen[*i]) {
             velocities.choose(i);
         }
         for _ in holonomic.rank..all.rank {
-            velocities.choose_longest();
+            velocities.choose_longest(&[false; N]);
         }
         Self {
             coordinates: N.saturating_sub(holonomic.rank),

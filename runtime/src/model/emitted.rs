@@ -7,6 +7,7 @@ pub use super::by_columns::{
     constant_state, constants, input_jacobian_by_columns, linearization_by_columns,
     mass_matrix_by_columns,
 };
+pub use super::directional_derivatives::{derivatives_along, derivatives_by_input};
 pub use super::operations::operations;
 pub use super::saddle_point::{
     SaddlePoint, constrained_pivots, constrained_response, constraint_sine, fix_rank,

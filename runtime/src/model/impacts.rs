@@ -67,7 +67,7 @@ where
     let prepared = model.prepare();
     let (gradient, rate) = model.event_gradient(state, &model.inputs(), &event, &prepared);
     let rest = SVector::from_element(S::zero());
-    let response = model.constrained_response(state, &prepared, (&gradient, &rest), &[false; N]);
+    let response = model.constrained_response(state, &prepared, (&gradient, &rest), &[false; N], C);
     let dot = |x: &SVector<S, N>| (0..N).fold(S::zero(), |sum, i| sum + gradient[i] * x[i]);
     let approach = dot(&state.v) + rate;
     let impulse = -(S::one() + restitution) * approach / dot(&response);

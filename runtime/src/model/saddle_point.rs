@@ -83,9 +83,7 @@ where
 }
 
 /// Finds the number of independent constraints in the neighbourhood of a consistent state, and notes it behind the other
-/// prepared numbers.
-///
-/// At a singular configuration fewer are independent than nearby.
+/// prepared numbers. At a singular configuration fewer are independent than nearby.
 pub fn fix_rank<M, S, const N: usize, const C: usize, const K: usize>(
     model: &M,
     state: &State<S, N>,
@@ -121,15 +119,16 @@ fn note_rank<S: Scalar>(prepared: &mut impl AsMut<[S]>, rank: S) {
     }
 }
 
-/// Returns the change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r,
-/// with δᵢ = 0 for each component that is held. Without an impulse it is the smallest in the metric of M that takes the
-/// residuals away to first order.
+/// Returns the change δ of coordinates or of velocities with M δ = p + Gᵀ λ and G δ = −r, for an impulse p and residuals r of the
+/// first `count` constraints, with δᵢ = 0 for each component that is held. Without an impulse it is the smallest in the metric of M
+/// that takes the residuals away to first order.
 pub fn constrained_response<M, S, const N: usize, const C: usize, const K: usize>(
     model: &M,
     state: &State<S, N>,
     prepared: &M::Prepared,
     (impulse, residuals): (&SVector<S, N>, &SVector<S, C>),
     held: &[bool; N],
+    count: usize,
 ) -> SVector<S, N>
 where
     M: Constraints<N, C, S>,
@@ -145,7 +144,8 @@ where
         }
     });
     let jacobian = model.constraint_jacobian(state, prepared);
-    let jacobian = SMatrix::from_fn(|i, j| if held[j] { S::zero() } else { jacobian[(i, j)] });
+    let (zero, acts) = (S::zero(), |i, j: usize| i < count && !held[j]);
+    let jacobian = SMatrix::from_fn(|i, j| if acts(i, j) { jacobian[(i, j)] } else { zero });
     let factors: SaddlePoint<S, N, C, K> = saddle_point(&mass, &jacobian, S::zero());
     let impulse = SVector::from_fn(|i, _| if held[i] { S::zero() } else { impulse[i] });
     let right = joined::<S, N, C, K>(&impulse, residuals);

@@ -7,9 +7,9 @@ use crate::scalar::Scalar;
 
 /// A model without constraints: its accelerations have derivatives with respect to each component of the state.
 #[diagnostic::on_unimplemented(
-    message = "the coordinates of `{Self}` are constrained, and a constrained model has no linearization",
-    note = "declare the model in independent coordinates, or take the derivatives of its motions by integrating on `Dual` \
-            numbers"
+    message = "the coordinates of `{Self}` are constrained, and not all of them can be perturbed",
+    note = "linearize in independent coordinates: `TangentSpace::at(&model, &state)` chooses them for `StateSpace::reduced`, and \
+            `EquilibriumSearch::constrained(&model)` finds equilibria"
 )]
 pub trait StateJacobian<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     /// [`Lagrangian::linearize`](crate::Lagrangian::linearize) at these inputs, which are held.

@@ -44,7 +44,7 @@ pub enum UnknownParameters<'a> {
 /// Why there is no regressor.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum NoRegressor {
-    /// The energies or forces are no polynomials in these parameters, because of this term.
+    /// The energies or forces are no polynomials in these parameters, because of this term, or they are within this constraint.
     NotPolynomial(BTreeSet<Symbol>, Expression),
     /// No equation of motion depends on an unknown parameter.
     NothingUnknown,
@@ -65,7 +65,12 @@ impl Regressor {
         let lagrangian = model.lagrangian();
         let mut roots = vec![lagrangian, model.dissipation];
         roots.extend(&model.forces);
-        let (unknown, polynomials) = polynomials(&mut model.graph, &roots, unknown)?;
+        let constraints = model.constraints.iter();
+        let constraints: Vec<_> = constraints
+            .map(|constraint| constraint.expression())
+            .collect();
+        let (unknown, polynomials) =
+            polynomials(&mut model.graph, (&roots, &constraints), unknown)?;
         let mut columns = columns(model, &polynomials);
         let known = columns.remove(&Monomial::new());
         let zero = model.graph.zero();
@@ -98,10 +103,11 @@ impl Regressor {
     }
 }
 
-/// The unknown parameters in order, and the polynomials of some roots in them.
+/// The unknown parameters in order, and the polynomials of some roots in them. Parameters within constraints are known: the directions
+/// along which reactions do no work depend on them.
 fn polynomials(
     graph: &mut Graph,
-    roots: &[Expression],
+    (roots, constraints): (&[Expression], &[Expression]),
     unknown: UnknownParameters<'_>,
 ) -> Result<(Vec<Symbol>, Vec<ParameterPolynomial>), NoRegressor> {
     let mut symbols: Vec<Symbol> = match unknown {
@@ -113,6 +119,20 @@ fn polynomials(
                 .collect()
         }
     };
+    for constraint in constraints {
+        let within = graph.symbols(&[*constraint]);
+        let within: BTreeSet<_> = symbols
+            .iter()
+            .copied()
+            .filter(|x| within.contains(x))
+            .collect();
+        match unknown {
+            UnknownParameters::Named(_) if !within.is_empty() => {
+                return Err(NoRegressor::NotPolynomial(within, *constraint));
+            }
+            _ => symbols.retain(|symbol| !within.contains(symbol)),
+        }
+    }
     loop {
         let set = symbols.iter().copied().collect();
         match graph.parameter_polynomials(roots, Indeterminates::Unknown(&set)) {

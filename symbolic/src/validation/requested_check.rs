@@ -106,7 +106,7 @@ impl RequestedTapes {
         comparisons.vanishing(Method::Velocities, &balances);
     }
 
-    /// Y π + r, with M q̈ − f at the same accelerations.
+    /// Y π + r, with M q̈ − f at the same accelerations, behind which the residuals of constraints stand.
     pub(crate) fn compare_regressor(
         &self,
         at: impl Fn(&Tape) -> Vec<f64>,
@@ -116,8 +116,10 @@ impl RequestedTapes {
         let Some([columns, known, base]) = &self.regressor else {
             return;
         };
+        let known = at(known);
+        let residuals = &residuals[..known.len().min(residuals.len())];
         let mut sums = vec![SumWithSize::default(); residuals.len()];
-        for (sum, term) in sums.iter_mut().zip(at(known)) {
+        for (sum, term) in sums.iter_mut().zip(known) {
             sum.add(term);
         }
         let columns = at(columns);

@@ -1,5 +1,6 @@
 //! Models with constraints.
 
+mod bicycle;
 mod bricard;
 mod closed_forms;
 mod consistency;

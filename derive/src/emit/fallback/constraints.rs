@@ -40,11 +40,19 @@ impl Fallback<'_> {
                 _: &#prepared,
                 _: (&#vector, &#root::__private::SVector<#scalar, #count>),
                 _: &[::core::primitive::bool; #dimension],
+                _: ::core::primitive::usize,
             ) -> #vector {
                 ::core::unreachable!()
             }
         };
-        let constraints = self.interface(Interface::Constraints, &items);
+        let mut constraints = self.interface(Interface::Constraints, &items);
+        if scalar.is_generic() {
+            let methods = signatures.directional_derivatives(
+                |_, arguments| quote::quote!(let _ = (#arguments); ::core::unreachable!()),
+            );
+            let interface = quote::quote!(#root::quantities::DirectionalDerivatives::<#dimension, #count, #scalar>);
+            constraints.extend(self.implement(&interface, Some(scalar), &methods));
+        }
         if self.lowered.events.is_empty() {
             return constraints;
         }

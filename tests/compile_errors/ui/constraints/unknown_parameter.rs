@@ -6,8 +6,7 @@ use lagrangian::Lagrangian;
     kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
     potential = m * g * y,
     constraint(rod = x.powi(2) + y.powi(2) - l.powi(2)),
-    regressor(m),
-    hamiltonian,
+    regressor(m, l),
 )]
 struct Model {
     m: f64,

@@ -1,0 +1,75 @@
+//! The errors of the inverse dynamics of constrained models.
+
+use core::fmt;
+
+use crate::error_debug::debug_by_message;
+use crate::number_format::Readable;
+
+/// The reason why no inputs give a constrained model accelerations.
+#[derive(Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum RequiredInputsError {
+    /// The state does not meet the constraints.
+    InconsistentState {
+        /// The constraint that is violated most.
+        constraint: &'static str,
+        /// Its residual, or the residual of its velocity if the coordinates meet it.
+        residual: f64,
+    },
+    /// The accelerations do not meet the constraints.
+    InconsistentAccelerations {
+        /// A constraint that they violate.
+        constraint: &'static str,
+        /// Its residual G q̈ + γ.
+        residual: f64,
+    },
+    /// The inputs do not act on all degrees of freedom, and the motion would need it.
+    TooFewInputs {
+        /// The coordinate whose acceleration is missed by most.
+        coordinate: &'static str,
+        /// What is missing of it.
+        missing: f64,
+        /// The number of independent accelerations on which inputs act.
+        inputs: usize,
+        /// The number of degrees of freedom.
+        freedoms: usize,
+    },
+}
+
+impl fmt::Display for RequiredInputsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::InconsistentState {
+                constraint,
+                residual,
+            } => write!(
+                f,
+                "the state does not meet the constraint `{constraint}`, whose residual is {}; `assemble` finds a state that does",
+                Readable(residual)
+            ),
+            Self::InconsistentAccelerations {
+                constraint,
+                residual,
+            } => write!(
+                f,
+                "the accelerations do not meet the constraint `{constraint}`, whose second derivative would be {}",
+                Readable(residual)
+            ),
+            Self::TooFewInputs {
+                coordinate,
+                missing,
+                inputs,
+                freedoms,
+            } => write!(
+                f,
+                "no inputs give these accelerations: `{coordinate}` misses {}, and the inputs act on {inputs} of {freedoms} degrees of \
+                 freedom; add inputs, or ask for a motion that needs fewer",
+                Readable(missing)
+            ),
+        }
+    }
+}
+
+debug_by_message!(RequiredInputsError);
+
+impl core::error::Error for RequiredInputsError {}
