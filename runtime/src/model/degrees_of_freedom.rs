@@ -1,10 +1,13 @@
 //! The degrees of freedom of a constrained model.
 
+use core::fmt::{self, Display, Formatter};
+
 use nalgebra::{SMatrix, SVector};
 
 use super::constraints::Constraints;
 use super::state::State;
-use crate::linalg::{ColumnChoice, RowSpace};
+use crate::limits::assembly::NEGLIGIBLE_LEVERAGE;
+use crate::linalg::{ColumnChoice, RowSpace, column_widths};
 use crate::scalar::Scalar;
 
 /// The degrees of freedom of a model with `N` coordinates and `C` constraints at a state, and a choice of independent
@@ -36,6 +39,7 @@ use crate::scalar::Scalar;
 /// let state = mechanism.assemble(guess).solve()?.state;
 /// let freedom = mechanism.degrees_of_freedom(&state);
 /// assert_eq!(freedom.velocities, 1);
+/// println!("{freedom}"); // 1 degree of freedom in theta
 /// // The coordinates that are independent determine the others.
 /// let nearby = State::new(0.0, state.q.map(|q| q + 0.01), [0.0; 3]);
 /// let found = mechanism.assemble(nearby).hold(freedom.independent_coordinates()).solve()?;
@@ -52,6 +56,8 @@ pub struct DegreesOfFreedom<const N: usize, const C: usize> {
     dependent_coordinates: [bool; N],
     dependent_velocities: [bool; N],
     redundant: [bool; C],
+    indeterminate: [bool; C],
+    names: ([&'static str; N], [&'static str; C]),
 }
 
 impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
@@ -91,6 +97,8 @@ impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
             dependent_coordinates: coordinates.is_chosen,
             dependent_velocities: velocities.is_chosen,
             redundant: all.dependent,
+            indeterminate: all.combinations,
+            names: (M::COORDINATES, <M as Constraints<N, C, S>>::CONSTRAINTS),
         }
     }
 
@@ -112,12 +120,66 @@ impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
     pub fn redundant_constraints(&self) -> impl Iterator<Item = usize> + Clone + use<N, C> {
         indices(self.redundant, true)
     }
+
+    /// The indices of constraints whose reactions the motion does not determine, since their gradients depend on the other
+    /// gradients: all hinges of a door, of which one or two are redundant. Their multipliers are the least ones, weighed by the
+    /// compliances that are declared. The reactions of all other constraints are unique.
+    pub fn indeterminate_reactions(&self) -> impl Iterator<Item = usize> + Clone + use<N, C> {
+        indices(self.indeterminate, true)
+    }
+}
+
+/// The number of degrees of freedom with independent coordinates, and the constraints that are redundant, by their names.
+impl<const N: usize, const C: usize> Display for DegreesOfFreedom<N, C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let (coordinates, constraints) = &self.names;
+        let plural = if self.velocities == 1 { "" } else { "s" };
+        write!(f, "{} degree{plural} of freedom", self.velocities)?;
+        list(f, " in ", coordinates, self.independent_velocities())?;
+        let others = indices(self.dependent_coordinates, false);
+        let others = others.filter(|i| self.dependent_velocities[*i]);
+        list(
+            f,
+            "; independent coordinates without velocity: ",
+            coordinates,
+            others,
+        )?;
+        list(
+            f,
+            "; redundant: ",
+            constraints,
+            self.redundant_constraints(),
+        )?;
+        let indeterminate = self.indeterminate_reactions();
+        list(
+            f,
+            "; reactions that are not unique: ",
+            constraints,
+            indeterminate,
+        )
+    }
+}
+
+/// Writes names, if there are any, behind a text.
+fn list(
+    f: &mut Formatter<'_>,
+    text: &str,
+    names: &[&str],
+    indices: impl Iterator<Item = usize>,
+) -> fmt::Result {
+    for (count, name) in indices.filter_map(|i| names.get(i)).enumerate() {
+        let before = if count == 0 { text } else { ", " };
+        write!(f, "{before}{name}")?;
+    }
+    Ok(())
 }
 
 /// The rows of some constraints in the metric of M, at a state in the first lane.
 struct Rows<const N: usize, const C: usize> {
     rank: usize,
     dependent: [bool; C],
+    /// Which rows are combinations of others.
+    combinations: [bool; C],
     /// An orthonormal basis.
     directions: SMatrix<f64, C, N>,
 }
@@ -129,9 +191,29 @@ impl<const N: usize, const C: usize> Rows<N, C> {
         Self {
             rank: dependent.iter().filter(|dependent| !**dependent).count(),
             dependent,
+            combinations: combinations(jacobian, mass),
             directions: SMatrix::from_fn(|i, j| space.directions[(i, j)].in_lane(0)),
         }
     }
+}
+
+/// Decides which rows are combinations of others: their leverage, the square of the projection of a unit vector onto the space of the
+/// columns, is less than 1 (Hoaglin and Welsch, *The hat matrix in regression and ANOVA*, Am. Stat. **32** (1978) 17–22).
+fn combinations<S: Scalar, const C: usize, const N: usize>(
+    jacobian: &SMatrix<S, C, N>,
+    mass: &SVector<S, N>,
+) -> [bool; C] {
+    let widths = column_widths(jacobian, mass);
+    let columns = SMatrix::<f64, N, C>::from_fn(|j, i| {
+        let row = (0..N).map(|j| (jacobian[(i, j)] / widths[j]).in_lane(0));
+        let length = Scalar::sqrt(row.clone().map(|x| x * x).sum::<f64>());
+        row.clone().nth(j).unwrap_or(0.0) / if length > 0.0 { length } else { 1.0 }
+    });
+    let space = RowSpace::of(&columns, &SVector::from_element(1.0));
+    core::array::from_fn(|i| {
+        let projection = space.directions.column(i).norm_squared();
+        projection < 1.0 - NEGLIGIBLE_LEVERAGE
+    })
 }
 
 /// The indices at which the marks have a value.

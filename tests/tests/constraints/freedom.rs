@@ -110,6 +110,11 @@ where
     let others: Vec<_> = (0..C).filter(|i| !redundant.contains(i)).collect();
     assert_eq!(rank(&g.select_rows(&others)), others.len());
     assert_eq!(rank(&g), others.len());
+    // A reaction is unique if its row is no combination of the others.
+    let without = |i: usize| g.clone().remove_row(i);
+    let indeterminate: Vec<_> = (0..C).filter(|i| rank(&without(*i)) == rank(&g)).collect();
+    let found: Vec<_> = freedom.indeterminate_reactions().collect();
+    assert_eq!(found, indeterminate, "{freedom}");
     freedom
 }
 
@@ -126,6 +131,10 @@ fn a_door_on_three_hinges_turns() {
     let freedom = check(&door, swung);
     assert_eq!((freedom.coordinates, freedom.velocities), (2, 2));
     assert_eq!(freedom.redundant_constraints().count(), 1);
+    let text = freedom.to_string();
+    assert!(text.contains("2 degrees of freedom in "), "{text}");
+    assert!(text.contains("; redundant: "), "{text}");
+    assert!(text.contains("; reactions that are not unique: "), "{text}");
     assert_eq!(<Door as Constraints<7, 6>>::MIN_DEGREES_OF_FREEDOM, 1);
     // Hinges that are not on one axis hold it.
     let mut bent = door;
