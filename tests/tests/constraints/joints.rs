@@ -23,25 +23,29 @@ macro_rules! joint {
                 ),
                 kinetic = kinetic_energy(body, r, p),
                 potential = potential_energy(body, r, p, [0.0, 0.0, -9.81]),
+                force(end = push),
                 constraint($($constraint)+),
                 output(
                     end = end,
                     axle = r * axle,
                     force = $force,
                     moment = $moment,
-                    change_of_momentum = body.mass * (dot(dot(p)) - [0.0, 0.0, -9.81]),
-                    change_of_angular_momentum = dot(r * (body.inertia * angular_velocity(r))),
+                    change_of_momentum = body.mass * (dot(dot(p)) - [0.0, 0.0, -9.81]) - push,
+                    change_of_angular_momentum =
+                        dot(r * (body.inertia * angular_velocity(r))) - (end - p).cross(push),
                 ),
             )]
             struct Body {
                 body: PrincipalBody<f64>,
                 arm: Vector3<f64>,
                 axle: Vector3<f64>,
+                push: Vector3<f64>,
             }
             let model = Body {
                 body: PrincipalBody::new(2.0, [0.3, 0.4, 0.5]).expect("it is a body"),
                 arm: Vector3::new(0.2, -0.1, 0.4),
                 axle: Vector3::new(0.6, 0.0, 0.8),
+                push: Vector3::new(1.0, 2.0, -0.5),
             };
             let guess = State::new(
                 0.0,

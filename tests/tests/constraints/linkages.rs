@@ -68,11 +68,13 @@ fn parallel(angle: f64, rate: f64) -> Row {
 
 #[test]
 fn accelerations_and_multipliers_are_those_of_a_dense_factorization() {
-    let mut random = Random::new(7);
+    let mut random = Random::default();
     for _ in 0..100 {
         let mut state = parallel(random.between(-0.7, 0.7), random.between(-2.0, 2.0));
-        for (q, v) in state.q.iter_mut().zip(&mut state.v) {
+        for q in state.q.iter_mut() {
             *q += random.between(-0.2, 0.2);
+        }
+        for v in state.v.iter_mut() {
             *v += random.between(-0.5, 0.5);
         }
         assert_close("q̈ and λ", &found(&state), &expected(&state), 1e-10);
