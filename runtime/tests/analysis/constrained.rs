@@ -140,7 +140,7 @@ fn a_pendulum_by_its_bob() {
 #[test]
 fn pendulums_by_their_bobs() {
     let chain = Bobs { g: 9.81 };
-    let hanging = chain.at([0.0; 3], [0.0; 3]);
+    let hanging = Bobs::at([0.0; 3], [0.0; 3]);
     let minimal = Angles { g: chain.g };
     let found = checked::<_, 6, 3, 6>(&chain, &hanging, [&[]; 2]);
     same_poles(
@@ -149,7 +149,7 @@ fn pendulums_by_their_bobs() {
     );
     checked::<_, 6, 3, 6>(
         &chain,
-        &chain.at([0.4, -0.8, 1.5], [1.0, 2.0, -0.5]),
+        &Bobs::at([0.4, -0.8, 1.5], [1.0, 2.0, -0.5]),
         [&[]; 2],
     );
 }
@@ -236,7 +236,8 @@ fn a_conical_pendulum() {
     let rate = (9.81 / height).sqrt();
     let radius = 1.3 * angle.sin();
     let state = State::new(0.0, [radius, 0.0, -height], [0.0, radius * rate, 0.0]);
-    assert_eq!(checked::<_, 3, 1, 4>(&bob, &state, [&[]; 2]).a[(0, 2)], 1.0);
+    let plant = checked::<_, 3, 1, 4>(&bob, &state, [&[]; 2]);
+    assert!((plant.a[(0, 2)] - 1.0).abs() <= 0.0);
 }
 
 #[test]

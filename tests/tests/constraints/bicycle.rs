@@ -142,7 +142,7 @@ fn the_published_speeds() {
     assert!(at_capsize[1].norm() < 1e-13 && at_capsize[2].norm() > 1.0);
 }
 
-/// The benchmark manoeuvres of the IFToMM library: rolling straight on with a roll rate. The kinetic and the potential energy change;
+/// The manoeuvres of the `IFToMM` benchmark: rolling straight on with a roll rate. The kinetic and the potential energy change;
 /// their sum does not.
 #[test]
 fn nonlinear_motions_keep_their_energy() {

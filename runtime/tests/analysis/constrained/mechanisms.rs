@@ -61,7 +61,7 @@ pub(super) struct Bobs {
 }
 
 impl Bobs {
-    pub(super) fn at(&self, angles: [f64; 3], rates: [f64; 3]) -> State<f64, 6> {
+    pub(super) fn at(angles: [f64; 3], rates: [f64; 3]) -> State<f64, 6> {
         let (mut q, mut v) = ([0.0; 6], [0.0; 6]);
         let mut end = [0.0; 4];
         for i in 0..3 {

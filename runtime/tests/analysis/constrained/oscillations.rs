@@ -60,7 +60,7 @@ fn cranks_oscillate_alike() {
 #[test]
 fn bobs_oscillate_like_pendulums() {
     let (bobs, angles) = (Bobs { g: 9.81 }, Angles { g: 9.81 });
-    let hanging = bobs.at([0.0; 3], [0.0; 3]);
+    let hanging = Bobs::at([0.0; 3], [0.0; 3]);
     let found =
         SmallOscillations::constrained(&TangentSpace::at(&bobs, &hanging)).expect("it hangs");
     let expected = SmallOscillations::about(&angles, &State::new(0.0, [0.0; 3], [0.0; 3]));
