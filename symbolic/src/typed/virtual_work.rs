@@ -37,7 +37,7 @@ impl TypedGraph {
         };
         let indices = (self.coordinates..).take(count);
         let displacements: Vec<_> = indices.map(Symbol::Coordinate).collect();
-        let rates: Vec<_> = displacements.iter().map(rate).collect();
+        let rates: Vec<_> = displacements.iter().map(|symbol| rate(*symbol)).collect();
         let displaced = self.displaced(quantity, &displacements)?;
         let residuals = self.with_displaced((quantity, displaced), forces.constraint, count)?;
         let graph = &mut self.geometry.graph;
@@ -115,9 +115,9 @@ impl TypedGraph {
 }
 
 /// The velocity of a coordinate.
-const fn rate(coordinate: &Symbol) -> Symbol {
+const fn rate(coordinate: Symbol) -> Symbol {
     match coordinate {
-        Symbol::Coordinate(i) => Symbol::Velocity(*i),
-        other => *other,
+        Symbol::Coordinate(i) => Symbol::Velocity(i),
+        other => other,
     }
 }

@@ -151,7 +151,7 @@ fn functions_of_vectors_are_those_of_nalgebra() {
     assert_same("scaled", &found.scaled, &(-s * (a + b) / 2.0));
     assert_same("dot", &number(found.dotted), &number(a.dot(&b)));
     assert_same("cross", &found.crossed, &a.cross(&b));
-    let volume = SMatrix::from_columns(&[r, a, b]).determinant();
+    let volume = Matrix3::from_columns(&[r, a, b]).determinant();
     assert_same("triple", &number(found.volume), &number(volume));
     assert_same("outer", &found.outer, &(a * b.transpose()));
     assert_same("norm", &number(found.norm), &number(r.norm()));
