@@ -1,5 +1,8 @@
 //! Bricard's mechanism as it is drawn, with more constraints than are independent, against data with 24 digits (`data/README.md`).
 
+// The matrix of its equations has 60 rows.
+#![allow(clippy::large_stack_arrays)]
+
 use lagrangian::nalgebra::{Matrix3, Vector3};
 use lagrangian::prelude::*;
 use lagrangian::rigid_body::{InertiaTensor, RigidBody};

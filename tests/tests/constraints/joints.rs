@@ -35,13 +35,13 @@ macro_rules! joint {
                         dot(r * (body.inertia * angular_velocity(r))) - (end - p).cross(push),
                 ),
             )]
-            struct Body {
+            struct Held {
                 body: PrincipalBody<f64>,
                 arm: Vector3<f64>,
                 axle: Vector3<f64>,
                 push: Vector3<f64>,
             }
-            let model = Body {
+            let model = Held {
                 body: PrincipalBody::new(2.0, [0.3, 0.4, 0.5]).expect("it is a body"),
                 arm: Vector3::new(0.2, -0.1, 0.4),
                 axle: Vector3::new(0.6, 0.0, 0.8),

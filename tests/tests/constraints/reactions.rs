@@ -85,7 +85,7 @@ fn a_bead_leaves_a_sphere_where_the_reaction_vanishes() -> Result<(), Integratio
         lever = knob - p,
     ),
 )]
-struct Door {
+struct HungDoor {
     door: PrincipalBody<f64>,
     edge: Vector3<f64>,
     width: f64,
@@ -96,7 +96,7 @@ struct Door {
 
 #[test]
 fn forces_and_moments_of_a_hinge_balance_the_momenta() {
-    let door = Door {
+    let door = HungDoor {
         door: PrincipalBody::new(20.0, [0.9, 1.7, 2.5]).expect("it is a body"),
         edge: Vector3::new(-0.4, 0.02, 0.3),
         width: 0.45,
@@ -114,8 +114,8 @@ fn forces_and_moments_of_a_hinge_balance_the_momenta() {
     );
     let found = door
         .assemble(guess)
-        .hold([Door::A])
-        .hold_velocities([Door::A]);
+        .hold([HungDoor::A])
+        .hold_velocities([HungDoor::A]);
     let state = found.solve().expect("it is near its hinge").state;
     let seen = door.outputs(&state);
     let weight = 20.0 * Vector3::new(0.0, 9.81, -9.81);
@@ -151,7 +151,7 @@ fn forces_and_moments_of_a_hinge_balance_the_momenta() {
         change_of_angular_momentum = dot(r * (ball.inertia * angular_velocity(r))),
     ),
 )]
-struct Ball {
+struct RollingBall {
     ball: PrincipalBody<f64>,
     radius: f64,
     push: f64,
@@ -159,13 +159,13 @@ struct Ball {
 
 #[test]
 fn friction_balances_the_momenta_of_a_rolling_ball() {
-    let ball = Ball {
+    let ball = RollingBall {
         ball: PrincipalBody::new(3.0, [0.02, 0.03, 0.04]).expect("it is a body"),
         radius: 0.1,
         push: 2.0,
     };
     let guess = State::new(0.0, [0.0, 0.0, 0.4, 1.1, -0.3], [0.0, 0.0, 0.5, 2.0, -1.0]);
-    let held = [Ball::A, Ball::B, Ball::C];
+    let held = [RollingBall::A, RollingBall::B, RollingBall::C];
     let found = ball.assemble(guess).hold(held).hold_velocities(held);
     let state = found
         .solve()
