@@ -87,6 +87,10 @@ pub(crate) struct Arguments {
     #[arg(long, requires = "linkages")]
     pub(crate) instructions: bool,
 
+    /// Accelerations and multipliers of a Stewart platform beside C of `CasADi`; needs valgrind and gcc.
+    #[arg(long, group = "task")]
+    pub(crate) stewart_platform: bool,
+
     /// Ensembles of 10,000 motions at equal errors, beside heyoka and `ode_solvers`.
     #[arg(long, group = "task")]
     pub(crate) ensembles: bool,

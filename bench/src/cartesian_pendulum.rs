@@ -69,7 +69,7 @@ pub(crate) fn run() -> Result<(), String> {
                 Flags::Vectors256,
             )?;
             let end = output(&mut Command::new(built.program()))?;
-            instructions[side] = counted(&folders, &built, &[])?;
+            instructions[side] = counted(&folders, built.program(), &[])?;
             println!(
                 "{method} by the {name}: {:.1} million instructions; x, y and steps: {}",
                 instructions[side] / 1e6,

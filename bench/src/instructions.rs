@@ -1,15 +1,15 @@
 //! The instructions of programs, as valgrind counts them: they do not depend on what the machine does besides.
 
+use std::path::Path;
 use std::process::Command;
 
-use crate::cargo::Built;
 use crate::command::output;
 use crate::folders::Folders;
 
 /// The instructions of a program with these arguments, from the last line of what callgrind writes.
 pub(crate) fn counted(
     folders: &Folders,
-    built: &Built,
+    program: &Path,
     arguments: &[String],
 ) -> Result<f64, String> {
     let path = folders.output.join("callgrind.out");
@@ -17,7 +17,7 @@ pub(crate) fn counted(
         Command::new("valgrind")
             .arg("--tool=callgrind")
             .arg(format!("--callgrind-out-file={}", path.display()))
-            .arg(built.program())
+            .arg(program)
             .args(arguments),
     )?;
     let text = std::fs::read_to_string(&path).map_err(|error| error.to_string())?;

@@ -34,7 +34,8 @@ pub(crate) fn run() -> Result<(), String> {
         let source = declaration.clone() + &program(linkages);
         let name = format!("linkages-{linkages}");
         let built = build_source(&folders, &name, &source, Flags::Vectors256)?;
-        let [few, many] = EVALUATIONS.map(|count| counted(&folders, &built, &[count.to_string()]));
+        let [few, many] =
+            EVALUATIONS.map(|count| counted(&folders, built.program(), &[count.to_string()]));
         let more = f64::from(EVALUATIONS[1] - EVALUATIONS[0]);
         let instructions = (many? - few?) / more;
         let unknowns = 4 * linkages + 3;

@@ -57,6 +57,7 @@ mod light_cart_pole;
 mod linkages;
 mod linkage_instructions;
 mod instructions;
+mod stewart_platform;
 mod ensembles;
 mod constraints;
 mod cartesian_pendulum;
@@ -113,6 +114,9 @@ fn run(arguments: &Arguments) -> Result<(), String> {
             return linkage_instructions::run();
         }
         return linkages::run(arguments);
+    }
+    if arguments.stewart_platform {
+        return stewart_platform::run();
     }
     if arguments.ensembles {
         return ensembles::run(arguments);
