@@ -1,8 +1,8 @@
 //! Functions, sums over an index, and the energies of bodies in print.
 
 use lagrangian_symbolic::{ArrayFunction, ArrayNotation, print_sum_sign};
-use proc_macro2::Ident;
-use syn::{Expr, ExprMethodCall, Lit, Pat, UnOp};
+use proc_macro2::{Ident, Span};
+use syn::{Expr, ExprMethodCall, Lit, Pat, UnOp, parse_quote};
 
 use crate::emit::as_declared::formula::{FormulaPrinter, bounds};
 use crate::emit::as_declared::notation::{Notation, Precedence, ends_with_word, join};
@@ -260,14 +260,20 @@ impl FormulaPrinter<'_> {
 
     /// −m g·c.
     fn potential_energy(&mut self, body: &Expr, r: &Expr, p: &Expr, g: &Expr) -> Option<Notation> {
-        let (center, _) = self.center(body, r, p)?;
+        let (center, is_elsewhere) = self.center(body, r, p)?;
         if center.is_zero() {
             return Some(center);
         }
         let mass = self.number_of_body(body, "m")?;
         let center = center.at_least(Precedence::Atom);
         if let Some((axis, size, negative)) = along_axis(g) {
-            let height = center.followed_by(&format!("_{axis}"), &format!("_{axis}"));
+            let height = match p {
+                Expr::Path(_) | Expr::Index(_) if !is_elsewhere => {
+                    let axis = Ident::new(axis, Span::call_site());
+                    self.print(&parse_quote!(#p.#axis))?
+                }
+                _ => center.followed_by(&format!("_{axis}"), &format!("_{axis}")),
+            };
             let weight = mass.times(self.print(size)?).times(height);
             return Some(if negative { weight } else { weight.negated() });
         }

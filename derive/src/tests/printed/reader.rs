@@ -54,6 +54,8 @@ pub(super) struct Reader<'a> {
     pub(super) read: usize,
     pub(super) momenta: usize,
     pub(super) constraints: usize,
+    /// The values of the constraints that were not read yet.
+    unread_constraints: Vec<f64>,
     pub(super) recursion: Recursion,
     /// The letters of T, V, L, h, p and q on this page.
     pub(super) letters: BTreeMap<&'static str, String>,
@@ -87,6 +89,7 @@ impl<'a> Reader<'a> {
             moving: surroundings(subject, &moving)?,
             subject,
             notation,
+            unread_constraints: values.constraints.clone(),
             values,
             part: Part::Beginning,
             read: 0,
@@ -355,15 +358,18 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The next constraint, in order.
+    /// A constraint that was not read before: those of a family are printed component by component.
     fn constraint(&mut self, left: &Formula, right: &Formula) -> Reading<Vec<f64>> {
         let sides = [left, right].map(|side| self.free.value(side)?.scalar());
         let [left, right] = sides;
         let (left, right) = (left?.value(), right?.value());
-        let expected = self.values.constraints.get(self.constraints);
         self.constraints += 1;
-        let expected = expected.ok_or("there are not so many constraints")?;
-        same(left - right, *expected)?;
+        let unread = &mut self.unread_constraints;
+        let found = unread.iter().position(|x| close(left - right, *x));
+        let Some(position) = found else {
+            return Err(format!("{left} − {right} is none of {unread:?}"));
+        };
+        unread.swap_remove(position);
         Ok(vec![left, right])
     }
 
