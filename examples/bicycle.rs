@@ -4,7 +4,7 @@
 //! speeds up to 10 m/s, prints its eigenvalues and the speeds between which it is stable, and follows the nonlinear bicycle after a push. It
 //! writes `bicycle.svg`: the eigenvalues over the speed.
 //!
-//! The figure is that of J. P. Meijaard, J. M. Papadopoulos, A. Ruina & A. L. Schwab, *Linearized dynamics equations for the balance
+//! The figure follows J. P. Meijaard, J. M. Papadopoulos, A. Ruina & A. L. Schwab, *Linearized dynamics equations for the balance
 //! and steer of a bicycle: a benchmark and review*, Proc. R. Soc. A **463** (2007) 1955–1982.
 
 use std::error::Error;

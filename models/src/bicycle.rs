@@ -8,8 +8,8 @@ use lagrangian::rigid_body::{BodyError, InertiaTensor};
 /// 312–348).
 ///
 /// The declaration is the nonlinear mechanism. It has 8 coordinates; the contact of the front wheel is a holonomic constraint, and
-/// that of the rear wheel is met by the choice of coordinates. Rolling adds two nonholonomic constraints for each wheel, so that
-/// there are 3 degrees of freedom. Axes and parameters are those of J. P. Meijaard, J. M. Papadopoulos, A. Ruina & A. L. Schwab,
+/// the coordinates are chosen so that the rear wheel touches the ground. Rolling adds two nonholonomic constraints for each wheel, so that
+/// there are 3 degrees of freedom. Axes and parameters follow J. P. Meijaard, J. M. Papadopoulos, A. Ruina & A. L. Schwab,
 /// *Linearized dynamics equations for the balance and steer of a bicycle: a benchmark and review*, Proc. R. Soc. A **463** (2007)
 /// 1955–1982: x points forward, y to the right and z down, and the axes of both frames have these directions while the bicycle
 /// stands upright and is not steered. At a speed v the wheels turn at −v/r.

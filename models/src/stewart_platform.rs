@@ -14,8 +14,8 @@ use lagrangian::prelude::*;
 /// The reaction of `drive` is the force in N with which each drive pushes its rod out of its cylinder, and the reaction of `joint` the
 /// force of the platform on the rod. The output `carried` is the sum of the forces of the rods on the platform.
 ///
-/// The axes of bodies are those of space while all angles are zero, so that legs are along z. The origins of cylinders are their
-/// universal joints, and those of rods their spherical joints.
+/// While all angles are zero, the axes of all bodies are parallel to the inertial axes, so that legs are along z. The axes of a
+/// cylinder have their origin in its universal joint, and the axes of a rod in its spherical joint.
 ///
 /// ```
 /// use lagrangian::prelude::*;

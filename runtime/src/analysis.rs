@@ -29,6 +29,7 @@ mod spectrum;
 mod oscillation_error;
 mod components;
 mod time_dependence;
+mod reduced_equations;
 mod small_oscillations;
 mod linear_errors;
 mod normal_modes;

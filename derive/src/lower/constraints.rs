@@ -38,6 +38,7 @@ pub(crate) struct DeclaredConstraint {
     pub(super) member: Vec<usize>,
     pub(super) shape: Shape,
     value: Value,
+    is_holonomic: bool,
     /// The index of the first component.
     first: usize,
 }
@@ -167,6 +168,7 @@ impl Lowerer<'_> {
             member,
             shape,
             value,
+            is_holonomic: kind(self.typed.expression(value)).is_holonomic(),
             first: constraints.len(),
         });
         let components = self.elements(value).iter().copied();
@@ -186,6 +188,40 @@ impl Lowerer<'_> {
                 return self.reject(call, message);
             }
         };
+        let (name, constraint, of_component) = self.reacting(call, argument)?;
+        let multipliers = constraint.indices().map(|i| {
+            let index = self.coordinates + count(i);
+            self.add(TypedOperation::Symbol(Symbol::Acceleration(index)))
+        });
+        let elements: Vec<_> = multipliers.collect::<Option<_>>()?;
+        let value = match constraint.shape {
+            Shape::Scalar => *elements.first()?,
+            Shape::Array { rows, .. } => self.add(TypedOperation::Array { rows, elements })?,
+        };
+        let Some(quantity) = quantity else {
+            return self.components(value, &of_component);
+        };
+        if let Some(index) = of_component.first() {
+            let message = format!(
+                "a force is of all components of a constraint: write `reaction({name}, …)` without this index"
+            );
+            return self.reject(index, message);
+        }
+        let forces = ConstraintForces {
+            constraint: constraint.value,
+            is_holonomic: constraint.is_holonomic,
+            multipliers: self.elements(value).to_vec(),
+        };
+        self.force_on(&forces, name, quantity)
+    }
+
+    /// The name of the constraint, or of a member of a family, that an expression refers to, the constraint, and the indices of a
+    /// component behind it.
+    fn reacting<'a>(
+        &mut self,
+        call: &impl ToTokens,
+        argument: &'a Expr,
+    ) -> Option<(&'a Ident, DeclaredConstraint, Vec<&'a Expr>)> {
         let (base, indices) = base_and_indices(argument);
         let name = match base {
             Expr::Path(path) => path.path.get_ident(),
@@ -220,41 +256,15 @@ impl Lowerer<'_> {
             .iter()
             .map(|i| self.integer(i))
             .collect::<Option<_>>()?;
-        let is_meant = |one: &&&DeclaredConstraint| {
+        let is_meant = |one: &DeclaredConstraint| {
             let indices = one.member.iter().map(|i| i64::try_from(*i).ok());
             indices.eq(member.iter().map(|i| Some(*i)))
         };
-        let Some(constraint) = members.iter().find(is_meant) else {
+        let Some(constraint) = members.into_iter().find(|one| is_meant(one)) else {
             let message = format!("there is no constraint `{name}` with this index");
             return self.reject(argument, message);
         };
-        let multipliers = constraint.indices().map(|i| {
-            let index = self.coordinates + count(i);
-            self.add(TypedOperation::Symbol(Symbol::Acceleration(index)))
-        });
-        let elements: Vec<_> = multipliers.collect::<Option<_>>()?;
-        let value = match constraint.shape {
-            Shape::Scalar => *elements.first()?,
-            Shape::Array { rows, .. } => self.add(TypedOperation::Array { rows, elements })?,
-        };
-        let Some(quantity) = quantity else {
-            return self.components(value, of_component);
-        };
-        if let Some(index) = of_component.first() {
-            let message = format!(
-                "a force is of all components of a constraint: write `reaction({name}, …)` without this index"
-            );
-            return self.reject(index, message);
-        }
-        let forces = ConstraintForces {
-            constraint: constraint.value,
-            is_holonomic: constraints
-                .components
-                .get(constraint.first)
-                .is_some_and(|component| component.is_holonomic()),
-            multipliers: self.elements(value).to_vec(),
-        };
-        self.force_on(&forces, name, quantity)
+        Some((name, constraint.clone(), of_component.to_vec()))
     }
 
     /// The force of a constraint on a quantity that it contains.

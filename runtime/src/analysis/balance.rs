@@ -152,7 +152,7 @@ where
 pub(super) struct Point<S: Scalar, const N: usize, const U: usize> {
     pub(super) state: State<S, N>,
     pub(super) inputs: SVector<S, U>,
-    /// The coordinates whose accelerations are residuals; those of others follow from them.
+    /// The coordinates whose accelerations are residuals; the other accelerations follow from them.
     pub(super) independent: [bool; N],
 }
 

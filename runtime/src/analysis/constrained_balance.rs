@@ -175,7 +175,7 @@ where
     }
 }
 
-/// Returns the residuals of holonomic constraints in the coordinates, and those of the others in the velocities.
+/// Returns the residuals g of holonomic constraints, and w of nonholonomic ones.
 fn of_each<M, S, const N: usize, const C: usize>(
     positions: &SVector<S, C>,
     velocities: &SVector<S, C>,

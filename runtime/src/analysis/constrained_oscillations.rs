@@ -7,8 +7,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::equilibrium::Variable;
-use super::linear_errors::{Neighbourhood, gives_energy, linear_errors};
-use super::small_oscillations::{Part, Reduced, SmallOscillations};
+use super::linear_errors::Neighbourhood;
+use super::reduced_equations::{Part, Reduced};
+use super::small_oscillations::SmallOscillations;
 use super::tangent_error::TangentError;
 use super::tangent_space::TangentSpace;
 use super::tangents::Tangents;
@@ -20,8 +21,8 @@ use crate::scalar::Scalar;
 impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     /// Linearizes a constrained model about an equilibrium, or about a steady motion whose moving coordinates are left out.
     ///
-    /// Matrices have rows and columns of the independent coordinates; those of others are zero, as of eliminated coordinates. Of a
-    /// coordinate that is left out and whose velocity is independent only the velocity is a variable. Stability is that of the variables.
+    /// Matrices have rows and columns of the independent coordinates; rows and columns of other coordinates are zero, as if eliminated. If
+    /// a coordinate is left out and its velocity is independent, only the velocity is a variable. Stability is judged for the variables.
     ///
     /// ```
     /// use lagrangian::analysis::{SmallOscillations, TangentSpace};
@@ -67,17 +68,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
             parts: &parts,
         };
         let state = tangents.state();
-        Ok(Self {
-            parts,
-            mass: reduced.mass,
-            position: reduced.position,
-            velocity: reduced.velocity,
-            eliminated: reduced.eliminated,
-            velocity_terms: reduced.velocity_terms,
-            errors: linear_errors(&nearby, state, &parts, &reduced),
-            gives_energy: gives_energy(&nearby, state, &reduced),
-            contains_time: contains_time(tangent.model, state),
-        })
+        let time = contains_time(tangent.model, state);
+        Ok(Self::of(&nearby, state, (parts, &reduced), time))
     }
 }
 

@@ -8,7 +8,8 @@ use nalgebra::{Complex, SMatrix, SVector};
 
 use super::null_vector::null_vector;
 use super::oscillation_error::OscillationError;
-use super::small_oscillations::{Part, SmallOscillations, negligible};
+use super::reduced_equations::Part;
+use super::small_oscillations::{SmallOscillations, negligible};
 use super::spectrum::modulus;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::ROOM_FOR_SHAPES as ROOM;

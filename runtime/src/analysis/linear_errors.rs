@@ -10,7 +10,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::components::components;
-use super::small_oscillations::{Part, Reduced};
+use super::reduced_equations::{Part, Reduced};
 use super::symmetric_eigenvalues::symmetric_eigenvalues;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::exceeds;
 use super::jacobian_rows::{JacobianRows, Variables};
 use super::required_inputs_error::RequiredInputsError;
+use super::small_oscillations::largest;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::INPUT_STEPS;
 use crate::model::{DegreesOfFreedom, DirectionalDerivatives, Inputs, Quantities, State};
@@ -217,8 +218,4 @@ where
             })
         })
     }
-}
-
-fn largest<S: SingleNumber, const K: usize>(x: &SVector<S, K>) -> f64 {
-    x.iter().fold(0.0, |most, x| x.abs().largest().max(most))
 }

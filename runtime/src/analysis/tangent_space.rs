@@ -62,7 +62,7 @@ pub struct TangentSpace<'a, M: ?Sized, S: Scalar, const N: usize, const C: usize
     missing: Option<usize>,
 }
 
-/// The perturbations of all coordinates and velocities by those of `D` independent variables x:
+/// The perturbations of all coordinates and velocities as linear functions of `D` independent variables x:
 /// δq = `q` x and δq̇ = `v` x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TangentBasis<S: Scalar, const N: usize, const D: usize> {
@@ -130,7 +130,7 @@ where
         self
     }
 
-    /// Returns the perturbations of all coordinates and velocities by those of the independent ones.
+    /// Returns the perturbations of all coordinates and velocities as linear functions of the independent ones.
     ///
     /// # Errors
     ///

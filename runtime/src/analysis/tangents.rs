@@ -4,16 +4,15 @@ use nalgebra::{SMatrix, SVector};
 
 use super::equilibrium::Variable;
 use super::exceeds;
-use super::small_oscillations::{Part, Reduced};
+use super::reduced_equations::{Part, Reduced};
+use super::small_oscillations::negligible;
 use super::tangent_error::{IndependentVariables, TangentError};
 use super::tangent_space::TangentSpace;
 use crate::integrate::SingleNumber;
-use crate::limits::analysis::NEGLIGIBLE;
 use crate::linalg::{DependentColumns, Undetermined, column_widths};
 use crate::model::{
     DegreesOfFreedom, DirectionalDerivatives, Lagrangian, Phase, Quantities, State,
 };
-use crate::scalar::Scalar;
 
 /// The tangents at a state, for a checked choice of independent variables.
 pub(super) struct Tangents<'a, M, S, const N: usize, const C: usize>
@@ -408,9 +407,4 @@ where
         Variable::Coordinate(i) | Variable::Velocity(i) => M::COORDINATES[i],
         Variable::Input(_) => "?",
     }
-}
-
-/// The part of the largest entry of A below which rates and derivatives are rounding errors.
-fn negligible<S: Scalar>() -> f64 {
-    libm::pow(S::machine_epsilon(), NEGLIGIBLE)
 }

@@ -96,7 +96,7 @@ fn largest<S: Scalar, const C: usize, const N: usize>(
     most
 }
 
-/// Makes a column that of the identity matrix.
+/// Sets a column to a column of the identity matrix.
 fn eliminate<S: Scalar, const C: usize, const N: usize>(
     left: &mut SMatrix<S, C, N>,
     right: &mut SMatrix<S, C, C>,

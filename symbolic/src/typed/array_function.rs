@@ -180,6 +180,10 @@ fn array(found: Option<Matrix>, wanted: NoValue) -> Found {
     found.map(Components::Array).ok_or(wanted)
 }
 
+fn two<'a>(arguments: &[&'a Matrix]) -> Option<[&'a Matrix; 2]> {
+    arguments.try_into().ok()
+}
+
 /// A function that every array has.
 fn each(arguments: &[&Matrix], value: impl FnOnce(&Matrix) -> Components) -> Found {
     let one = NoValue::Arguments("one array");
@@ -188,19 +192,14 @@ fn each(arguments: &[&Matrix], value: impl FnOnce(&Matrix) -> Components) -> Fou
 
 /// x · y.
 fn dot(geometry: &mut Geometry, arguments: &[&Matrix]) -> Found {
-    match arguments {
-        [x, y] => scalar(geometry.dot_product(x, y), SAME_SHAPE),
-        _ => Err(SAME_SHAPE),
-    }
+    let product = two(arguments).and_then(|[x, y]| geometry.dot_product(x, y));
+    scalar(product, SAME_SHAPE)
 }
 
 /// x × y.
 fn cross(geometry: &mut Geometry, arguments: &[&Matrix]) -> Found {
-    let wanted = NoValue::Arguments("two vectors of 3 components");
-    match arguments {
-        [x, y] => array(geometry.cross_product(x, y), wanted),
-        _ => Err(wanted),
-    }
+    let product = two(arguments).and_then(|[x, y]| geometry.cross_product(x, y));
+    array(product, NoValue::Arguments("two vectors of 3 components"))
 }
 
 /// [x, y, z] = x · (y × z).
@@ -216,9 +215,7 @@ fn triple(geometry: &mut Geometry, arguments: &[&Matrix]) -> Found {
 /// x yᵀ.
 fn outer(geometry: &mut Geometry, arguments: &[&Matrix]) -> Found {
     let wanted = NoValue::Arguments("two vectors");
-    let [x, y] = arguments else {
-        return Err(wanted);
-    };
+    let [x, y] = two(arguments).ok_or(wanted)?;
     if x.elements().len() > MAX_ARRAY / y.elements().len().max(1) {
         return Err(NoValue::Size);
     }
@@ -227,10 +224,9 @@ fn outer(geometry: &mut Geometry, arguments: &[&Matrix]) -> Found {
 
 /// The products of elements in one place.
 fn component_mul(geometry: &mut Geometry, arguments: &[&Matrix]) -> Found {
-    match arguments {
-        [x, y] => array(geometry.graph.component_product(x, y), SAME_SHAPE),
-        _ => Err(SAME_SHAPE),
-    }
+    let graph = &mut geometry.graph;
+    let product = two(arguments).and_then(|[x, y]| graph.component_product(x, y));
+    array(product, SAME_SHAPE)
 }
 
 /// A⁻¹.

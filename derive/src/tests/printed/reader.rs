@@ -358,7 +358,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A constraint that was not read before: those of a family are printed component by component.
+    /// A constraint that was not read before; families are printed component by component.
     fn constraint(&mut self, left: &Formula, right: &Formula) -> Reading<Vec<f64>> {
         let sides = [left, right].map(|side| self.free.value(side)?.scalar());
         let [left, right] = sides;
