@@ -1,12 +1,14 @@
-//! The families among coordinates, parameters and inputs: their members have an index.
+//! The families among coordinates, parameters, inputs and multipliers: their members have an index.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::print::names::Names;
 use crate::{Expression, Graph, Node, Symbol};
 
-/// The members of families among coordinates, parameters and inputs.
+/// The members of families among coordinates, parameters, inputs and multipliers, which are accelerations of further coordinates.
 pub(crate) struct Families {
+    /// How many coordinates there are.
+    coordinates: u32,
     /// Of each family the member at an index.
     members: Vec<BTreeMap<i64, Symbol>>,
     /// The family and the index of a member.
@@ -17,18 +19,22 @@ pub(crate) struct Families {
 
 impl Families {
     pub(crate) fn of(names: &Names) -> Self {
+        let coordinates = u32::try_from(names.coordinates.len()).unwrap_or(u32::MAX);
         let mut families = Self {
+            coordinates,
             members: Vec::new(),
             places: BTreeMap::new(),
             with_several_indices: BTreeSet::new(),
         };
         let mut numbers = BTreeMap::new();
-        for (kind, names) in [&names.coordinates, &names.parameters, &names.inputs]
-            .into_iter()
-            .enumerate()
-        {
-            let symbol = [Symbol::Coordinate, Symbol::Parameter, Symbol::Input][kind];
-            for (i, name) in (0..).zip(names) {
+        let kinds: [(_, _, fn(u32) -> Symbol); 4] = [
+            (&names.coordinates, 0, Symbol::Coordinate),
+            (&names.parameters, 0, Symbol::Parameter),
+            (&names.inputs, 0, Symbol::Input),
+            (&names.multipliers, coordinates, Symbol::Coordinate),
+        ];
+        for (kind, (names, first, symbol)) in kinds.into_iter().enumerate() {
+            for (i, name) in (first..).zip(names) {
                 let Some((stem, index, rest)) = taken_apart(name) else {
                     if name.contains('[') {
                         families.with_several_indices.insert(symbol(i));
@@ -97,11 +103,7 @@ impl Families {
 
     /// The family and the index of a symbol, of a velocity or an acceleration those of the coordinate.
     pub(crate) fn place(&self, symbol: Symbol) -> Option<(usize, i64)> {
-        let base = match symbol {
-            Symbol::Velocity(i) | Symbol::Acceleration(i) => Symbol::Coordinate(i),
-            other => other,
-        };
-        self.places.get(&base).copied()
+        self.places.get(&base(symbol)).copied()
     }
 
     /// The member of a family at an index.
@@ -129,7 +131,8 @@ impl Families {
                 let Symbol::Coordinate(i) = member else {
                     return None;
                 };
-                (*index == expected).then_some(*i as usize)
+                let is_coordinate = *i < self.coordinates;
+                (is_coordinate && *index == expected).then_some(*i as usize)
             });
             Some((*first, in_order.collect::<Option<_>>()?))
         })
@@ -137,8 +140,9 @@ impl Families {
 
     /// Whether each symbol of an expression has one index or none.
     pub(crate) fn have_single_indices(&self, graph: &Graph, x: Expression) -> bool {
-        self.with_several_indices.is_empty()
-            || graph.symbols(&[x]).is_disjoint(&self.with_several_indices)
+        let several = &self.with_several_indices;
+        let mut symbols = graph.symbols(&[x]).into_iter();
+        several.is_empty() || !symbols.any(|symbol| several.contains(&base(symbol)))
     }
 
     /// The family, first and last index of a sum of consecutive parameters.
@@ -162,6 +166,14 @@ impl Families {
         let consecutive = indices.windows(2).all(|pair| pair[1] == pair[0] + 1);
         let (first, last) = (*indices.first()?, *indices.last()?);
         (consecutive && first < last).then_some((family?, first, last))
+    }
+}
+
+/// The coordinate of a velocity or an acceleration; other symbols themselves.
+const fn base(symbol: Symbol) -> Symbol {
+    match symbol {
+        Symbol::Velocity(i) | Symbol::Acceleration(i) => Symbol::Coordinate(i),
+        other => other,
     }
 }
 
