@@ -27,13 +27,19 @@ impl Families {
             with_several_indices: BTreeSet::new(),
         };
         let mut numbers = BTreeMap::new();
-        let kinds: [(_, _, fn(u32) -> Symbol); 4] = [
-            (&names.coordinates, 0, Symbol::Coordinate),
-            (&names.parameters, 0, Symbol::Parameter),
-            (&names.inputs, 0, Symbol::Input),
-            (&names.multipliers, coordinates, Symbol::Coordinate),
+        let symbols: [fn(u32) -> Symbol; 4] = [
+            Symbol::Coordinate,
+            Symbol::Parameter,
+            Symbol::Input,
+            Symbol::Coordinate,
         ];
-        for (kind, (names, first, symbol)) in kinds.into_iter().enumerate() {
+        let names = [
+            (&names.coordinates, 0),
+            (&names.parameters, 0),
+            (&names.inputs, 0),
+            (&names.multipliers, coordinates),
+        ];
+        for (kind, (symbol, (names, first))) in symbols.into_iter().zip(names).enumerate() {
             for (i, name) in (first..).zip(names) {
                 let Some((stem, index, rest)) = taken_apart(name) else {
                     if name.contains('[') {
