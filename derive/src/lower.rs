@@ -87,7 +87,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         outputs: components(&typed, &[parts.outputs, parts.events].concat()),
         in_frames: parts
             .of_rotations
-            .and_then(|energies| typed.energies_in_frames(energies)),
+            .and_then(|energies| typed.in_frames(energies, &constraints.values())),
         graph: typed.geometry.graph,
     });
     Lowered {

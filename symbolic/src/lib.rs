@@ -66,7 +66,7 @@ pub use typed::at_rest::AtRest;
 pub use typed::components::Components;
 pub use typed::evaluation::NoValue;
 pub use typed::graph::TypedGraph;
-pub use typed::in_frames::EnergiesInFrames;
+pub use typed::in_frames::SystemInFrames;
 pub use typed::operation::{TypedOperation, Value};
 pub use typed::virtual_work::ConstraintForces;
 pub use validation::{

@@ -57,6 +57,12 @@ impl Constraints {
             .count()
     }
 
+    /// The values that are zero, each with whether it is one of coordinates, and not of velocities.
+    pub(crate) fn values(&self) -> Vec<(Value, bool)> {
+        let declared = self.declared.iter();
+        declared.map(|one| (one.value, one.is_holonomic)).collect()
+    }
+
     /// The names of the components.
     pub(crate) fn labels(&self) -> Vec<Label> {
         let declared = self.declared.iter();

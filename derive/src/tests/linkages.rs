@@ -39,6 +39,46 @@ fn operations_of_linkages_in_a_row_grow_linearly() {
     assert!(prepared[1] <= 2 * prepared[0]);
 }
 
+/// The same linkages in angles of each rod against the one before: the couplers are a chain, from whose joints the other cranks
+/// hang.
+fn chained(count: usize) -> Methods {
+    let (couplers, behind) = (count, count - 1);
+    let [couplers, behind] = [couplers, behind].map(Literal::usize_unsuffixed);
+    methods(quote! {
+        #[lagrangian(
+            coordinates(first, a[#couplers], b[#couplers]),
+            define(
+                r = rotation_z(first),
+                k[0] = r * rotation_z(b[0]),
+                k[i + 1] = k[i] * rotation_z(b[i + 1]) for i in 0..#behind,
+                p[0] = r * [l, 0.0, 0.0],
+                p[i + 1] = p[i] + k[i] * [d, 0.0, 0.0] for i in 0..#couplers,
+                h[i] = k[i] * rotation_z(a[i]) for i in 0..#couplers,
+                foot[i] = p[i + 1] + h[i] * [l, 0.0, 0.0] for i in 0..#couplers,
+            ),
+            kinetic = 0.5 * m * dot(p[0] / 2.0).norm_squared() + m * l.powi(2) / 24.0 * dot(first).powi(2)
+                + (0..#couplers).map(|i| 0.5 * m * dot(p[i] + k[i] * [d / 2.0, 0.0, 0.0]).norm_squared()
+                    + m * d.powi(2) / 24.0 * angular_velocity(k[i]).norm_squared()
+                    + 0.5 * m * dot(p[i + 1] + h[i] * [l / 2.0, 0.0, 0.0]).norm_squared()
+                    + m * l.powi(2) / 24.0 * angular_velocity(h[i]).norm_squared()).sum(),
+            potential = m * g * ((p[0] / 2.0).y
+                + (0..#couplers).map(|i| (p[i] + k[i] * [d / 2.0, 0.0, 0.0]).y
+                    + (p[i + 1] + h[i] * [l / 2.0, 0.0, 0.0]).y).sum()),
+            constraint(
+                x[i] = foot[i].x - (i + 1) * d for i in 0..#couplers,
+                y[i] = foot[i].y for i in 0..#couplers,
+            ),
+        )]
+        struct Chained { m: f64, g: f64, l: f64, d: f64 }
+    })
+}
+
+#[test]
+fn operations_of_linkages_in_relative_angles_grow_linearly() {
+    let counts = [4, 8, 16].map(|count| chained(count).accelerations.count.total());
+    assert!(100 * (counts[2] - counts[1]) <= 202 * (counts[1] - counts[0]));
+}
+
 /// A platform in a plane on legs of two angles each, whose ends hold it: the loops meet in it.
 #[test]
 fn operations_of_legs_below_a_platform_grow_linearly() {

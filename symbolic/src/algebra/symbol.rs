@@ -33,7 +33,7 @@ pub enum Symbol {
     /// A component rᵢ of the right-hand side of M x = r, in [implicit equations](crate::ImplicitEquations).
     RightHandSide(u32),
     /// A component of a vector that is not resolved yet and depends on positions alone, in energies
-    /// [in frames](crate::EnergiesInFrames).
+    /// [in frames](crate::SystemInFrames).
     PositionComponent(u32),
     /// The same of a vector that depends on velocities.
     VelocityComponent(u32),

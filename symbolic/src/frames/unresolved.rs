@@ -130,6 +130,29 @@ impl Geometry {
         })
     }
 
+    /// The time derivative of a function of coordinates, time and components of positions that are resolved last along inertial
+    /// axes, by the velocities of these; none if there are others.
+    pub(crate) fn rate_in_frames(&mut self, x: Expression, coordinates: u32) -> Option<Expression> {
+        let direction = self.graph.constant_velocity_direction(coordinates);
+        let mut terms = vec![(
+            self.graph.directional_derivatives(&[x], &direction)[0],
+            Rational::ONE,
+        )];
+        for symbol in self.graph.symbols(&[x]) {
+            let (Symbol::PositionComponent(i) | Symbol::VelocityComponent(i)) = symbol else {
+                continue;
+            };
+            let (number, axis) = VectorId::of_component(i);
+            let components = number.components().map(Symbol::PositionComponent);
+            let components = components.map(|symbol| self.graph.symbol(symbol));
+            let rate = self.unresolved_rate(&Matrix::vector(components.to_vec()))?;
+            let slope = self.graph.derivative(x, symbol);
+            let product = self.graph.multiply(slope, rate.elements()[axis]);
+            terms.push((product, Rational::ONE));
+        }
+        Some(self.graph.sum(terms))
+    }
+
     /// The angular velocity of a product of rotations, along its own axes or along inertial ones.
     pub(crate) fn unresolved_angular_velocity(
         &mut self,

@@ -125,8 +125,10 @@ impl Kinetics {
             let articulated_bodies = ArticulatedBodies::factor(graph, scaled, MAX_PIVOT_NEIGHBOURS);
             solvers.extend(articulated_bodies.map(Solver::ArticulatedBodies));
         }
-        if let Some(links) = links.as_ref().filter(|_| is_free) {
-            let solver = ArticulatedLinks::factor(graph, links.clone());
+        if let Some(links) = links.as_ref().filter(|_| constraints.surplus.is_empty()) {
+            let rows = links.constraints(graph, constraints);
+            let solver =
+                rows.and_then(|rows| ArticulatedLinks::factor(graph, links.clone(), &rows));
             solvers.extend(solver.map(Solver::ArticulatedLinks));
         }
         let boltzmann_hamel = if is_free {

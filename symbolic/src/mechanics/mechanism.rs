@@ -8,12 +8,14 @@
 
 mod gravity;
 mod inertia;
+mod linked_constraint;
 mod points;
 mod reading;
 mod turn;
 mod turned_block;
 
 pub(crate) use inertia::Inertia;
+pub(crate) use linked_constraint::{LinkedConstraint, VelocityKind};
 pub(crate) use turn::{Turn, cross, kept, slopes, total};
 
 use crate::{Expression, Graph};
@@ -44,6 +46,8 @@ pub(crate) struct Mechanism {
     pub(crate) other_kinetic: Expression,
     /// The part of V that is not the weight of links.
     pub(crate) other_potential: Expression,
+    /// The constraints as they are counted in the model; none if one of them contains what belongs to no link.
+    pub(crate) constraints: Option<Vec<LinkedConstraint>>,
 }
 
 impl Mechanism {

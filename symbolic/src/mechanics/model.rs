@@ -1,7 +1,7 @@
 //! A mechanical system as declared: what comes into the derivation.
 
 use crate::mechanics::constraints::Constraint;
-use crate::{EnergiesInFrames, Expression, Graph, Symbol};
+use crate::{Expression, Graph, Symbol, SystemInFrames};
 
 /// The energies and forces of a system with `coordinates` degrees of freedom.
 ///
@@ -28,8 +28,8 @@ pub struct Model {
     pub constraints: Vec<Constraint>,
     /// Quantities for observers.
     pub outputs: Vec<Expression>,
-    /// The energies once more, with vectors that are resolved last; none where nothing turns.
-    pub in_frames: Option<EnergiesInFrames>,
+    /// The energies and constraints once more, with vectors that are resolved last; none where nothing turns.
+    pub in_frames: Option<SystemInFrames>,
 }
 
 /// The Lagrangian function, as energies or directly.

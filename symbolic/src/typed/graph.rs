@@ -40,8 +40,8 @@ impl TypedGraph {
         }
     }
 
-    /// Marks the beginning of definitions and energies. What is added before is shared by [energies in
-    /// frames](Self::energies_in_frames) and [positions at rest](crate::AtRest), which evaluate what is added afterwards.
+    /// Marks the beginning of definitions and energies. What is added before is shared by [systems in
+    /// frames](Self::in_frames) and [positions at rest](crate::AtRest), which evaluate what is added afterwards.
     pub fn begin_definitions(&mut self) {
         self.beginning = Beginning {
             graph: self.geometry.graph.clone(),

@@ -50,7 +50,7 @@ impl Reader {
     }
 
     /// A place along inertial axes without its constant terms, which no velocity shows.
-    fn moving_part(&mut self, place: Expression) -> Expression {
+    pub(super) fn moving_part(&mut self, place: Expression) -> Expression {
         let varies = |graph: &Graph, x: Expression| graph.contents(x).varies();
         let moving: Vec<_> = match self.geometry.graph.node(place) {
             Node::Sum(terms) => terms
@@ -111,7 +111,7 @@ impl Reader {
 
     /// The place along the axes of a frame that is turned against its own, if it is constant there: l (cos q, sin q, 0) is
     /// l (1, 0, 0) of the link that is turned by q.
-    fn carried(&mut self, (frame, place): (Frame, Vector)) -> (Frame, Vector) {
+    pub(super) fn carried(&mut self, (frame, place): (Frame, Vector)) -> (Frame, Vector) {
         if !self.varies(place) {
             return (frame, place);
         }

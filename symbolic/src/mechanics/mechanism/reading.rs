@@ -15,7 +15,7 @@ use crate::frames::vector_in_frames::{Term, UnresolvedVectors, VectorId};
 use crate::limits::MAX_TURNS_OF_A_BASE;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Turn, Vector};
-use crate::{EnergiesInFrames, Expression, Geometry, Graph, Model, Node, Rational, Symbol};
+use crate::{Expression, Geometry, Graph, Model, Node, Rational, Symbol, SystemInFrames};
 
 /// A link, or the inertial frame, and a place along its axes.
 pub(super) type Point = (Option<usize>, Vector);
@@ -34,10 +34,11 @@ impl Mechanism {
 
     fn with_origins(model: &mut Model, keeps_origins: bool) -> Option<Self> {
         let energies = model.in_frames.clone()?;
-        let EnergiesInFrames {
+        let SystemInFrames {
             mut geometry,
             kinetic,
             potential,
+            constraints,
         } = energies;
         let velocities = QuasiVelocities::declared(&mut geometry.graph, kinetic)?;
         let vectors = geometry.frames.unresolved.clone()?;
@@ -51,6 +52,11 @@ impl Mechanism {
         };
         let kinetic = reader.read_inertia(&velocities)?;
         let (base_acceleration, potential) = reader.uniform_gravity(potential);
+        let constraints = constraints.and_then(|velocities| {
+            let velocities = velocities.into_iter();
+            let linked = velocities.map(|velocity| reader.linked_constraint(velocity));
+            linked.collect::<Option<Vec<_>>>()
+        });
         let rest = reader.geometry.resolved(&[kinetic, potential]);
         let graph = &reader.geometry.graph;
         let mechanism = Self {
@@ -58,6 +64,7 @@ impl Mechanism {
             base_acceleration,
             other_kinetic: rest[0],
             other_potential: rest[1],
+            constraints,
         };
         let bodies = mechanism
             .links
@@ -95,6 +102,9 @@ impl Mechanism {
         self.base_acceleration.iter_mut().for_each(&mut visit);
         visit(&mut self.other_kinetic);
         visit(&mut self.other_potential);
+        for constraint in self.constraints.iter_mut().flatten() {
+            constraint.for_each_expression(&mut visit);
+        }
     }
 }
 

@@ -4,14 +4,17 @@
 //! The wrenches that the motion takes at q̈ = 0 come from [Newton and Euler](crate::mechanics::solvers::newton_euler), so
 //! that nothing but accelerations is left to eliminate: from the last link on, its coordinate is split off and
 //! eliminated, and what remains is turned into the axes of the link before and moved to its origin. A coordinate that
-//! moves several joints is eliminated where the last of them has been passed. Back from the root to the leaves, the
-//! accelerations are substituted.
+//! moves several joints is eliminated where the last of them has been passed. Multipliers of constraints are accelerations of further
+//! coordinates, and are [eliminated](crate::mechanics::solvers::multiplier_elimination) as soon as the coordinates before
+//! determine them. Back from the root to the leaves, the accelerations are substituted.
 
 use std::collections::BTreeMap;
 
 use crate::mechanics::mechanism::{Turn, Vector};
+use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
+use crate::mechanics::solvers::multiplier_elimination::MultiplierElimination;
 use crate::mechanics::solvers::newton_euler::Joint;
 use crate::mechanics::solvers::pivots::Pivot;
 use crate::mechanics::solvers::twist_elimination::{
@@ -43,17 +46,26 @@ pub(crate) struct PassedInertia {
 /// The factored equations of a mechanism.
 pub(crate) struct ArticulatedLinks {
     pub(crate) equations: LinkEquations,
+    /// γ of each constraint.
+    rates: Vec<Expression>,
     pub(crate) steps: Vec<Step>,
     /// One for each link.
     pub(crate) inertias: Vec<PassedInertia>,
     /// The expressions that must be positive.
     pub(crate) pivots: Vec<Expression>,
+    /// What q̈ is divided by: the pivot of each coordinate, and the opposite of that of each multiplier.
+    divisors: Vec<Pivot>,
 }
 
 impl ArticulatedLinks {
-    /// Factors the equations, unless a pivot vanishes.
-    pub(crate) fn factor(graph: &mut Graph, equations: LinkEquations) -> Option<Self> {
-        let mut uses = vec![0_usize; equations.forces.len()];
+    /// Factors the equations with these constraints, unless a pivot vanishes.
+    pub(crate) fn factor(
+        graph: &mut Graph,
+        equations: LinkEquations,
+        constraints: &[LinkConstraint],
+    ) -> Option<Self> {
+        let coordinates = equations.forces.len();
+        let mut uses = vec![0_usize; coordinates];
         let all = |joint: &Joint| {
             let all = joint.turning.iter().chain(&joint.sliding);
             all.map(|(i, _)| *i).collect::<Vec<_>>()
@@ -62,21 +74,27 @@ impl ArticulatedLinks {
             uses[coordinate] += 1;
         }
         let mut elimination = TwistElimination::of_coordinates(graph, &equations.other_mass);
+        let mut multipliers =
+            MultiplierElimination::of(graph, &mut elimination, constraints, coordinates);
         let mut steps = Vec::new();
         let mut inertias = vec![PassedInertia::default(); equations.joints.len()];
         // What moves no link.
         for coordinate in (0..uses.len()).filter(|i| uses[*i] == 0) {
-            steps.push(Step::Eliminate(elimination.eliminate(graph, coordinate)?));
+            let row = elimination.eliminate(graph, coordinate)?;
+            multipliers.notice(&row);
+            steps.push(Step::Eliminate(row));
         }
         let links = equations.mechanism.links.iter().zip(&equations.joints);
         for (i, (link, joint)) in links.enumerate().rev() {
             elimination.add_inertia(graph, i, &link.inertia);
+            multipliers.eliminate_determined(graph, &mut elimination, &mut steps);
             let inertia = &mut inertias[i];
             let [a, b, c] = elimination.rows(angular(i));
             let [d, e, f] = elimination.rows(linear(i));
             inertia.turning = [a, b, c, d, e, f];
             let mut passage = Passage {
                 elimination: &mut elimination,
+                multipliers: &mut multipliers,
                 steps: &mut steps,
                 uses: &mut uses,
             };
@@ -91,40 +109,53 @@ impl ArticulatedLinks {
             let step = Step::Shift(i, link.parent, link.place);
             passage.steps.push(step);
         }
-        let pivots = steps.iter().filter_map(|step| match step {
-            Step::Eliminate(row) => Some(row.pivot),
-            _ => None,
-        });
-        let mut pivots: Vec<_> = pivots.collect();
-        if pivots.len() != equations.forces.len() {
-            return None;
-        }
-        pivots.retain(|pivot| graph.as_constant(*pivot).is_none_or(Rational::is_negative));
-        Some(Self {
-            equations,
-            steps,
-            inertias,
-            pivots,
-        })
-    }
-
-    /// What q̈ is divided by: the pivot of each coordinate.
-    pub(crate) fn divisors(&self) -> Vec<Pivot> {
-        let pivots = self.steps.iter().filter_map(|step| match step {
+        multipliers.eliminate_rest(graph, &mut elimination, &mut steps)?;
+        let divisors = steps.iter().filter_map(|step| match step {
             Step::Eliminate(row) => Some(Pivot {
-                value: row.pivot,
+                value: if row.coordinate < coordinates {
+                    row.pivot
+                } else {
+                    graph.negate(row.pivot)
+                },
                 coordinates: vec![row.coordinate],
             }),
             _ => None,
         });
-        pivots.collect()
+        let divisors: Vec<_> = divisors.collect();
+        if divisors.len() != coordinates + constraints.len() {
+            return None;
+        }
+        let pivots = divisors.iter().map(|pivot| pivot.value);
+        let mut pivots: Vec<_> = pivots.chain(multipliers.conditions).collect();
+        pivots.retain(|pivot| graph.as_constant(*pivot).is_none_or(Rational::is_negative));
+        Some(Self {
+            equations,
+            rates: constraints
+                .iter()
+                .map(|constraint| constraint.rate)
+                .collect(),
+            steps,
+            inertias,
+            pivots,
+            divisors,
+        })
+    }
+
+    /// Whether there are no constraints.
+    pub(crate) const fn is_free(&self) -> bool {
+        self.rates.is_empty()
+    }
+
+    /// What q̈ is divided by, with the coordinate or multiplier of each.
+    pub(crate) fn divisors(&self) -> Vec<Pivot> {
+        self.divisors.clone()
     }
 
     /// The accelerations, and the intermediate results of the recursion in its order: the wrenches of the links outwards, and
     /// inwards what is divided by each pivot.
     pub(crate) fn accelerations(&self, graph: &mut Graph) -> (Vec<Expression>, Vec<Expression>) {
         let wrenches = self.equations.wrenches(graph, false);
-        let mut right = RightHandSide::of(&self.equations.forces);
+        let mut right = RightHandSide::of(&[&*self.equations.forces, &self.rates].concat());
         let mut recursion = Vec::new();
         for (link, wrench) in wrenches.iter().enumerate() {
             let unknowns = angular(link).into_iter().chain(linear(link));
@@ -190,7 +221,7 @@ impl ArticulatedLinks {
         for step in self.steps.iter().rev() {
             known.substitute(graph, step, quotients);
         }
-        let coordinates = 0..self.equations.forces.len();
+        let coordinates = 0..self.divisors.len();
         let values = coordinates.map(|i| known.values.get(&Unknown::Coordinate(i)).copied());
         values.map(|value| value.unwrap_or(zero)).collect()
     }
@@ -199,6 +230,7 @@ impl ArticulatedLinks {
 /// The way past one joint.
 struct Passage<'a> {
     elimination: &'a mut TwistElimination,
+    multipliers: &'a mut MultiplierElimination,
     steps: &'a mut Vec<Step>,
     /// How many joints that have not been passed a coordinate moves.
     uses: &'a mut [usize],
@@ -222,6 +254,7 @@ impl Passage<'_> {
         for (coordinate, _) in slopes {
             if self.uses[*coordinate] == 0 {
                 let row = self.elimination.eliminate(graph, *coordinate)?;
+                self.multipliers.notice(&row);
                 self.steps.push(Step::Eliminate(row));
             }
         }

@@ -140,7 +140,11 @@ impl Solution {
 
     /// Whether the factors of a saddle point problem are stable only where conditions hold.
     pub(crate) fn is_stable_in_part(&self) -> bool {
-        matches!(&self.solver, Solver::Ldlt(ldlt, _) if !ldlt.conditions.is_empty())
+        match &self.solver {
+            Solver::Ldlt(ldlt, _) => !ldlt.conditions.is_empty(),
+            Solver::ArticulatedLinks(links) => !links.is_free(),
+            Solver::BoltzmannHamel(_) | Solver::ArticulatedBodies(_) => false,
+        }
     }
 
     /// What q̈ is divided by, as far as it is no number: where one of these vanishes, M is singular.
@@ -185,7 +189,9 @@ impl Solution {
         }
         let (residuals, links) = match &self.solver {
             Solver::ArticulatedBodies(solver) => (solver.inverse_dynamics(graph), None),
-            Solver::ArticulatedLinks(solver) => (solver.inverse_dynamics(graph), links),
+            Solver::ArticulatedLinks(solver) if solver.is_free() => {
+                (solver.inverse_dynamics(graph), links)
+            }
             _ => (inverse_dynamics.to_vec(), links),
         };
         let beside = [&*self.pivots, &self.accelerations].concat();
@@ -234,8 +240,10 @@ impl Solution {
                     *residual = graph.divide(*residual, solver.unit());
                 }
             }
-            Solver::ArticulatedLinks(solver) => residuals.push(solver.inverse_dynamics(graph)),
-            Solver::Ldlt(..) => {}
+            Solver::ArticulatedLinks(solver) if solver.is_free() => {
+                residuals.push(solver.inverse_dynamics(graph));
+            }
+            Solver::ArticulatedLinks(_) | Solver::Ldlt(..) => {}
         }
         residuals.extend(others);
         let symbols = (0..).map(Symbol::RightHandSide);

@@ -62,7 +62,7 @@ pub(crate) struct EliminatedRow {
 }
 
 /// H, both triangles, without zeros.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct TwistElimination {
     rows: BTreeMap<Unknown, InertiaRow>,
 }
@@ -84,7 +84,8 @@ impl TwistElimination {
         all
     }
 
-    fn entry(&self, graph: &Graph, u: Unknown, v: Unknown) -> Expression {
+    /// An entry, zero where there is none.
+    pub(crate) fn entry(&self, graph: &Graph, u: Unknown, v: Unknown) -> Expression {
         let entry = self.rows.get(&u).and_then(|row| row.get(&v));
         entry.copied().unwrap_or(graph.zero())
     }
@@ -100,7 +101,8 @@ impl TwistElimination {
         }
     }
 
-    fn add(&mut self, graph: &mut Graph, u: Unknown, v: Unknown, change: Expression) {
+    /// Adds to an entry.
+    pub(crate) fn add(&mut self, graph: &mut Graph, u: Unknown, v: Unknown, change: Expression) {
         let sum = graph.add(self.entry(graph, u, v), change);
         let sum = kept(graph, sum);
         self.set(graph, u, v, sum);
