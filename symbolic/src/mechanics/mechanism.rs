@@ -46,6 +46,8 @@ pub(crate) struct Mechanism {
     pub(crate) other_kinetic: Expression,
     /// The part of V that is not the weight of links.
     pub(crate) other_potential: Expression,
+    /// Of each link what has been [moved](Self::regrouped) to the link before.
+    pub(crate) moved: Vec<Inertia>,
     /// The constraints as they are counted in the model; none if one of them contains what belongs to no link.
     pub(crate) constraints: Option<Vec<LinkedConstraint>>,
 }
@@ -55,19 +57,23 @@ impl Mechanism {
     /// link that turns about an axis, all that lies on the axis; of one that is fixed to the link before, all. These are base inertial parameters (Gautier and
     /// Khalil, Direct calculation of minimum set of inertial parameters of serial robots, 1990).
     pub(crate) fn regrouped(mut self, graph: &mut Graph) -> Self {
+        self.moved = vec![Inertia::none(graph); self.links.len()];
         for i in (0..self.links.len()).rev() {
             let link = &self.links[i];
             let is_fixed = link.place.iter().all(|x| !graph.contents(*x).varies());
             let (place, parent, turn) = (link.place, link.parent, link.turn);
             let inertia = &mut self.links[i].inertia;
-            let moved = match turn.axis().filter(|_| is_fixed) {
+            let mut moved = match turn.axis().filter(|_| is_fixed) {
                 _ if is_fixed && turn.is_constant(graph) => {
-                    let none = Inertia::none(graph);
-                    core::mem::replace(inertia, none).turned(graph, &turn)
+                    core::mem::replace(inertia, Inertia::none(graph))
                 }
                 Some(axis) => inertia.take_axis(graph, axis),
                 None => continue,
             };
+            self.moved[i] = moved.clone();
+            if turn.is_constant(graph) {
+                moved = moved.turned(graph, &turn);
+            }
             if let Some(parent) = parent {
                 let moved = moved.moved(graph, place);
                 self.links[parent].inertia.add(graph, &moved);

@@ -44,9 +44,57 @@ macro_rules! four_bars {
     };
 }
 
+/// The linkages by the angles of each rod against the one before: the couplers are a chain, from whose joints all cranks but the
+/// first one hang. The third number is one less than that of the couplers.
+macro_rules! chained_four_bars {
+    ($name:ident, $couplers:literal, $others:literal) => {
+        #[derive(Clone, Lagrangian)]
+        #[lagrangian(
+            coordinates(first, a[$couplers], b[$couplers]),
+            define(
+                r = rotation_z(first),
+                k[0] = r * rotation_z(b[0]),
+                k[i + 1] = k[i] * rotation_z(b[i + 1]) for i in 0..$others,
+                p[0] = r * [l, 0.0, 0.0],
+                p[i + 1] = p[i] + k[i] * [coupler, 0.0, 0.0] for i in 0..$couplers,
+                h[i] = k[i] * rotation_z(a[i]) for i in 0..$couplers,
+                foot[i] = p[i + 1] + h[i] * [l, 0.0, 0.0] for i in 0..$couplers,
+                middle[i] = p[i] + k[i] * [coupler / 2.0, 0.0, 0.0] for i in 0..$couplers,
+                half[i] = p[i + 1] + h[i] * [l / 2.0, 0.0, 0.0] for i in 0..$couplers,
+            ),
+            kinetic = m * l.powi(2) / 6.0 * dot(first).powi(2) + (0..$couplers).map(|i| 0.5 * m * (
+                dot(middle[i]).norm_squared() + coupler.powi(2) / 12.0 * angular_velocity(k[i]).norm_squared()
+                + dot(half[i]).norm_squared() + l.powi(2) / 12.0 * angular_velocity(h[i]).norm_squared()
+            )).sum(),
+            potential = m * g * ((p[0] / 2.0).y + (0..$couplers).map(|i| middle[i].y + half[i].y).sum()),
+            constraint(
+                x[i] = foot[i].x - (i + 1) * coupler for i in 0..$couplers,
+                y[i] = foot[i].y for i in 0..$couplers,
+            ),
+            taylor,
+        )]
+        pub(crate) struct $name {
+            pub(crate) m: f64,
+            pub(crate) g: f64,
+            pub(crate) l: f64,
+            pub(crate) coupler: f64,
+        }
+
+        impl $name {
+            pub(crate) const NEW: Self = Self {
+                m: 1.0,
+                g: 9.81,
+                l: 1.0,
+                coupler: 1.0,
+            };
+        }
+    };
+}
+
 four_bars!(OneFourBar, 2, 1);
 four_bars!(TwoFourBars, 3, 2);
 four_bars!(SixFourBars, 7, 6);
+chained_four_bars!(FourChained, 4, 3);
 
 /// The linkages as one pendulum, by the angle from the upright.
 #[derive(Clone, Lagrangian)]
@@ -80,5 +128,22 @@ pub(crate) fn upright<const K: usize, const N: usize>(velocity: f64) -> State<f6
         state.q[K + i] = 1.0;
         state.v[i] = velocity;
     }
+    state
+}
+
+/// Returns the state of chained linkages with all cranks at this angle from the upright, which turn at this rate.
+pub(crate) fn chained<const N: usize>(angle: f64, rate: f64) -> State<f64, N> {
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let mut state = State::new(0.0, [0.0; N], [0.0; N]);
+    for i in 0..=N / 2 {
+        state.q[i] = if i == 0 {
+            quarter - angle
+        } else {
+            -quarter - angle
+        };
+        state.v[i] = -rate;
+    }
+    state.q[N / 2 + 1] = angle - quarter;
+    state.v[N / 2 + 1] = rate;
     state
 }

@@ -2,6 +2,7 @@
 
 mod bicycle;
 mod bricard;
+mod chained_loops;
 mod closed_forms;
 mod consistency;
 mod door;

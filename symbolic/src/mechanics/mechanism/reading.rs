@@ -64,6 +64,7 @@ impl Mechanism {
             base_acceleration,
             other_kinetic: rest[0],
             other_potential: rest[1],
+            moved: Vec::new(),
             constraints,
         };
         let bodies = mechanism

@@ -10,7 +10,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::mechanics::mechanism::{Turn, Vector};
+use crate::mechanics::mechanism::{Inertia, Turn, Vector};
 use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
@@ -46,8 +46,7 @@ pub(crate) struct PassedInertia {
 /// The factored equations of a mechanism.
 pub(crate) struct ArticulatedLinks {
     pub(crate) equations: LinkEquations,
-    /// γ of each constraint.
-    rates: Vec<Expression>,
+    constraints: Vec<LinkConstraint>,
     pub(crate) steps: Vec<Step>,
     /// One for each link.
     pub(crate) inertias: Vec<PassedInertia>,
@@ -77,6 +76,7 @@ impl ArticulatedLinks {
         let mut multipliers =
             MultiplierElimination::of(graph, &mut elimination, constraints, coordinates);
         let mut steps = Vec::new();
+        let nothing = Inertia::none(graph);
         let mut inertias = vec![PassedInertia::default(); equations.joints.len()];
         // What moves no link.
         for coordinate in (0..uses.len()).filter(|i| uses[*i] == 0) {
@@ -87,7 +87,8 @@ impl ArticulatedLinks {
         let links = equations.mechanism.links.iter().zip(&equations.joints);
         for (i, (link, joint)) in links.enumerate().rev() {
             elimination.add_inertia(graph, i, &link.inertia);
-            multipliers.eliminate_determined(graph, &mut elimination, &mut steps);
+            let moved = (i, equations.mechanism.moved.get(i).unwrap_or(&nothing));
+            multipliers.eliminate_determined(graph, &mut elimination, moved, &mut steps);
             let inertia = &mut inertias[i];
             let [a, b, c] = elimination.rows(angular(i));
             let [d, e, f] = elimination.rows(linear(i));
@@ -130,10 +131,7 @@ impl ArticulatedLinks {
         pivots.retain(|pivot| graph.as_constant(*pivot).is_none_or(Rational::is_negative));
         Some(Self {
             equations,
-            rates: constraints
-                .iter()
-                .map(|constraint| constraint.rate)
-                .collect(),
+            constraints: constraints.to_vec(),
             steps,
             inertias,
             pivots,
@@ -143,7 +141,7 @@ impl ArticulatedLinks {
 
     /// Whether there are no constraints.
     pub(crate) const fn is_free(&self) -> bool {
-        self.rates.is_empty()
+        self.constraints.is_empty()
     }
 
     /// What q̈ is divided by, with the coordinate or multiplier of each.
@@ -155,7 +153,11 @@ impl ArticulatedLinks {
     /// inwards what is divided by each pivot.
     pub(crate) fn accelerations(&self, graph: &mut Graph) -> (Vec<Expression>, Vec<Expression>) {
         let wrenches = self.equations.wrenches(graph, false);
-        let mut right = RightHandSide::of(&[&*self.equations.forces, &self.rates].concat());
+        let mut right = RightHandSide::of(&self.equations.forces);
+        let coordinates = self.equations.forces.len();
+        for (i, constraint) in (coordinates..).zip(&self.constraints) {
+            right.0.insert(Unknown::Coordinate(i), constraint.rate);
+        }
         let mut recursion = Vec::new();
         for (link, wrench) in wrenches.iter().enumerate() {
             let unknowns = angular(link).into_iter().chain(linear(link));
@@ -165,20 +167,54 @@ impl ArticulatedLinks {
                 right.0.insert(unknown, value);
             }
         }
-        let quotients = self.eliminate(graph, right);
+        let quotients = self.eliminate(graph, right.clone());
         for step in &self.steps {
             if let Step::Eliminate(row) = step {
                 recursion.push(row.reciprocal);
                 recursion.extend(quotients.get(&row.coordinate));
             }
         }
-        (self.substitute(graph, &quotients), recursion)
+        (self.refined(graph, &quotients, &right), recursion)
     }
 
-    /// x in M x = r.
+    /// x in M x = r; with constraints, in the saddle point problem.
     pub(crate) fn solution(&self, graph: &mut Graph, right: &[Expression]) -> Vec<Expression> {
-        let quotients = self.eliminate(graph, RightHandSide::of(right));
-        self.substitute(graph, &quotients)
+        let right = RightHandSide::of(right);
+        let quotients = self.eliminate(graph, right.clone());
+        self.refined(graph, &quotients, &right)
+    }
+
+    /// The solution with these quotients, with constraints refined once by their residuals, for the reason that the
+    /// [factors](crate::matrix::ldlt::Ldlt::solve) of a saddle point problem have.
+    fn refined(
+        &self,
+        graph: &mut Graph,
+        quotients: &BTreeMap<usize, Expression>,
+        right: &RightHandSide,
+    ) -> Vec<Expression> {
+        let mut known = self.substitute(graph, quotients);
+        let found = self.unknowns(graph, &known);
+        if self.is_free() {
+            return found;
+        }
+        for value in known.values.values_mut() {
+            *value = graph.opaque(*value);
+        }
+        let mut residuals = RightHandSide::default();
+        let coordinates = self.equations.forces.len();
+        for (i, constraint) in (coordinates..).zip(&self.constraints) {
+            let unknown = Unknown::Coordinate(i);
+            let acceleration = constraint.acceleration(graph, &known);
+            let residual = graph.add(right.get(graph, unknown), acceleration);
+            residuals.0.insert(unknown, graph.opaque(residual));
+        }
+        let quotients = self.eliminate(graph, residuals);
+        let corrections = self.substitute(graph, &quotients);
+        let corrections = self.unknowns(graph, &corrections);
+        let pairs = found.into_iter().zip(corrections);
+        pairs
+            .map(|(x, correction)| graph.add(x, correction))
+            .collect()
     }
 
     /// M q̈ − f with the accelerations as symbols.
@@ -213,17 +249,18 @@ impl ArticulatedLinks {
         &self,
         graph: &mut Graph,
         quotients: &BTreeMap<usize, Expression>,
-    ) -> Vec<Expression> {
-        let zero = graph.zero();
-        let mut known = Accelerations {
-            values: BTreeMap::new(),
-        };
+    ) -> Accelerations {
+        let mut known = Accelerations::default();
         for step in self.steps.iter().rev() {
             known.substitute(graph, step, quotients);
         }
-        let coordinates = 0..self.divisors.len();
-        let values = coordinates.map(|i| known.values.get(&Unknown::Coordinate(i)).copied());
-        values.map(|value| value.unwrap_or(zero)).collect()
+        known
+    }
+
+    /// The accelerations of the coordinates, and the multipliers.
+    fn unknowns(&self, graph: &Graph, known: &Accelerations) -> Vec<Expression> {
+        let unknowns = (0..self.divisors.len()).map(Unknown::Coordinate);
+        unknowns.map(|unknown| known.get(graph, unknown)).collect()
     }
 }
 

@@ -4,7 +4,9 @@
 use crate::mechanics::constraints::ConstraintEquations;
 use crate::mechanics::mechanism::{LinkedConstraint, Vector, VelocityKind, slopes};
 use crate::mechanics::solvers::link_equations::LinkEquations;
+use crate::mechanics::solvers::link_vectors::Accelerations;
 use crate::mechanics::solvers::newton_euler::{Motion, Wrench, generalized_forces};
+use crate::mechanics::solvers::twist_elimination::{Unknown, angular, linear};
 use crate::{Expression, Graph, Rational};
 
 /// A constraint G q̈ + γ = 0 of a mechanism.
@@ -130,5 +132,24 @@ impl LinkEquations {
             terms.push((graph.sum_of_products(pairs), Rational::ONE));
         }
         Some(graph.sum(terms))
+    }
+}
+
+impl LinkConstraint {
+    /// G q̈ of the accelerations of links and coordinates.
+    pub(crate) fn acceleration(&self, graph: &mut Graph, known: &Accelerations) -> Expression {
+        let mut pairs = Vec::new();
+        for (link, [turning, moving]) in &self.links {
+            let accelerations = [angular(*link), linear(*link)];
+            for (coefficients, unknowns) in [turning, moving].into_iter().zip(accelerations) {
+                let accelerations = known.vector(graph, unknowns);
+                pairs.extend(coefficients.iter().copied().zip(accelerations));
+            }
+        }
+        for (i, coefficient) in &self.coordinates {
+            let acceleration = known.get(graph, Unknown::Coordinate(*i));
+            pairs.push((*coefficient, acceleration));
+        }
+        graph.sum_of_products(pairs)
     }
 }

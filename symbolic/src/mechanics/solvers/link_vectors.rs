@@ -164,9 +164,12 @@ pub(crate) struct Accelerations {
 }
 
 impl Accelerations {
+    pub(crate) fn get(&self, graph: &Graph, unknown: Unknown) -> Expression {
+        self.values.get(&unknown).copied().unwrap_or(graph.zero())
+    }
+
     pub(crate) fn vector(&self, graph: &Graph, unknowns: [Unknown; 3]) -> Vector {
-        let value = |u: Unknown| self.values.get(&u).copied();
-        unknowns.map(|u| value(u).unwrap_or(graph.zero()))
+        unknowns.map(|u| self.get(graph, u))
     }
 
     fn set(&mut self, unknowns: [Unknown; 3], values: Vector) {

@@ -11,6 +11,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::limits::MIN_SADDLE_POINT_PIVOT;
+use crate::mechanics::mechanism::Inertia;
 use crate::mechanics::solvers::articulated_links::Step;
 use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::twist_elimination::{
@@ -24,7 +25,7 @@ pub(crate) struct MultiplierElimination {
     /// The eliminated coordinates that the constraint of a multiplier restricts.
     restricted: BTreeMap<usize, BTreeSet<usize>>,
     /// What the multipliers before have taken from the diagonal entry of another.
-    reductions: BTreeMap<usize, Expression>,
+    reductions: BTreeMap<Unknown, Expression>,
     /// How many coordinates a group restricted that was not regular.
     tried: BTreeMap<Vec<usize>, usize>,
     /// Expressions that are positive where the elimination is stable.
@@ -74,20 +75,33 @@ impl MultiplierElimination {
         }
     }
 
-    /// Eliminates the multipliers that the eliminated coordinates determine.
+    /// Eliminates the multipliers that the eliminated coordinates determine, of constraints on what moves with a link. Of this link
+    /// some inertia may have been moved to the link before.
     pub(crate) fn eliminate_determined(
         &mut self,
         graph: &mut Graph,
         elimination: &mut TwistElimination,
+        (link, moved): (usize, &Inertia),
         steps: &mut Vec<Step>,
     ) {
         for (group, restricted) in self.groups() {
             let is_new = self.tried.get(&group) != Some(&restricted);
-            if restricted < group.len() || !is_new {
+            let is_elsewhere = |multiplier: &usize| {
+                let row = elimination.row(Unknown::Coordinate(*multiplier));
+                let mut unknowns = row.keys();
+                unknowns.any(|unknown| matches!(unknown, Unknown::Twist(i, _) if *i != link))
+            };
+            if restricted < group.len() || !is_new || group.iter().any(is_elsewhere) {
                 continue;
             }
-            if self.eliminate(graph, elimination, &group, steps).is_none() {
+            let Some(eliminated) = Eliminated::of(graph, elimination, &group) else {
                 self.tried.insert(group, restricted);
+                continue;
+            };
+            let moved = Diagonal::of(graph, link, moved);
+            if let Some(conditions) = self.conditions_of(graph, elimination, &eliminated, &moved) {
+                self.conditions.extend(conditions);
+                self.accept(graph, elimination, eliminated, steps);
             }
         }
     }
@@ -99,8 +113,12 @@ impl MultiplierElimination {
         elimination: &mut TwistElimination,
         steps: &mut Vec<Step>,
     ) -> Option<()> {
-        let group = self.waiting.clone();
-        self.eliminate(graph, elimination, &group, steps)
+        let eliminated = Eliminated::of(graph, elimination, &self.waiting)?;
+        let none = Diagonal::default();
+        let conditions = self.conditions_of(graph, elimination, &eliminated, &none)?;
+        self.conditions.extend(conditions);
+        self.accept(graph, elimination, eliminated, steps);
+        Some(())
     }
 
     /// Multipliers whose constraints restrict the same eliminated coordinates, with how many these are.
@@ -128,67 +146,118 @@ impl MultiplierElimination {
             .collect()
     }
 
-    /// Eliminates some multipliers, unless a pivot vanishes, or a constraint acts on what has no inertia yet.
-    fn eliminate(
+    /// The conditions for a stable elimination of a group; none where a constraint acts on what has no inertia yet.
+    fn conditions_of(
+        &self,
+        graph: &mut Graph,
+        before: &TwistElimination,
+        eliminated: &Eliminated,
+        moved: &Diagonal,
+    ) -> Option<Vec<Expression>> {
+        let mut conditions = Vec::new();
+        for (unknown, change) in eliminated.changes(graph) {
+            if self.is_waiting(unknown) {
+                continue;
+            }
+            let inertia = before.entry(graph, unknown, unknown);
+            let moved = moved.0.get(&unknown).copied().unwrap_or(graph.zero());
+            let inertia = graph.add(inertia, moved);
+            if graph.is_zero(inertia) {
+                return None;
+            }
+            conditions.push(exceeds(graph, inertia, change));
+        }
+        for row in &eliminated.rows {
+            let own = Unknown::Coordinate(row.coordinate);
+            let reduction = self.reductions.get(&own).copied();
+            let reduction = reduction.unwrap_or(graph.zero());
+            let entry = before.entry(graph, own, own);
+            let whole = graph.subtract(reduction, entry);
+            let pivot = graph.negate(row.pivot);
+            if pivot != whole {
+                conditions.push(exceeds(graph, pivot, whole));
+            }
+        }
+        Some(conditions)
+    }
+
+    fn accept(
         &mut self,
         graph: &mut Graph,
         elimination: &mut TwistElimination,
-        group: &[usize],
+        eliminated: Eliminated,
         steps: &mut Vec<Step>,
-    ) -> Option<()> {
-        let mut trial = elimination.clone();
+    ) {
+        for (unknown, change) in eliminated.changes(graph) {
+            if self.is_waiting(unknown) {
+                let known = self.reductions.get(&unknown).copied();
+                let known = known.unwrap_or(graph.zero());
+                self.reductions.insert(unknown, graph.add(known, change));
+            }
+        }
+        let of_group = |multiplier: &usize| {
+            let mut rows = eliminated.rows.iter();
+            rows.any(|row| row.coordinate == *multiplier)
+        };
+        self.waiting.retain(|multiplier| !of_group(multiplier));
+        *elimination = eliminated.rest;
+        steps.extend(eliminated.rows.into_iter().map(Step::Eliminate));
+    }
+
+    fn is_waiting(&self, unknown: Unknown) -> bool {
+        matches!(unknown, Unknown::Coordinate(i) if self.waiting.contains(&i))
+    }
+}
+
+/// Multipliers that have been eliminated from a quadratic form, and what is left of it.
+struct Eliminated {
+    rows: Vec<EliminatedRow>,
+    rest: TwistElimination,
+}
+
+impl Eliminated {
+    /// Eliminates multipliers, unless a pivot vanishes.
+    fn of(graph: &mut Graph, elimination: &TwistElimination, group: &[usize]) -> Option<Self> {
+        let mut rest = elimination.clone();
         let mut rows = Vec::with_capacity(group.len());
         for multiplier in group {
-            let row = trial.eliminate(graph, *multiplier)?;
+            let row = rest.eliminate(graph, *multiplier)?;
             if graph.vanishes(&[row.pivot]) {
                 return None;
             }
             rows.push(row);
         }
-        let mut added: BTreeMap<Unknown, Vec<(Expression, Rational)>> = BTreeMap::new();
-        for row in &rows {
+        Some(Self { rows, rest })
+    }
+
+    /// What is added to the diagonal entries.
+    fn changes(&self, graph: &mut Graph) -> BTreeMap<Unknown, Expression> {
+        let mut terms: BTreeMap<Unknown, Vec<(Expression, Rational)>> = BTreeMap::new();
+        for row in &self.rows {
             for (unknown, entry, ratio) in &row.others {
                 let product = graph.multiply(*entry, *ratio);
-                added
-                    .entry(*unknown)
-                    .or_default()
-                    .push((product, Rational::MINUS_ONE));
+                let terms = terms.entry(*unknown).or_default();
+                terms.push((product, Rational::MINUS_ONE));
             }
         }
-        let mut conditions = Vec::new();
-        for (unknown, terms) in &added {
-            let change = graph.sum(terms.iter().cloned());
-            let own = elimination.entry(graph, *unknown, *unknown);
-            match unknown {
-                Unknown::Coordinate(i) if self.waiting.contains(i) => {}
-                _ if graph.is_zero(own) => return None,
-                _ => conditions.push(exceeds(graph, own, change)),
-            }
-        }
-        for row in &rows {
-            let own = Unknown::Coordinate(row.coordinate);
-            let before = elimination.entry(graph, own, own);
-            let reduction = self.reductions.get(&row.coordinate).copied();
-            let reduction = reduction.unwrap_or(graph.zero());
-            let before = graph.subtract(reduction, before);
-            let pivot = graph.negate(row.pivot);
-            if pivot != before {
-                conditions.push(exceeds(graph, pivot, before));
-            }
-        }
-        for (unknown, terms) in added {
-            if let Unknown::Coordinate(i) = unknown {
-                let change = graph.sum(terms);
-                let known = self.reductions.get(&i).copied().unwrap_or(graph.zero());
-                self.reductions.insert(i, graph.add(known, change));
-            }
-        }
-        self.conditions.extend(conditions);
-        self.waiting
-            .retain(|multiplier| !group.contains(multiplier));
-        *elimination = trial;
-        steps.extend(rows.into_iter().map(Step::Eliminate));
-        Some(())
+        let changes = terms.into_iter();
+        changes
+            .map(|(unknown, terms)| (unknown, graph.sum(terms)))
+            .collect()
+    }
+}
+
+/// The diagonal entries of the inertia of a link.
+#[derive(Default)]
+struct Diagonal(BTreeMap<Unknown, Expression>);
+
+impl Diagonal {
+    fn of(graph: &mut Graph, link: usize, inertia: &Inertia) -> Self {
+        let tensor = inertia.tensor(graph);
+        let entries = [tensor[0][0], tensor[1][1], tensor[2][2]];
+        let entries = entries.into_iter().chain([inertia.mass; 3]);
+        let unknowns = angular(link).into_iter().chain(linear(link));
+        Self(unknowns.zip(entries).collect())
     }
 }
 

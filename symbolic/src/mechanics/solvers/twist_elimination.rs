@@ -108,9 +108,14 @@ impl TwistElimination {
         self.set(graph, u, v, sum);
     }
 
+    /// The row of an unknown.
+    pub(crate) fn row(&self, unknown: Unknown) -> InertiaRow {
+        self.rows.get(&unknown).cloned().unwrap_or_default()
+    }
+
     /// The rows of three unknowns.
     pub(crate) fn rows(&self, unknowns: [Unknown; 3]) -> [InertiaRow; 3] {
-        unknowns.map(|u| self.rows.get(&u).cloned().unwrap_or_default())
+        unknowns.map(|u| self.row(u))
     }
 
     /// A block of three by three.
