@@ -8,11 +8,15 @@ use lagrangian::quantities::DirectionalDerivatives;
 mod derivatives;
 mod equilibria;
 mod identification;
+mod in_space;
 mod inverse_dynamics;
 mod linkages;
 mod mechanisms;
 mod mistakes;
+mod moving;
 mod oscillations;
+mod press;
+mod trailer;
 
 use linkages::*;
 use mechanisms::*;
