@@ -65,6 +65,7 @@ impl Emitter<'_> {
         let (count, holonomic) = (constraints.len(), constraints.holonomic());
         let equations = &self.equations.constraints;
         let kinds = (0..count).map(|i| equations.restricts_coordinates(i));
+        let (n, constant) = (self.coordinates(), equations.constant_columns(self.model));
         let freedom = (!equations.surplus.is_empty()).then(|| {
             let least = (self.coordinates() + equations.surplus.len()).saturating_sub(count);
             quote!(const MIN_DEGREES_OF_FREEDOM: usize = #least;)
@@ -73,6 +74,7 @@ impl Emitter<'_> {
             const CONSTRAINTS: [&'static str; #count] = Self::CONSTRAINTS;
             const HOLONOMIC: usize = #holonomic;
             const INTEGRABLE: [bool; #count] = [#(#kinds),*];
+            const CONSTANT_COLUMNS: [bool; #n] = [#(#constant),*];
             #freedom
         }
     }

@@ -74,7 +74,7 @@ impl<S: SingleNumber, const U: usize, const C: usize> RequiredInputs<S, U, C> {
             accelerations,
         };
         motion.check_constraints()?;
-        let freedom = DegreesOfFreedom::<N, C>::of(model, state, &[false; N]);
+        let freedom = DegreesOfFreedom::<N, C>::of(model, state, [&[false; N]; 2]);
         let mut independent = [false; N];
         freedom
             .independent_velocities()

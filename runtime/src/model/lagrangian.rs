@@ -172,7 +172,7 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     where
         Self::Model: Constraints<N, C, S>,
     {
-        DegreesOfFreedom::of(self.model(), state, &[false; N])
+        DegreesOfFreedom::of(self.model(), state, [&[false; N]; 2])
     }
 
     /// The search ([`Assembly`]) for a state that meets the constraints: `model.assemble(guess).solve()?.state`.

@@ -3,8 +3,6 @@
 use lagrangian::analysis::{StateSpace, TangentSpace};
 use lagrangian::prelude::*;
 
-use super::same_matrix;
-
 /// A motor turns a crank, by whose rod a ram presses.
 #[derive(Lagrangian)]
 #[lagrangian(
@@ -13,7 +11,7 @@ use super::same_matrix;
     kinetic = 0.5 * i * dot(alpha).powi(2) + 0.5 * ram * dot(x).powi(2),
     kinetic = 0.5 * m * (dot(middle).norm_squared() + b.powi(2) / 12.0 * dot(beta).powi(2)),
     potential = m * g * middle.y,
-    force(alpha = torque, x = -press),
+    force(alpha = torque, x = -load),
     constraint(pin = [a * cos(alpha) + b * cos(beta) - x, a * sin(alpha) + b * sin(beta)]),
 )]
 struct Press {
@@ -26,10 +24,10 @@ struct Press {
     #[lagrangian(input)]
     torque: f64,
     #[lagrangian(input)]
-    press: f64,
+    load: f64,
 }
 
-/// The mechanism of [`Press`] by the angle of the crank. The force on the ram is that of the work −`press` δx.
+/// The mechanism of [`Press`] by the angle of the crank. The force on the ram is that of the work −`load` δx.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(alpha),
@@ -42,9 +40,9 @@ struct Press {
     kinetic = 0.5 * m * (dot(middle).norm_squared() + b.powi(2) / 12.0 * dot(beta).powi(2)),
     potential = m * g * middle.y,
     force(
-        alpha = torque + press * (a * sin(alpha) - a * cos(alpha) * tan(beta)),
+        alpha = torque + load * (a * sin(alpha) - a * cos(alpha) * tan(beta)),
     ),
-    output(push = ram * dot(dot(x)) + press),
+    output(push = ram * dot(dot(x)) + load),
 )]
 struct PressAlone {
     i: f64,
@@ -56,14 +54,14 @@ struct PressAlone {
     #[lagrangian(input)]
     torque: f64,
     #[lagrangian(input)]
-    press: f64,
+    load: f64,
 }
 
-/// λ of the pin along x is the force of the ram on the rod: −(`ram` ẍ + `press`), in both mechanisms with its derivatives.
+/// λ of the pin along x is the force of the ram on the rod: −(`ram` ẍ + `load`), in both mechanisms with its derivatives.
 #[test]
 fn a_press_under_load() {
     let (i, m, ram, a, b, g) = (0.15, 0.8, 2.0, 0.4, 1.1, 9.81);
-    for (alpha, rate, torque, press) in [
+    for (alpha, rate, torque, load) in [
         (0.4, 3.0, 2.0, 30.0),
         (2.2, -1.5, -4.0, 50.0),
         (-1.3, 0.2, 7.0, -20.0),
@@ -76,7 +74,7 @@ fn a_press_under_load() {
             b,
             g,
             torque,
-            press,
+            load,
         };
         let alone = PressAlone {
             i,
@@ -86,13 +84,13 @@ fn a_press_under_load() {
             b,
             g,
             torque,
-            press,
+            load,
         };
         let guess = State::new(0.0, [alpha, -0.2, 1.2], [rate, 0.0, 0.0]);
         let held = [Press::ALPHA];
         let state = three.assemble(guess).hold(held).hold_velocities(held);
         let state = state.solve().expect("it closes").state;
-        let inputs = [torque, press].into();
+        let inputs = [torque, load].into();
         let tangent = TangentSpace::at(&three, &state)
             .coordinates(held)
             .velocities(held)
