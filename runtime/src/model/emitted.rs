@@ -14,6 +14,7 @@ pub use super::saddle_point::{
     invalid_compliance, joined, least_pivot, parts, project, rows_of_accelerations, saddle_point,
     sizes_in_metric, violated_constraint,
 };
+pub use super::sensitivities::rows_of_multipliers;
 
 mod in_every_lane;
 mod series;

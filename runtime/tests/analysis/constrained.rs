@@ -16,6 +16,7 @@ mod mistakes;
 mod moving;
 mod oscillations;
 mod press;
+mod sensitivities;
 mod steady;
 mod trailer;
 
