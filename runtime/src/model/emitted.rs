@@ -16,11 +16,11 @@ pub use super::saddle_point::{
 };
 pub use super::sensitivities::rows_of_multipliers;
 
-mod in_every_lane;
+mod on_scalar;
 mod series;
 
 pub use super::members_in_lanes::SharesLanes;
-pub use in_every_lane::{InEveryLane, Kept};
+pub use on_scalar::{Kept, OnScalar};
 
 pub use series::{
     HigherOrders, Term, event_series, orders, taylor_series, taylor_series_in_quasi_velocities,

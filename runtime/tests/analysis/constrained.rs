@@ -19,6 +19,7 @@ mod press;
 mod sensitivities;
 mod steady;
 mod trailer;
+mod type_parameters;
 
 use linkages::*;
 use mechanisms::*;
