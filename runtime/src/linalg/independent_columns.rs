@@ -83,7 +83,7 @@ mod tests {
         assert_eq!(chosen(0.21, none), [false, false, true]);
         assert_eq!(chosen(0.19, none), [false, true, false]);
         assert_eq!(chosen(0.21, [false, false, true]), [false, true, false]);
-        assert_eq!(chosen(0.19, [false, true, false]), [true, false, false]);
+        assert_eq!(chosen(0.19, [false, true, false]), [false, false, true]);
         assert_eq!(chosen(0.5, [true, true, false]), [false, false, true]);
         assert_eq!(chosen(0.0, [true, true, false]), [false, true, false]);
     }

@@ -305,11 +305,9 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         self.model().sensitivities(state, &self.inputs())
     }
 
-    /// The derivatives ∂λᵢ/∂πⱼ of the multipliers by parameters in row i, column j, at fixed q, q̇, t and inputs, if the declaration has
-    /// constraints and the clause `sensitivities`.
-    ///
-    /// The state stays as it is: a parameter of a holonomic constraint, such as a length, moves the constraint away from it. The
-    /// derivatives of reactions that are not [unique](DegreesOfFreedom::indeterminate_reactions) have no meaning.
+    /// The derivatives ∂λᵢ/∂πⱼ of the multipliers by parameters in row i, column j, if the declaration has constraints and the clause
+    /// `sensitivities`. The state is fixed, also where a parameter, such as a length, moves a constraint away from it. Of reactions that
+    /// are not [unique](DegreesOfFreedom::indeterminate_reactions), they have no meaning.
     #[inline]
     fn multiplier_sensitivities<const C: usize, const P: usize>(
         &self,
