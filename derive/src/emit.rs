@@ -6,6 +6,7 @@ mod methods;
 mod constants;
 mod constants_of_motion;
 mod inputs;
+mod on_another_scalar;
 mod outputs;
 mod events;
 mod constraints;

@@ -14,15 +14,10 @@
 //! scalars that are a single number.
 
 mod jacobian_rows;
+mod tangent_error;
 mod balance;
 mod force_balance;
 mod equilibrium;
-mod equilibrium_error;
-mod equilibrium_problem;
-mod constrained_balance;
-mod newton;
-mod levenberg_marquardt;
-mod equilibrium_search;
 mod eigenvalues;
 mod symmetric_eigenvalues;
 mod spectrum;
@@ -41,9 +36,16 @@ mod controllability;
 mod matrix_exponential;
 mod state_space;
 mod linear_outputs;
-mod tangent_error;
+mod tangent_choice;
 mod tangent_space;
 mod tangents;
+mod steady_motion;
+mod equilibrium_error;
+mod equilibrium_problem;
+mod constrained_balance;
+mod newton;
+mod levenberg_marquardt;
+mod equilibrium_search;
 mod reduced_state_space;
 mod constrained_oscillations;
 mod required_inputs;

@@ -37,6 +37,10 @@ pub(crate) const MIN_STABLE_PIVOT: f64 = 1e-2;
 /// as near to it for no longer than this part of a radian.
 pub(crate) const MIN_INDEPENDENT_SINE: f64 = 1e-10;
 
+/// The part of the length of the longest column from which a preferred column is chosen as a dependent one before it: the threshold of
+/// I. S. Duff, A. M. Erisman & J. K. Reid, *Direct Methods for Sparse Matrices*, 2nd edition (2017), 5.2.
+pub(crate) const PREFERRED_LENGTH: f64 = 0.1;
+
 /// The number of right-hand sides that are solved together: a vector register of 256 bits holds this number of `f64`.
 pub(crate) const RIGHT_HAND_SIDES_AT_ONCE: usize = 4;
 

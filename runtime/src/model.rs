@@ -85,7 +85,7 @@ pub use quantities::{Energies, Quantities};
 pub use reconstruction::Reconstruction;
 pub use regressor::Regressor;
 pub use routhian::{RouthReduction, Routhian, RouthianSeries};
-pub use sensitivities::Sensitivities;
+pub use sensitivities::{MultiplierSensitivities, Sensitivities};
 pub use signals::{Constant, Polynomial, Signal, Signals, Sinusoid, Sum};
 pub use state::State;
 pub use state_jacobian::StateJacobian;

@@ -19,6 +19,6 @@
 
 pub use crate::model::{
     Constraints, DirectionalDerivatives, Energies, EnergyBalance, Events, Hamiltonian, Impacts,
-    Inputs, MembersInLanes, MotionDerivatives, MotionSeries, Outputs, Quantities, Regressor,
-    RouthianSeries, Sensitivities, StateJacobian,
+    Inputs, MembersInLanes, MotionDerivatives, MotionSeries, MultiplierSensitivities, Outputs,
+    Quantities, Regressor, RouthianSeries, Sensitivities, StateJacobian,
 };

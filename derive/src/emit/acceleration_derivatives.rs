@@ -54,15 +54,13 @@ impl Columns for StateJacobian {
 impl Columns for OutputSlice {
     fn derivatives(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream) {
         let (statements, columns) = writer.compute(self);
-        let columns = writer.columns(&columns);
-        (statements, writer.emitter.rows_of_accelerations(&columns))
+        (statements, writer.columns(&columns))
     }
 
     fn solved(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream) {
         let (statements, columns) = writer.compute(self);
         let columns = writer.columns(&columns);
-        let solved = quote!(-factors.solve(&#columns));
-        (statements, writer.emitter.rows_of_accelerations(&solved))
+        (statements, quote!(-factors.solve(&#columns)))
     }
 }
 
@@ -150,6 +148,25 @@ impl Writer<'_> {
             })
         };
         (TokenStream::new(), solved)
+    }
+
+    /// The derivatives of the accelerations by parameters, with constraints those of the multipliers besides.
+    pub(super) fn sensitivities(
+        &mut self,
+        outputs: &DerivativeOutputs<OutputSlice>,
+    ) -> TokenStream {
+        let derivatives = self.acceleration_derivatives(outputs);
+        if !self.emitter.is_constrained() {
+            return derivatives;
+        }
+        let root = &self.emitter.declaration.root;
+        quote! {
+            let derivatives = { #derivatives };
+            (
+                #root::__private::rows_of_accelerations(&derivatives),
+                #root::__private::rows_of_multipliers(&derivatives),
+            )
+        }
     }
 
     /// The derivatives of the accelerations by the inputs.

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::emitter::Emitter;
+use super::on_another_scalar::{OnAnotherScalar, scalar_parameter};
 use crate::lower::constraints::Constraints;
 use crate::plan::{EmittedMethod, Interface, ParameterSource};
 use crate::syntax::declaration::Declaration;
@@ -65,6 +66,7 @@ impl Emitter<'_> {
         let (count, holonomic) = (constraints.len(), constraints.holonomic());
         let equations = &self.equations.constraints;
         let kinds = (0..count).map(|i| equations.restricts_coordinates(i));
+        let (n, constant) = (self.coordinates(), equations.constant_columns(self.model));
         let freedom = (!equations.surplus.is_empty()).then(|| {
             let least = (self.coordinates() + equations.surplus.len()).saturating_sub(count);
             quote!(const MIN_DEGREES_OF_FREEDOM: usize = #least;)
@@ -73,6 +75,7 @@ impl Emitter<'_> {
             const CONSTRAINTS: [&'static str; #count] = Self::CONSTRAINTS;
             const HOLONOMIC: usize = #holonomic;
             const INTEGRABLE: [bool; #count] = [#(#kinds),*];
+            const CONSTANT_COLUMNS: [bool; #n] = [#(#constant),*];
             #freedom
         }
     }
@@ -85,23 +88,33 @@ impl Emitter<'_> {
         self.interface(Interface::Impacts, TokenStream::new())
     }
 
-    /// The impl of `DirectionalDerivatives`, for a model with constraints that is one on dual numbers, on which external functions
-    /// have derivatives that may not be the declared ones.
+    /// The impl of `DirectionalDerivatives`, for a model with constraints that is one on dual numbers, or is with them in place of
+    /// its type parameter. External functions have derivatives on dual numbers that may not be the declared ones.
     pub(super) fn directional_derivatives(&self) -> TokenStream {
         let has_functions = self.model.graph.functions().next().is_some();
-        if !self.is_constrained() || !self.scalar.is_generic() || has_functions {
+        if !self.is_constrained() || has_functions {
             return TokenStream::new();
         }
-        let root = &self.declaration.root;
+        let Declaration { root, generics, .. } = self.declaration;
         let signatures = self.signatures();
-        let methods = signatures.directional_derivatives(
-            |method, arguments| quote!(#root::__private::#method(self, #arguments)),
-        );
         let (n, c, scalar) = (self.coordinates(), self.constraint_count(), &self.scalar);
-        self.implement(
-            &quote!(#root::quantities::DirectionalDerivatives::<#n, #c, #scalar>),
-            &methods,
-        )
+        let interface = quote!(#root::quantities::DirectionalDerivatives::<#n, #c, #scalar>);
+        if scalar.is_generic() {
+            let methods = signatures.directional_derivatives(
+                |method, arguments| quote!(#root::__private::#method(self, #arguments)),
+            );
+            return self.implement(&interface, &methods);
+        }
+        let Some(parameter) = scalar_parameter(generics, scalar) else {
+            return TokenStream::new();
+        };
+        let dual = quote!(#root::Dual<#scalar, 1>);
+        let OnAnotherScalar { bounds, value } =
+            OnAnotherScalar::of(self.declaration, &parameter, [&quote!(#scalar), &dual]);
+        let methods = signatures.directional_derivatives(
+            |method, arguments| quote!(#root::__private::#method(&#value, #arguments)),
+        );
+        self.implement_under(&interface, &bounds, &methods)
     }
 
     /// The impl of `StateJacobian`, for a model without constraints.

@@ -67,8 +67,26 @@ impl<'a> Emitter<'a> {
 
     /// `impl<…> trait<…> for Model`, on the scalar.
     pub(super) fn implement(&self, interface: &TokenStream, items: &TokenStream) -> TokenStream {
+        self.implement_under(interface, &[], items)
+    }
+
+    /// The same under further conditions.
+    pub(super) fn implement_under(
+        &self,
+        interface: &TokenStream,
+        conditions: &[TokenStream],
+        items: &TokenStream,
+    ) -> TokenStream {
         let name = &self.declaration.name;
-        let generics = self.scalar.generics(&self.declaration.generics);
+        let mut generics = self.scalar.generics(&self.declaration.generics);
+        if !conditions.is_empty() {
+            let predicates = &mut generics.make_where_clause().predicates;
+            predicates.extend(
+                conditions
+                    .iter()
+                    .map(|condition| -> syn::WherePredicate { syn::parse_quote!(#condition) }),
+            );
+        }
         let (generics, _, conditions) = generics.split_for_impl();
         let (_, arguments, _) = self.declaration.generics.split_for_impl();
         quote! {

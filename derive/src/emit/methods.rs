@@ -63,11 +63,18 @@ impl Emitter<'_> {
     /// The emitted function of one row, with its body.
     fn method(&self, emitted: EmittedMethod, method: &Method) -> TokenStream {
         let (row, signatures) = (emitted.row(), self.signatures());
-        let body = if emitted == EmittedMethod::Accelerations && self.is_constrained() {
-            let both = self.call(EmittedMethod::AccelerationsAndMultipliers, row.parameters);
-            quote!(#both.0)
-        } else {
-            self.body(method, row.parameters, &[])
+        // The multipliers are solved for together with the accelerations.
+        let both = match emitted {
+            EmittedMethod::Accelerations => Some(EmittedMethod::AccelerationsAndMultipliers),
+            EmittedMethod::Sensitivities => Some(EmittedMethod::SensitivitiesAndMultipliers),
+            _ => None,
+        };
+        let body = match both.filter(|_| self.is_constrained()) {
+            Some(both) => {
+                let both = self.call(both, row.parameters);
+                quote!(#both.0)
+            }
+            None => self.body(method, row.parameters, &[]),
         };
         let (name, state) = (format_ident!("{}", row.name), signatures.state());
         let output = signatures.result(row.result);

@@ -24,6 +24,10 @@ impl Emitter<'_> {
             let count = sensitivities.parameters.len();
             let items = quote!(const PARAMETERS: [&'static str; #count] = Self::PARAMETERS;);
             impls.extend(self.interface(Interface::Sensitivities, items));
+            if self.is_constrained() {
+                let none = TokenStream::new();
+                impls.extend(self.interface(Interface::MultiplierSensitivities, none));
+            }
         }
         if let Some(regressor) = &requested.regressor {
             let count = regressor.values.len();

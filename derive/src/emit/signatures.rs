@@ -80,6 +80,9 @@ impl Signatures<'_> {
             ResultType::Outputs => quote!(Self::Outputs),
             ResultType::EventValues => quote!(Self::EventValues),
             ResultType::ParameterMatrix => quote!(#root::__private::SMatrix<#scalar, #n, #p>),
+            ResultType::ParameterMatrices => quote! {
+                (#root::__private::SMatrix<#scalar, #n, #p>, #root::__private::SMatrix<#scalar, #c, #p>)
+            },
             ResultType::Regressor => quote!(#root::__private::SMatrix<#scalar, #n, #b>),
             ResultType::BaseParameters => quote!(#root::__private::SVector<#scalar, #b>),
             ResultType::EventGradient => {
@@ -164,6 +167,7 @@ impl Signatures<'_> {
             Interface::Hamiltonian => ("Hamiltonian", quote!(#n)),
             Interface::EnergyBalance => ("EnergyBalance", quote!(#n)),
             Interface::Sensitivities => ("Sensitivities", quote!(#n, #p)),
+            Interface::MultiplierSensitivities => ("MultiplierSensitivities", quote!(#n, #c, #p)),
             Interface::Regressor => ("Regressor", quote!(#n, #b)),
         };
         let name = format_ident!("{name}");

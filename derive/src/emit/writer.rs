@@ -136,7 +136,7 @@ impl Writer<'_> {
             }
             MethodOutputs::Linearization(outputs) => self.acceleration_derivatives(outputs),
             MethodOutputs::InputJacobian(outputs) => self.input_jacobian(outputs),
-            MethodOutputs::Sensitivities(outputs) => self.acceleration_derivatives(outputs),
+            MethodOutputs::Sensitivities(outputs) => self.sensitivities(outputs),
             MethodOutputs::Velocities { pivots, velocities } => {
                 let (statements, pivots) = self.compute(pivots);
                 let (_, velocities) = self.compute(velocities);

@@ -95,6 +95,9 @@ impl Methods {
                 let sensitivities = requested.sensitivities.as_ref();
                 sensitivities.map(|sensitivities| &sensitivities.method)
             }
+            EmittedMethod::SensitivitiesAndMultipliers => {
+                constraints.and_then(|_| self.get(EmittedMethod::Sensitivities))
+            }
             EmittedMethod::Regressor => regressor.map(|methods| &methods.regressor),
             EmittedMethod::KnownTerms => regressor.map(|methods| &methods.known_terms),
             EmittedMethod::BaseParameters => regressor.map(|methods| &methods.base_parameters),

@@ -18,6 +18,7 @@ pub(crate) enum Interface {
     Hamiltonian,
     EnergyBalance,
     Sensitivities,
+    MultiplierSensitivities,
     Regressor,
 }
 
@@ -41,6 +42,8 @@ pub(crate) enum ResultType {
     EventValues,
     /// A row for each coordinate and a column for each of some parameters.
     ParameterMatrix,
+    /// The same for the accelerations, and with a row for each constraint for the multipliers.
+    ParameterMatrices,
     /// A row for each coordinate and a column for each base parameter.
     Regressor,
     /// One component for each base parameter.
@@ -153,19 +156,21 @@ table! {
     SolvedVelocities:  "solved_velocities",  Hamiltonian, Vector,       Momenta,       Prepared,  false, false;
     EnergyRate:        "energy_rate",        EnergyBalance, Scalar,     StateOnly,     Fields,    true,  false;
     Sensitivities:     "sensitivities",      Sensitivities, ParameterMatrix, StateOnly, Fields,    true,  false;
+    SensitivitiesAndMultipliers: "accelerations_and_multipliers_by_parameters", MultiplierSensitivities, ParameterMatrices, StateOnly, Fields, true, false;
     Regressor:         "regressor",          Regressor,  Regressor,     Accelerations, Fields,    true,  false;
     KnownTerms:        "known_terms",        Regressor,  Vector,        Accelerations, Fields,    true,  false;
     BaseParameters:    "base_parameters",    Regressor,  BaseParameters, Parameters,   Fields,    false, false;
 }
 
 /// The methods that the traits of the runtime have besides.
-const PROVIDED: [&str; 14] = [
+const PROVIDED: [&str; 15] = [
     "assemble",
     "constraint_residuals",
     "constrained_response",
     "degrees_of_freedom",
     "impact",
     "multipliers",
+    "multiplier_sensitivities",
     "dynamics",
     "into_dynamics",
     "taylor_series",

@@ -26,9 +26,10 @@ impl Methods {
 /// What needs the derivatives that occur in a method, as an error says it.
 const fn needs(method: EmittedMethod) -> &'static str {
     match method {
-        EmittedMethod::Linearize | EmittedMethod::InputJacobian | EmittedMethod::Sensitivities => {
-            "the derivatives of the accelerations need"
-        }
+        EmittedMethod::Linearize
+        | EmittedMethod::InputJacobian
+        | EmittedMethod::Sensitivities
+        | EmittedMethod::SensitivitiesAndMultipliers => "the derivatives of the accelerations need",
         EmittedMethod::Outputs => "an output needs",
         _ => "the equations of motion need",
     }

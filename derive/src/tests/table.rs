@@ -72,7 +72,10 @@ fn every_method_of_the_table_is_emitted_once() {
 }
 
 fn is_of_free_models(row: MethodRow) -> bool {
-    !matches!(row.interface, Interface::Constraints | Interface::Impacts)
+    !matches!(
+        row.interface,
+        Interface::Constraints | Interface::Impacts | Interface::MultiplierSensitivities
+    )
 }
 
 #[test]
@@ -87,6 +90,7 @@ fn methods_of_constraints_are_emitted_once() {
                 compliance(rod = 1.0 / m),
                 force(x = -c * dot(x)),
                 event(side = x),
+                sensitivities(m, l),
             )]
             struct Pendulum { m: f64, g: f64, l: f64, c: f64 }
         }
@@ -99,6 +103,8 @@ fn methods_of_constraints_are_emitted_once() {
                 | Interface::Impacts
                 | Interface::Energies
                 | Interface::Events
+                | Interface::Sensitivities
+                | Interface::MultiplierSensitivities
         )
     };
     check(expand(pendulum(&quote!(m * g * y))), is_expected);

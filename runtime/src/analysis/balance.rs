@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::jacobian_rows::{Residuals, Variables};
+use super::tangent_error::TangentError;
 use crate::integrate::SingleNumber;
 use crate::model::{Inputs, Lagrangian, Linearization, State, StateJacobian};
 use crate::scalar::Scalar;
@@ -26,24 +27,47 @@ pub trait Balance<S: Scalar, const N: usize, const U: usize> {
     fn momenta(&self, state: &State<S, N>) -> SVector<S, N>;
     /// The mass matrix.
     fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N>;
-    /// The forcing f in M q̈ = f.
-    fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N>;
+    /// The forcing f in M q̈ = f; under constraints, what of it acts on the independent velocities.
+    fn forcing(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+        independent: &[bool; N],
+    ) -> SVector<S, N>;
     /// The conditioning of M q̈ = f by coordinates, as defined by [`Lagrangian::relative_pivots`].
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N>;
-    /// The coordinates whose accelerations determine all others; all without constraints.
-    fn independent(&self, state: &State<S, N>) -> [bool; N] {
-        let _ = state;
+    /// Whether the model has constraints.
+    const CONSTRAINED: bool = false;
+    /// The coordinates whose velocities and accelerations determine all others, where some coordinates move and some velocities should
+    /// be independent; all coordinates without constraints.
+    fn independent(&self, state: &State<S, N>, [moving, velocities]: [&[bool; N]; 2]) -> [bool; N] {
+        let _ = (state, moving, velocities);
         [true; N]
     }
-    /// What takes coordinates onto holonomic constraints and velocities onto the others, with opposite sign; none without constraints.
-    fn corrections(&self, state: &State<S, N>) -> Option<SVector<S, N>> {
-        let _ = state;
-        None
+    /// What takes coordinates onto holonomic constraints, with opposite sign, and then what takes dependent velocities to those that
+    /// follow from the independent ones; zero without constraints.
+    fn corrections(&self, state: &State<S, N>, independent: &[bool; N]) -> [SVector<S, N>; 2] {
+        let _ = (state, independent);
+        [SVector::zeros(); 2]
     }
-    /// The derivatives of the corrections by coordinates and by velocities, at a state that meets the constraints.
-    fn correction_slopes(&self, state: &State<S, N>) -> [SMatrix<S, N, N>; 2] {
-        let _ = state;
-        [SMatrix::zeros(); 2]
+    /// The derivatives of both corrections by coordinates and by velocities, at a state that meets the constraints.
+    fn correction_slopes(
+        &self,
+        state: &State<S, N>,
+        independent: &[bool; N],
+    ) -> [[SMatrix<S, N, N>; 2]; 2] {
+        let _ = (state, independent);
+        [[SMatrix::zeros(); 2]; 2]
+    }
+    /// The reason why a state in which all independent accelerations vanish is no steady motion, if there is one.
+    fn unsteady(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+        independent: &[bool; N],
+    ) -> Option<TangentError> {
+        let _ = (state, inputs, independent);
+        None
     }
     /// The state that meets the constraints near a state, without a change of coordinates and velocities that are held, if one is found.
     fn corrected(&self, state: State<S, N>, held: [[bool; N]; 2]) -> Option<State<S, N>> {
@@ -97,7 +121,7 @@ where
         self.0.mass_matrix(state)
     }
 
-    fn forcing(&self, state: &State<S, N>, _: &SVector<S, 0>) -> SVector<S, N> {
+    fn forcing(&self, state: &State<S, N>, _: &SVector<S, 0>, _: &[bool; N]) -> SVector<S, N> {
         self.0.forcing(state)
     }
 
@@ -138,7 +162,7 @@ where
         self.0.mass_matrix(state, &self.0.prepare())
     }
 
-    fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N> {
+    fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>, _: &[bool; N]) -> SVector<S, N> {
         self.0.forcing(state, inputs, &self.0.prepare())
     }
 
@@ -152,7 +176,7 @@ where
 pub(super) struct Point<S: Scalar, const N: usize, const U: usize> {
     pub(super) state: State<S, N>,
     pub(super) inputs: SVector<S, U>,
-    /// The coordinates whose accelerations are residuals; the other accelerations follow from them.
+    /// The coordinates whose accelerations are residuals; the other velocities and accelerations follow from theirs.
     pub(super) independent: [bool; N],
 }
 
@@ -196,7 +220,11 @@ where
     S: SingleNumber,
     B: Balance<S, N, U>,
 {
-    let Point { state, inputs, .. } = point;
+    let Point {
+        state,
+        inputs,
+        independent,
+    } = point;
     let fastest = state
         .v
         .iter()
@@ -207,7 +235,7 @@ where
         let forcing = |velocity: S| {
             let mut moving = *state;
             moving.v[j] = velocity;
-            model.forcing(&moving, inputs)
+            model.forcing(&moving, inputs, independent)
         };
         let odd = forcing(-speed) - forcing(speed);
         for i in (0..N).filter(|i| B::IGNORABLE[*i]) {
@@ -217,7 +245,8 @@ where
     gradients
 }
 
-/// Returns the accelerations, and the differences of the momenta from their prescribed values, or the corrections onto constraints.
+/// Returns the accelerations, and the differences of the momenta from their prescribed values, or the corrections onto constraints. In
+/// place of dependent accelerations are the corrections of dependent velocities.
 pub(super) fn residuals<S, B, const N: usize, const U: usize>(
     model: &B,
     point: &Point<S, N, U>,
@@ -228,12 +257,16 @@ where
     B: Balance<S, N, U>,
 {
     let accelerations = model.accelerations(&point.state, &point.inputs);
-    let accelerations = accelerations.zip_map(&SVector::from(point.independent), |x, counts| {
-        if counts { x } else { S::zero() }
-    });
     if momenta.iter().all(Option::is_none) {
-        let corrections = model.corrections(&point.state);
-        return [accelerations, corrections.unwrap_or_else(SVector::zeros)];
+        let [positions, velocities] = model.corrections(&point.state, &point.independent);
+        let accelerations = SVector::from_fn(|i, _| {
+            if point.independent[i] {
+                accelerations[i]
+            } else {
+                velocities[i]
+            }
+        });
+        return [accelerations, positions];
     }
     let found = model.momenta(&point.state);
     let differences =
@@ -251,28 +284,37 @@ where
     S: SingleNumber,
     B: Balance<S, N, U>,
 {
-    let Point { state, inputs, .. } = point;
+    let Point {
+        state,
+        inputs,
+        independent,
+    } = point;
     let slopes = model.linearize(state, inputs);
     let by_inputs = model.input_jacobian(state, inputs);
-    let accelerations = core::array::from_fn(|i| {
-        if !point.independent[i] {
-            return Variables::zeros();
-        }
-        Variables {
-            positions: SVector::from_fn(|j, _| slopes.position[(i, j)]),
-            velocities: SVector::from_fn(|j, _| slopes.velocity[(i, j)]),
-            inputs: SVector::from_fn(|j, _| by_inputs[(i, j)]),
-        }
-    });
+    let acceleration = |i: usize| Variables {
+        positions: slopes.position.row(i).transpose(),
+        velocities: slopes.velocity.row(i).transpose(),
+        inputs: by_inputs.row(i).transpose(),
+    };
     if momenta.iter().all(Option::is_none) {
-        let [by_positions, by_velocities] = model.correction_slopes(state);
-        let corrections = core::array::from_fn(|i| Variables {
-            positions: by_positions.row(i).transpose(),
-            velocities: by_velocities.row(i).transpose(),
-            inputs: SVector::zeros(),
+        let slopes = model.correction_slopes(state, independent);
+        let [positions, velocities] = slopes.map(|[by_positions, by_velocities]| {
+            move |i: usize| Variables {
+                positions: by_positions.row(i).transpose(),
+                velocities: by_velocities.row(i).transpose(),
+                inputs: SVector::zeros(),
+            }
         });
-        return [accelerations, corrections];
+        let accelerations = core::array::from_fn(|i| {
+            if independent[i] {
+                acceleration(i)
+            } else {
+                velocities(i)
+            }
+        });
+        return [accelerations, core::array::from_fn(positions)];
     }
+    let accelerations = core::array::from_fn(acceleration);
     let mass = model.mass_matrix(state);
     let gradients = momentum_gradients(model, point);
     let rows = core::array::from_fn(|i| match momenta[i] {

@@ -1,12 +1,16 @@
 //! The equations satisfied by equilibria and steady motions of constrained models.
 //!
-//! The independent accelerations under constraints vanish, and so do the corrections that take a state onto its constraints, the
-//! smallest in the metric of M. Points of the search are corrected before they are evaluated.
+//! The independent accelerations under constraints vanish, and so do the corrections that take a state onto its constraints: those of
+//! coordinates are the smallest in the metric of M, and dependent velocities follow from the independent ones. Points of the search are
+//! corrected before they are evaluated.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::balance::Balance;
+use super::steady_motion::SteadyMotion;
+use super::tangent_error::TangentError;
 use crate::integrate::SingleNumber;
+use crate::linalg::{DependentColumns, column_widths};
 use crate::model::{
     Assembly, DegreesOfFreedom, DirectionalDerivatives, Linearization, MotionDerivatives,
     Quantities, State,
@@ -33,6 +37,7 @@ where
 {
     const COORDINATES: [&'static str; N] = M::COORDINATES;
     const IGNORABLE: [bool; N] = M::IGNORABLE;
+    const CONSTRAINED: bool = true;
 
     fn inputs(&self) -> SVector<S, U> {
         self.inputs
@@ -47,7 +52,7 @@ where
     fn linearize(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N> {
         let inputs = (self.choose)(inputs, &self.held);
         let along = |index: usize| {
-            let direction = unit(index);
+            let direction = change(index);
             self.model
                 .derivatives_along(state, &inputs, &direction)
                 .accelerations
@@ -81,17 +86,36 @@ where
         self.model.mass_matrix(state, &self.model.prepare())
     }
 
-    /// With the forces of the constraints, M q̈.
-    fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N> {
-        Balance::mass_matrix(self, state) * Balance::accelerations(self, state, inputs)
+    /// The reduced mass matrix times the independent accelerations.
+    fn forcing(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+        independent: &[bool; N],
+    ) -> SVector<S, N> {
+        let accelerations = Balance::accelerations(self, state, inputs);
+        let accelerations = of_marked(independent, &accelerations);
+        let Some(dependent) = self.dependent_velocities(state, independent) else {
+            return Balance::mass_matrix(self, state) * accelerations;
+        };
+        let completed = |x: &SVector<S, N>| dependent.completed(x, &SVector::zeros());
+        let forces = Balance::mass_matrix(self, state) * completed(&accelerations);
+        SVector::from_fn(|i, _| {
+            if independent[i] {
+                completed(&unit(i)).dot(&forces)
+            } else {
+                S::zero()
+            }
+        })
     }
 
     fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
         self.model.relative_pivots(state, &self.model.prepare())
     }
 
-    fn independent(&self, state: &State<S, N>) -> [bool; N] {
-        let freedom = DegreesOfFreedom::<N, C>::of(self.model, state, &[false; N]);
+    fn independent(&self, state: &State<S, N>, [moving, velocities]: [&[bool; N]; 2]) -> [bool; N] {
+        let kept = [moving, velocities];
+        let freedom = DegreesOfFreedom::<N, C>::of(self.model, state, kept);
         let mut independent = [false; N];
         freedom
             .independent_velocities()
@@ -99,38 +123,66 @@ where
         independent
     }
 
-    fn corrections(&self, state: &State<S, N>) -> Option<SVector<S, N>> {
+    fn corrections(&self, state: &State<S, N>, independent: &[bool; N]) -> [SVector<S, N>; 2] {
         let prepared = self.model.prepare();
-        let (positions, velocities) = (
-            self.model.constraint_positions(state, &prepared),
-            self.model.constraint_velocities(state, &prepared),
-        );
-        Some(self.response(state, &of_each::<M, S, N, C>(&positions, &velocities)))
+        let positions = self.model.constraint_positions(state, &prepared);
+        let velocities = self.model.constraint_velocities(state, &prepared);
+        let dependent = self.dependent_velocities(state, independent);
+        [
+            self.response(state, &positions),
+            completed(dependent.as_ref(), &velocities),
+        ]
     }
 
-    fn correction_slopes(&self, state: &State<S, N>) -> [SMatrix<S, N, N>; 2] {
+    fn correction_slopes(
+        &self,
+        state: &State<S, N>,
+        independent: &[bool; N],
+    ) -> [[SMatrix<S, N, N>; 2]; 2] {
         let jacobian = self.model.constraint_jacobian(state, &self.model.prepare());
-        let column = |index: usize| {
+        let dependent = self.dependent_velocities(state, independent);
+        let of_velocities = |index: usize| {
             let MotionDerivatives {
                 constraint_velocities,
                 ..
             } = self
                 .model
-                .derivatives_along(state, &self.held, &unit(index));
-            let of_positions = if index < N {
-                jacobian.column(index).into_owned()
-            } else {
-                SVector::zeros()
-            };
-            self.response(
-                state,
-                &of_each::<M, S, N, C>(&of_positions, &constraint_velocities),
-            )
+                .derivatives_along(state, &self.held, &change(index));
+            completed(dependent.as_ref(), &constraint_velocities)
         };
-        [0, N].map(|first| {
-            let columns: [SVector<S, N>; N] = core::array::from_fn(|j| column(first + j));
+        let of_positions = |index: usize| {
+            let column = SVector::from_fn(|i, _| {
+                if i < M::HOLONOMIC {
+                    jacobian[(i, index)]
+                } else {
+                    S::zero()
+                }
+            });
+            self.response(state, &column)
+        };
+        let columns = |column: &dyn Fn(usize) -> SVector<S, N>| {
+            let columns: [SVector<S, N>; N] = core::array::from_fn(column);
             SMatrix::from_columns(&columns)
-        })
+        };
+        [
+            [columns(&of_positions), SMatrix::zeros()],
+            [columns(&of_velocities), columns(&|j| of_velocities(N + j))],
+        ]
+    }
+
+    fn unsteady(
+        &self,
+        state: &State<S, N>,
+        inputs: &SVector<S, U>,
+        independent: &[bool; N],
+    ) -> Option<TangentError> {
+        let motion = SteadyMotion {
+            model: self.model,
+            state,
+            inputs: &(self.choose)(inputs, &self.held),
+            independent,
+        };
+        motion.check().err()
     }
 
     fn corrected(
@@ -159,6 +211,7 @@ where
     S: SingleNumber,
     M: ?Sized,
 {
+    /// Returns the smallest change of coordinates that takes residuals of the constraints away, with opposite sign.
     fn response<const N: usize>(
         &self,
         state: &State<S, N>,
@@ -169,36 +222,52 @@ where
     {
         let (prepared, nothing) = (self.model.prepare(), SVector::zeros());
         let right = (&nothing, residuals);
+        let held = [false; N];
         -self
             .model
-            .constrained_response(state, &prepared, right, &[false; N], C)
+            .constrained_response(state, &prepared, right, &held, M::HOLONOMIC)
+    }
+
+    /// Returns the dependent velocities as functions of the independent ones, which there are not at singular configurations.
+    fn dependent_velocities<const N: usize>(
+        &self,
+        state: &State<S, N>,
+        independent: &[bool; N],
+    ) -> Option<DependentColumns<S, C, N>>
+    where
+        M: DirectionalDerivatives<N, C, S>,
+    {
+        let prepared = self.model.prepare();
+        let jacobian = self.model.constraint_jacobian(state, &prepared);
+        let mass = self.model.mass_matrix(state, &prepared).diagonal();
+        let widths = column_widths(&jacobian, &mass);
+        DependentColumns::of(&jacobian, &widths, independent).ok()
     }
 }
 
-/// Returns the residuals g of holonomic constraints, and w of nonholonomic ones.
-fn of_each<M, S, const N: usize, const C: usize>(
-    positions: &SVector<S, C>,
-    velocities: &SVector<S, C>,
-) -> SVector<S, C>
-where
-    M: DirectionalDerivatives<N, C, S> + ?Sized,
-    S: SingleNumber,
-{
-    SVector::from_fn(|j, _| {
-        if j < M::HOLONOMIC {
-            positions[j]
-        } else {
-            velocities[j]
-        }
-    })
+/// Returns the changes of dependent velocities that change the residuals of the constraints by `right`.
+fn completed<S: SingleNumber, const N: usize, const C: usize>(
+    dependent: Option<&DependentColumns<S, C, N>>,
+    right: &SVector<S, C>,
+) -> SVector<S, N> {
+    let nothing = SVector::zeros();
+    dependent.map_or(nothing, |dependent| dependent.completed(&nothing, right))
+}
+
+/// Returns the components that are marked, and zeros for the others.
+fn of_marked<S: SingleNumber, const N: usize>(
+    marks: &[bool; N],
+    x: &SVector<S, N>,
+) -> SVector<S, N> {
+    SVector::from_fn(|i, _| if marks[i] { x[i] } else { S::zero() })
+}
+
+fn unit<S: SingleNumber, const N: usize>(index: usize) -> SVector<S, N> {
+    SVector::from_fn(|i, _| if i == index { S::one() } else { S::zero() })
 }
 
 /// Returns the change of one coordinate, then of one velocity, then of the time.
-fn unit<S: SingleNumber, const N: usize>(index: usize) -> State<S, N> {
-    let mark = |number: usize| if number == index { S::one() } else { S::zero() };
-    State::new(
-        mark(2 * N),
-        SVector::<S, N>::from_fn(|i, _| mark(i)),
-        SVector::<S, N>::from_fn(|i, _| mark(N + i)),
-    )
+fn change<S: SingleNumber, const N: usize>(index: usize) -> State<S, N> {
+    let time = if index == 2 * N { S::one() } else { S::zero() };
+    State::new(time, unit(index), unit(index.wrapping_sub(N)))
 }

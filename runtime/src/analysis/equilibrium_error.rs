@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::equilibrium::{Equilibrium, Variable};
+use super::tangent_error::TangentError;
 use crate::error_debug::debug_by_message;
 use crate::number_format::Readable;
 use crate::scalar::Scalar;
@@ -18,7 +19,7 @@ pub enum EquilibriumError<S: Scalar, const N: usize, const U: usize> {
     },
     /// Nothing is unknown: all coordinates are ignorable, or the list is empty.
     NoUnknown,
-    /// A coordinate that is not ignorable has a velocity in the guess, or its velocity is unknown.
+    /// A coordinate that is not ignorable has a velocity in the guess, or its velocity is unknown, in a model without constraints.
     Moving {
         /// Its name.
         name: &'static str,
@@ -66,6 +67,13 @@ pub enum EquilibriumError<S: Scalar, const N: usize, const U: usize> {
         /// Its residual, or the residual of its velocity if the coordinates meet it.
         residual: f64,
     },
+    /// In a constrained model, a coordinate that moves acts on others, so that the motion is not steady; or the configuration is singular.
+    NotSteady {
+        /// The last iterate.
+        last: Equilibrium<S, N, U>,
+        /// What was found where the motion was examined.
+        reason: TangentError,
+    },
     /// The search ended where the mass matrix is nearly singular, and the forces are not balanced there.
     SingularMass {
         /// The last iterate.
@@ -90,6 +98,7 @@ impl<S: Scalar, const N: usize, const U: usize> EquilibriumError<S, N, U> {
             | Self::Stalled { last }
             | Self::Unbalanced { last, .. }
             | Self::Inconsistent { last, .. }
+            | Self::NotSteady { last, .. }
             | Self::SingularMass { last, .. } => Some(last),
             _ => None,
         }
@@ -159,6 +168,23 @@ impl<S: Scalar, const N: usize, const U: usize> fmt::Display for EquilibriumErro
                 last.state,
                 Readable(*residual)
             ),
+            Self::NotSteady {
+                reason:
+                    TangentError::Acts {
+                        coordinate,
+                        on,
+                        slope,
+                    },
+                ..
+            } => write!(
+                f,
+                "`{coordinate}` moves, and acts on `{on}` with the derivative {}: in a steady motion, only coordinates move on which \
+                 nothing depends; use such coordinates, as the angle about the axis of a circle",
+                Readable(*slope)
+            ),
+            Self::NotSteady { reason, .. } => {
+                write!(f, "whether the motion is steady cannot be told: {reason}")
+            }
             Self::SingularMass {
                 last,
                 name,

@@ -27,6 +27,21 @@ where
     B: Balance<S, N, U>,
     S: SingleNumber,
 {
+    /// Returns 1 for the unknowns in a search from a point, 0 for given variables. Dependent velocities follow from the others.
+    fn unknown(&self, start: &Point<S, N, U>) -> Variables<S, N, U> {
+        let velocities = &self.unknown.velocities;
+        Variables {
+            velocities: SVector::from_fn(|i, _| {
+                if start.independent[i] {
+                    velocities[i]
+                } else {
+                    S::one()
+                }
+            }),
+            ..self.unknown
+        }
+    }
+
     /// Returns the sizes of the unknowns in a search from a point; 0 for given variables.
     pub(super) fn sizes(&self, start: &Point<S, N, U>) -> Variables<S, N, U> {
         let magnitudes = self.sizes.unwrap_or(Variables {
@@ -34,7 +49,7 @@ where
             velocities: start.state.v,
             inputs: start.inputs,
         });
-        magnitudes.zip_map(&self.unknown, |value, unknown| {
+        magnitudes.zip_map(&self.unknown(start), |value, unknown| {
             let size = value.abs().largest();
             let size = if size > 0.0 { size } else { 1.0 };
             S::from_f64(size) * unknown
@@ -63,7 +78,8 @@ where
     pub(super) fn corrected(&self, point: Point<S, N, U>) -> Option<Point<S, N, U>> {
         let is_given =
             |unknown: &SVector<S, N>| core::array::from_fn(|i| unknown[i].largest() <= 0.0);
-        let held = [&self.unknown.positions, &self.unknown.velocities].map(is_given);
+        let unknown = self.unknown(&point);
+        let held = [&unknown.positions, &unknown.velocities].map(is_given);
         let state = self.model.corrected(point.state, held)?;
         Some(Point { state, ..point })
     }

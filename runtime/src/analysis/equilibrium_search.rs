@@ -10,6 +10,7 @@ use super::equilibrium_problem::EquilibriumProblem;
 use super::jacobian_rows::Variables;
 use super::levenberg_marquardt::descended;
 use super::newton::Newton;
+use super::tangent_error::TangentError;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{EQUILIBRIUM_TOLERANCE, NEWTON_STEPS};
 use crate::linalg::IntoVector;
@@ -149,6 +150,10 @@ where
     /// coordinates, unless [`unknown`](Self::unknown) says otherwise. What is not unknown keeps its value, and the rest meets the
     /// constraints.
     ///
+    /// In a steady motion, coordinates move that have velocities in the guess, or unknown ones, and nothing else changes with time. They
+    /// need not be ignorable, but nothing may depend on them where the constraints are met. Dependent velocities follow from the
+    /// independent ones, which [`degrees_of_freedom`](Lagrangian::degrees_of_freedom) proposes, with those that are unknown among them.
+    ///
     /// ```
     /// use lagrangian::analysis::EquilibriumSearch;
     /// use lagrangian::prelude::*;
@@ -170,6 +175,30 @@ where
     /// // Both ropes carry half of the load, at a slope of 4/5.
     /// let pull = load.multipliers(&found.state)[0];
     /// assert!((pull + 9.81 / 0.8).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// A conical pendulum, by its bob in a plane that turns:
+    ///
+    /// ```
+    /// use lagrangian::analysis::{EquilibriumSearch, Variable};
+    /// use lagrangian::prelude::*;
+    ///
+    /// #[derive(Lagrangian)]
+    /// #[lagrangian(
+    ///     coordinates(phi, x, z),
+    ///     kinetic = 0.5 * m * (dot(x).powi(2) + dot(z).powi(2) + (x * dot(phi)).powi(2)),
+    ///     potential = m * g * z,
+    ///     constraint(rod = [x, z].norm() - l),
+    /// )]
+    /// struct Conical { m: f64, g: f64, l: f64 }
+    ///
+    /// let bob = Conical { m: 2.0, g: 9.81, l: 0.5 };
+    /// let guess = State::new(0.0, [0.0, 0.3, -0.4], [5.0, 0.0, 0.0]);
+    /// let found = EquilibriumSearch::constrained(&bob)
+    ///     .unknown(&[Variable::Velocity(Conical::PHI)])
+    ///     .near(&guess)?;
+    /// assert!((found.state.v[Conical::PHI].powi(2) - 9.81 / 0.4).abs() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn constrained<L>(model: &'a L) -> Self
@@ -306,13 +335,21 @@ where
         guess: &State<S, N>,
     ) -> Result<Equilibrium<S, N, U>, EquilibriumError<S, N, U>> {
         self.check(guess)?;
-        let guess = Point {
-            state: *guess,
-            inputs: self.problem.model.inputs(),
-            independent: [true; N],
-        };
-        let mut start = self.problem.corrected(guess).unwrap_or(guess);
-        start.independent = self.problem.model.independent(&start.state);
+        let start = self.start(guess);
+        let Point { state, inputs, .. } = &start;
+        let model = &self.problem.model;
+        if let Some(reason @ TangentError::Acts { .. }) =
+            model.unsteady(state, inputs, &start.independent)
+        {
+            return Err(EquilibriumError::NotSteady {
+                last: Equilibrium {
+                    state: *state,
+                    inputs: *inputs,
+                    report: SearchReport::default(),
+                },
+                reason,
+            });
+        }
         let failed = match Newton::new(&self.problem, &start).run() {
             Err(
                 error @ (EquilibriumError::Stalled { .. } | EquilibriumError::NoConvergence { .. }),
@@ -328,6 +365,32 @@ where
         Newton::new(&self.problem, &near).after(report).run()
     }
 
+    /// Returns the point from which the search begins: what is given of the guess and meets the constraints, if it is found.
+    fn start(&self, guess: &State<S, N>) -> Point<S, N, U> {
+        let problem = &self.problem;
+        let given = Point {
+            state: *guess,
+            inputs: problem.model.inputs(),
+            independent: [true; N],
+        };
+        // Which velocities are independent is decided at a consistent configuration.
+        let free = Point {
+            independent: [false; N],
+            ..given
+        };
+        let mut start = given;
+        if let Some(consistent) = problem.corrected(free) {
+            start.state.q = consistent.state.q;
+        }
+        let unknown: [bool; N] =
+            core::array::from_fn(|i| problem.unknown.velocities[i].largest() > 0.0);
+        let moving = core::array::from_fn(|i| {
+            B::IGNORABLE[i] || unknown[i] || guess.v[i].largest().abs() > 0.0
+        });
+        start.independent = problem.model.independent(&start.state, [&moving, &unknown]);
+        problem.corrected(start).unwrap_or(start)
+    }
+
     fn check(&self, guess: &State<S, N>) -> Result<(), EquilibriumError<S, N, U>> {
         if let Some(variable) = self.missing {
             return Err(EquilibriumError::NoSuchVariable { variable });
@@ -335,12 +398,11 @@ where
         if self.problem.unknown.largest() <= 0.0 {
             return Err(EquilibriumError::NoUnknown);
         }
-        let is_constrained = self.problem.model.corrections(guess).is_some();
         for (coordinate, name) in B::COORDINATES.into_iter().enumerate() {
-            if is_constrained && self.problem.momenta[coordinate].is_some() {
+            if B::CONSTRAINED && self.problem.momenta[coordinate].is_some() {
                 return Err(EquilibriumError::NoConstantMomentum { name });
             }
-            if B::IGNORABLE[coordinate] {
+            if B::CONSTRAINED || B::IGNORABLE[coordinate] {
                 continue;
             }
             let velocity = guess.v[coordinate].largest();

@@ -33,7 +33,7 @@ where
     S: SingleNumber,
     B: Balance<S, N, U>,
 {
-    let forces = model.forcing(&point.state, &point.inputs);
+    let forces = model.forcing(&point.state, &point.inputs, &point.independent);
     let slopes = force_slopes(model, point, sizes);
     let mass = model.mass_matrix(&point.state);
     let unit: [f64; N] = core::array::from_fn(|i| {
@@ -81,7 +81,7 @@ where
     let mut add = |direction: &Variables<S, N, U>| {
         let forces = |factor: f64| -> SVector<S, N> {
             let moved = point.moved(direction, factor, sizes);
-            model.forcing(&moved.state, &moved.inputs)
+            model.forcing(&moved.state, &moved.inputs, &moved.independent)
         };
         let change = forces(FORCE_DIFFERENCE) - forces(-FORCE_DIFFERENCE);
         for (slope, change) in slopes.iter_mut().zip(change.iter()) {

@@ -199,14 +199,17 @@ fn orthogonalize<S: SingleNumber, const N: usize, const U: usize>(
     let [of_first, of_second] = [first, second].map(|row| row.entries.dot(&row.entries));
     let product = first.entries.dot(&second.entries);
     let size = product.abs().largest();
-    let lengths = (of_first * of_second).sqrt().largest();
-    // NaN is left unchanged.
-    if !(size > 0.0 && size > S::machine_epsilon() * lengths) {
+    let lengths = of_first.sqrt().largest() * of_second.sqrt().largest();
+    // NaN is left unchanged, and so is a row whose square underflows.
+    if !(lengths > 0.0 && size > S::machine_epsilon() * lengths) {
         return false;
     }
     let tau = (of_second - of_first) / (product + product);
     let root = (S::one() + tau * tau).sqrt();
-    let tangent = if tau.largest() < 0.0 {
+    let tangent = if tau.abs().largest() * S::machine_epsilon() > 1.0 {
+        // The square may overflow; on dual numbers its derivative would be NaN.
+        S::one() / (tau + tau)
+    } else if tau.largest() < 0.0 {
         S::one() / (tau - root)
     } else {
         S::one() / (tau + root)

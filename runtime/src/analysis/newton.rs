@@ -179,6 +179,19 @@ where
         }
     }
 
+    /// Returns the equilibrium or the steady motion that was found, or an error if what moves acts on what should not change.
+    fn steady(self) -> Result<Equilibrium<S, N, U>, Failure<S, N, U>> {
+        let last = self.found();
+        let Point { independent, .. } = &self.point;
+        let reason = self
+            .problem
+            .model
+            .unsteady(&last.state, &last.inputs, independent);
+        reason.map_or(Ok(last), |reason| {
+            Err(EquilibriumError::NotSteady { last, reason })
+        })
+    }
+
     /// Returns the equilibrium if the residuals are zero, or an error if they are merely beyond the reach of the
     /// unknowns.
     fn finish(
@@ -201,7 +214,7 @@ where
         let force = unbalanced_force(&self.problem.model, &self.point, &self.sizes, accurate);
         let is_still = left <= accurate * rows.largest();
         if is_still && force.is_none() {
-            return Ok(self.found());
+            return self.steady();
         }
         if let (Some(force), Some((coordinate, pivot))) =
             (&force, nearly_singular(&self.problem.model, &self.point))

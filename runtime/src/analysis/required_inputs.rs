@@ -8,6 +8,7 @@ use super::required_inputs_error::RequiredInputsError;
 use super::small_oscillations::largest;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::INPUT_STEPS;
+use crate::linalg::IntoVector;
 use crate::model::{DegreesOfFreedom, DirectionalDerivatives, Inputs, Quantities, State};
 use crate::scalar::Scalar;
 
@@ -16,8 +17,9 @@ use crate::scalar::Scalar;
 ///
 /// As many independent accelerations as there are degrees of freedom determine the motion. The inputs solve
 /// q̈(u) = q̈ for these by Newton's method, which takes one step where forces are linear in the inputs. Where there are more inputs
-/// than degrees of freedom, the sum of squares Σ uᵢ² is least (the minimum-norm solution: G. H. Golub & C. F. Van Loan, *Matrix
-/// Computations*, 4th edition (2013), 5.6).
+/// than degrees of freedom, the weighted sum of squares Σ wᵢ uᵢ² is least (the minimum-norm solution of a scaled problem: G. H. Golub &
+/// C. F. Van Loan, *Matrix Computations*, 4th edition (2013), 5.6 and 6.1). Weights 1/uₘₐₓ² share the load in proportion to what
+/// actuators can do, and make forces and torques comparable.
 ///
 /// ```
 /// use lagrangian::analysis::RequiredInputs;
@@ -38,11 +40,14 @@ use crate::scalar::Scalar;
 /// // At rest, 30° from the vertical: the smallest force that holds it acts along its circle.
 /// let (sine, cosine) = (0.5, 0.75_f64.sqrt());
 /// let state = State::new(0.0, [0.5 * sine, -0.5 * cosine], [0.0; 2]);
-/// let required = RequiredInputs::of(&bob, &state, &Vector2::zeros())?;
+/// let required = RequiredInputs::of(&bob, &state, &Vector2::zeros(), [1.0, 1.0])?;
 /// let along = 2.0 * 9.81 * sine * Vector2::new(cosine, sine);
 /// assert!((required.inputs - along).norm() < 1e-13);
 /// // The rod carries the rest of the weight: λ times its gradient, whose length is that of the rod.
 /// assert!((required.multipliers[0] * 0.5 + 2.0 * 9.81 * cosine).abs() < 1e-13);
+/// // Where a push upwards costs much more, one to the side holds the bob nearly alone, with m g tan 30°.
+/// let aside = RequiredInputs::of(&bob, &state, &Vector2::zeros(), [1.0, 1e9])?;
+/// assert!((aside.inputs - Vector2::new(2.0 * 9.81 * sine / cosine, 0.0)).norm() < 1e-7);
 /// # Ok::<(), lagrangian::analysis::RequiredInputsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,16 +59,19 @@ pub struct RequiredInputs<S: Scalar, const U: usize, const C: usize> {
 }
 
 impl<S: SingleNumber, const U: usize, const C: usize> RequiredInputs<S, U, C> {
-    /// Finds the inputs and multipliers at a state with these accelerations.
+    /// Finds the inputs and multipliers at a state with these accelerations. Of several inputs that give them, those are found for which
+    /// Σ wᵢ uᵢ² is least, with the `weights` w, one for each input; where there are no more inputs than degrees of freedom they do not
+    /// matter.
     ///
     /// # Errors
     ///
-    /// [`RequiredInputsError`], if the state or the accelerations do not meet the constraints, or if no inputs give these
-    /// accelerations: they act on fewer degrees of freedom than there are.
+    /// [`RequiredInputsError`], if a weight is not positive and finite, if the state or the accelerations do not meet the constraints, or if
+    /// no inputs give these accelerations: they act on fewer degrees of freedom than there are.
     pub fn of<M, const N: usize>(
         model: &M,
         state: &State<S, N>,
         accelerations: &SVector<S, N>,
+        weights: impl IntoVector<S, U>,
     ) -> Result<Self, RequiredInputsError>
     where
         M: DirectionalDerivatives<N, C, S> + Inputs<N, U, S> + ?Sized,
@@ -73,8 +81,10 @@ impl<S: SingleNumber, const U: usize, const C: usize> RequiredInputs<S, U, C> {
             state,
             accelerations,
         };
+        // Inputs are measured in units in which all weights are 1.
+        let units = units(&weights.into_vector())?;
         motion.check_constraints()?;
-        let freedom = DegreesOfFreedom::<N, C>::of(model, state, &[false; N]);
+        let freedom = DegreesOfFreedom::<N, C>::of(model, state, [&[false; N]; 2]);
         let mut independent = [false; N];
         freedom
             .independent_velocities()
@@ -83,9 +93,10 @@ impl<S: SingleNumber, const U: usize, const C: usize> RequiredInputs<S, U, C> {
         let mut rank = 0;
         for _ in 0..INPUT_STEPS {
             let missing = motion.missing(&inputs, &independent);
-            let rows = motion.rows(&inputs, &independent);
+            let rows = motion.rows((&inputs, &units), &independent);
             rank = rows.rank();
             let step = rows.solve(&[missing, SVector::zeros()]).inputs;
+            let step = step.component_mul(&units);
             inputs += step;
             if largest(&step) <= S::machine_epsilon() * largest(&inputs) {
                 break;
@@ -99,6 +110,23 @@ impl<S: SingleNumber, const U: usize, const C: usize> RequiredInputs<S, U, C> {
             multipliers,
         })
     }
+}
+
+/// Returns the inverse roots of the weights.
+fn units<S: SingleNumber, const U: usize>(
+    weights: &SVector<S, U>,
+) -> Result<SVector<S, U>, RequiredInputsError> {
+    let is_wrong = |weight: f64| !(weight > 0.0 && weight.is_finite());
+    let wrong = (0..U).find(|i| is_wrong(weights[*i].largest()));
+    wrong.map_or(
+        Ok(weights.map(|weight| S::one() / weight.sqrt())),
+        |input| {
+            Err(RequiredInputsError::Weight {
+                input,
+                weight: weights[input].largest(),
+            })
+        },
+    )
 }
 
 /// A state of a model and the accelerations that are asked for.
@@ -166,10 +194,10 @@ where
         })
     }
 
-    /// Returns the factored derivatives of the independent accelerations by the inputs.
+    /// Returns the factored derivatives of the independent accelerations by the inputs in their units.
     fn rows<const C: usize, const U: usize>(
         &self,
-        inputs: &SVector<S, U>,
+        (inputs, units): (&SVector<S, U>, &SVector<S, U>),
         independent: &[bool; N],
     ) -> JacobianRows<S, N, U>
     where
@@ -179,7 +207,7 @@ where
         for input in 0..U {
             let column = self.model.derivatives_by_input(self.state, inputs, input);
             for i in (0..N).filter(|i| independent[*i]) {
-                rows[0][i].inputs[input] = column.accelerations[i];
+                rows[0][i].inputs[input] = column.accelerations[i] * units[input];
             }
         }
         JacobianRows::new(&rows)

@@ -23,6 +23,13 @@ pub enum RequiredInputsError {
         /// Its residual G q̈ + γ.
         residual: f64,
     },
+    /// The weight of an input is not a positive and finite number.
+    Weight {
+        /// The index of the input.
+        input: usize,
+        /// Its weight.
+        weight: f64,
+    },
     /// The inputs do not act on all degrees of freedom, and the motion would need it.
     TooFewInputs {
         /// The coordinate whose acceleration is missed by most.
@@ -54,6 +61,11 @@ impl fmt::Display for RequiredInputsError {
                 f,
                 "the accelerations do not meet the constraint `{constraint}`, whose second derivative would be {}",
                 Readable(residual)
+            ),
+            Self::Weight { input, weight } => write!(
+                f,
+                "the weight of the input {input} has to be positive and finite; it is {}",
+                Readable(weight)
             ),
             Self::TooFewInputs {
                 coordinate,

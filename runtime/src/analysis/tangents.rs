@@ -6,6 +6,7 @@ use super::equilibrium::Variable;
 use super::exceeds;
 use super::reduced_equations::{Part, Reduced};
 use super::small_oscillations::negligible;
+use super::tangent_choice::{Choice, Chosen};
 use super::tangent_error::{IndependentVariables, TangentError};
 use super::tangent_space::TangentSpace;
 use crate::integrate::SingleNumber;
@@ -28,14 +29,6 @@ where
     solvers: [DependentColumns<S, C, N>; 2],
 }
 
-/// Which coordinates and velocities are independent, and which coordinates are left out.
-#[derive(Clone, Copy)]
-struct Choice<const N: usize> {
-    coordinates: [bool; N],
-    velocities: [bool; N],
-    left_out: [bool; N],
-}
-
 impl<'a, M, S, const N: usize, const C: usize> Tangents<'a, M, S, N, C>
 where
     M: DirectionalDerivatives<N, C, S> + ?Sized,
@@ -46,7 +39,27 @@ where
         L: Lagrangian<N, S, Model = M> + ?Sized,
     {
         space.check_indices()?;
-        let (model, state) = (space.model.model(), space.state);
+        let chosen = Chosen {
+            coordinates: space.coordinates,
+            velocities: space.velocities,
+            left_out: space.left_out,
+        };
+        Self::at(
+            space.model.model(),
+            &space.state,
+            space.model.inputs(),
+            chosen,
+        )
+    }
+
+    /// Returns the tangents at a state and inputs.
+    pub(super) fn at(
+        model: &'a M,
+        state: &State<S, N>,
+        inputs: M::Inputs,
+        chosen: Chosen<N>,
+    ) -> Result<Self, TangentError> {
+        let state = *state;
         let prepared = model.prepare();
         let names = <M as Quantities<N, S>>::CONSTRAINTS;
         if let Some((constraint, residual)) = model.violated_constraint(&state, &prepared) {
@@ -55,12 +68,9 @@ where
                 residual: residual.largest(),
             });
         }
-        let kept = core::array::from_fn(|i| {
-            space.left_out[i] || space.coordinates.is_some_and(|chosen| chosen[i])
-        });
-        let freedom = DegreesOfFreedom::<N, C>::of(model, &state, &kept);
+        let freedom = DegreesOfFreedom::<N, C>::of(model, &state, [&chosen.kept(), &[false; N]]);
         check_regular(model, &state, &freedom)?;
-        let choice = chosen(space, &kept, &freedom)?;
+        let choice = chosen.completed(&freedom)?;
         let jacobian = model.constraint_jacobian(&state, &prepared);
         let widths = column_widths(&jacobian, &model.mass_matrix(&state, &prepared).diagonal());
         let holonomic = SMatrix::from_fn(|i, j| {
@@ -91,7 +101,7 @@ where
         Ok(Self {
             model,
             state,
-            inputs: space.model.inputs(),
+            inputs,
             choice,
             solvers,
         })
@@ -99,27 +109,33 @@ where
 
     /// Returns the independent variables that are not left out.
     pub(super) fn variables<const D: usize>(&self) -> Result<[Variable; D], TangentError> {
-        let Choice {
-            coordinates,
-            velocities,
-            left_out,
-        } = self.choice;
-        let coordinates = (0..N).filter(|i| coordinates[*i] && !left_out[*i]);
-        let velocities = (0..N).filter(|i| velocities[*i]);
-        let counts = [coordinates.clone().count(), velocities.clone().count()];
+        let of_velocities = self.choice.velocities.iter().filter(|mark| **mark).count();
+        let all = self.all_variables();
+        let counts = [all.clone().count() - of_velocities, of_velocities];
         if counts[0] + counts[1] != D {
             return Err(TangentError::Dimension {
                 given: D,
                 variables: counts,
             });
         }
-        let all = coordinates.map(Variable::Coordinate);
-        let all = all.chain(velocities.map(Variable::Velocity));
         let mut variables = [Variable::Coordinate(0); D];
         for (place, variable) in variables.iter_mut().zip(all) {
             *place = variable;
         }
         Ok(variables)
+    }
+
+    /// Returns the independent variables that are not left out, the coordinates first.
+    pub(super) fn all_variables(&self) -> impl Iterator<Item = Variable> + Clone + use<M, S, N, C> {
+        let Choice {
+            coordinates,
+            velocities,
+            left_out,
+        } = self.choice;
+        let coordinates = (0..N).filter(move |i| coordinates[*i] && !left_out[*i]);
+        let velocities = (0..N).filter(move |i| velocities[*i]);
+        let coordinates = coordinates.map(Variable::Coordinate);
+        coordinates.chain(velocities.map(Variable::Velocity))
     }
 
     /// Returns which coordinates and which velocities are independent.
@@ -234,19 +250,44 @@ where
         largest: f64,
     ) -> Result<(), TangentError> {
         for i in (0..N).filter(|i| self.choice.left_out[*i]) {
-            let column = self.rates_along(&self.along(Variable::Coordinate(i)));
-            for variable in variables {
-                let slope = component(*variable, &column).largest();
-                if exceeds(slope.abs(), negligible::<S>() * largest) {
-                    return Err(TangentError::Acts {
-                        coordinate: M::COORDINATES[i],
-                        on: name::<M, S, N, C>(*variable),
-                        slope,
-                    });
-                }
+            self.check_acts(i, variables.iter().copied(), largest)?;
+        }
+        Ok(())
+    }
+
+    /// Checks that a coordinate which is left out acts on no variable.
+    pub(super) fn check_acts(
+        &self,
+        coordinate: usize,
+        variables: impl Iterator<Item = Variable>,
+        largest: f64,
+    ) -> Result<(), TangentError> {
+        let column = self.rates_along(&self.along(Variable::Coordinate(coordinate)));
+        for variable in variables {
+            let slope = component(variable, &column).largest();
+            if exceeds(slope.abs(), negligible::<S>() * largest) {
+                return Err(TangentError::Acts {
+                    coordinate: M::COORDINATES[coordinate],
+                    on: name::<M, S, N, C>(variable),
+                    slope,
+                });
             }
         }
         Ok(())
+    }
+
+    /// Returns the largest derivative of the rates of the variables by the variables.
+    pub(super) fn largest_slope(&self) -> f64 {
+        let variables = self.all_variables();
+        let columns = variables
+            .clone()
+            .map(|variable| self.rates_along(&self.along(variable)));
+        columns.fold(0.0, |most: f64, column| {
+            let entries = variables
+                .clone()
+                .map(|i| component(i, &column).largest().abs());
+            entries.fold(most, f64::max)
+        })
     }
 
     /// Checks that no variable changes with time.
@@ -290,51 +331,6 @@ where
     found.map_or(Ok(()), |i| {
         let name = name::<M, S, N, C>(variables[i]);
         Err(TangentError::NotFinite { name })
-    })
-}
-
-/// Returns the independent coordinates and velocities: those that were chosen, or that are proposed.
-fn chosen<L, S, const N: usize, const C: usize>(
-    space: &TangentSpace<'_, L, S, N, C>,
-    kept: &[bool; N],
-    freedom: &DegreesOfFreedom<N, C>,
-) -> Result<Choice<N>, TangentError>
-where
-    L: ?Sized,
-    S: SingleNumber,
-{
-    let marked = |indices: &mut dyn Iterator<Item = usize>| {
-        let mut marks = [false; N];
-        indices.for_each(|i| marks[i] = true);
-        marks
-    };
-    let coordinates = match space.coordinates {
-        Some(_) => *kept,
-        None => marked(&mut freedom.independent_coordinates()),
-    };
-    let velocities = match space.velocities {
-        Some(velocities) => velocities,
-        None => marked(&mut freedom.independent_velocities()),
-    };
-    let numbers = [freedom.coordinates, freedom.velocities];
-    for (variables, marks) in [
-        (IndependentVariables::Coordinates, &coordinates),
-        (IndependentVariables::Velocities, &velocities),
-    ] {
-        let chosen = marks.iter().filter(|mark| **mark).count();
-        let independent = variables.of(numbers);
-        if chosen != independent {
-            return Err(TangentError::Count {
-                variables,
-                chosen,
-                independent,
-            });
-        }
-    }
-    Ok(Choice {
-        coordinates,
-        velocities,
-        left_out: space.left_out,
     })
 }
 

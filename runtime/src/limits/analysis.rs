@@ -141,3 +141,7 @@ pub(crate) const DOUBLINGS: usize = 60;
 /// The limit of Newton steps for the inputs of a given motion: one, and a second for its rounding errors, where forces are linear in
 /// them.
 pub(crate) const INPUT_STEPS: usize = 20;
+
+/// The part of the largest velocity, in machine epsilons and in the metric of M, from which a coordinate of a constrained model moves. By
+/// judgement: velocities that the constraints make zero are found to a few rounding errors.
+pub(crate) const MOVING: f64 = 1e4;

@@ -34,6 +34,10 @@ pub trait Constraints<const N: usize, const C: usize, S: Scalar = f64>: Quantiti
     /// al., *Exterior Differential Systems* (1991), II.1). The latter is holonomic in disguise.
     const INTEGRABLE: [bool; C];
 
+    /// For each coordinate, whether its column of G contains neither coordinates nor the time: it has the same value in every
+    /// configuration. [`DegreesOfFreedom`](crate::assembly::DegreesOfFreedom) proposes such coordinates as dependent ones.
+    const CONSTANT_COLUMNS: [bool; N] = [false; N];
+
     /// A lower bound of the degrees of freedom: the number of coordinates less the number of constraints that are independent at
     /// almost all coordinates. [`Lagrangian::degrees_of_freedom`](crate::Lagrangian::degrees_of_freedom) counts them at a
     /// state.

@@ -17,7 +17,9 @@ use crate::scalar::Scalar;
 /// independent (D. L. Peterson, G. Gede & M. Hubbard, *Symbolic linearization of equations of motion of constrained multibody
 /// systems*, Multibody Syst. Dyn. **33** (2015) 143–161). Which constraints depend on others is decided as by the equations of
 /// motion. The dependent coordinates are chosen by pivoting, so that their columns of G M^(−1/2), with the diagonal of M, are
-/// well-conditioned: units of coordinates and the scaling of constraints do not matter.
+/// well-conditioned: units of coordinates and the scaling of constraints do not matter. Columns that are the
+/// [same in all configurations](crate::quantities::Constraints::CONSTANT_COLUMNS) are chosen before others unless they are ten times as
+/// short: of a disc that rolls, the velocities of its place follow from the rates of its angles, in whichever direction it rolls.
 ///
 /// There is a [lower bound](crate::quantities::Constraints::MIN_DEGREES_OF_FREEDOM) everywhere. At a singular configuration
 /// fewer constraints are independent than nearby, so that the numbers are larger there.
@@ -61,9 +63,13 @@ pub struct DegreesOfFreedom<const N: usize, const C: usize> {
 }
 
 impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
-    /// Proposes independent coordinates that contain those which are `kept`, as far as their number allows, and independent velocities among
-    /// them.
-    pub(crate) fn of<M, S>(model: &M, state: &State<S, N>, kept: &[bool; N]) -> Self
+    /// Proposes independent coordinates that contain those which are kept, as far as the constraints allow, and independent velocities among
+    /// them, which contain those that are kept.
+    pub(crate) fn of<M, S>(
+        model: &M,
+        state: &State<S, N>,
+        [kept, kept_velocities]: [&[bool; N]; 2],
+    ) -> Self
     where
         M: Constraints<N, C, S> + ?Sized,
         S: Scalar,
@@ -80,16 +86,17 @@ impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
         });
         let holonomic = Rows::<N, C>::of(&holonomic, &mass);
         let all = Rows::<N, C>::of(&all, &mass);
+        let constant = &<M as Constraints<N, C, S>>::CONSTANT_COLUMNS;
         let mut coordinates = ColumnChoice::new(holonomic.directions);
         for _ in 0..holonomic.rank {
-            coordinates.choose_longest(kept);
+            coordinates.choose_longest(kept, constant);
         }
         let mut velocities = ColumnChoice::new(all.directions);
         for i in (0..N).filter(|i| coordinates.is_chosen[*i]) {
             velocities.choose(i);
         }
         for _ in holonomic.rank..all.rank {
-            velocities.choose_longest(&[false; N]);
+            velocities.choose_longest(kept_velocities, constant);
         }
         Self {
             coordinates: N.saturating_sub(holonomic.rank),

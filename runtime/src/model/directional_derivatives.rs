@@ -12,13 +12,13 @@ use crate::scalar::{Dual, Scalar};
 /// A constrained model whose accelerations, multipliers and constraints are differentiated along directions, with the
 /// inputs held.
 ///
-/// `#[derive(Lagrangian)]` implements it for models with constraints whose parameters are plain numbers. They are functions of all
-/// coordinates and velocities. Only derivatives along directions that the constraints allow describe motions: see
+/// `#[derive(Lagrangian)]` implements it for models with constraints whose parameters are plain numbers, or of a type parameter that is
+/// bounded by `Scalar` alone. They are functions of all coordinates and velocities. Only derivatives along directions that the constraints allow describe motions: see
 /// [`TangentSpace`](crate::analysis::TangentSpace).
 #[diagnostic::on_unimplemented(
     message = "the accelerations of `{Self}` under constraints cannot be differentiated",
-    note = "the model needs constraints, and parameters that are plain numbers: neither a type parameter for its scalar, nor \
-            `scalar = …`, nor external functions"
+    note = "the model needs constraints, and is evaluated on dual numbers: leave out `scalar = …`, bound a type parameter for its scalar \
+            by `Scalar` alone, and write what external functions compute as expressions of the declaration"
 )]
 pub trait DirectionalDerivatives<const N: usize, const C: usize, S: Scalar = f64>:
     Constraints<N, C, S>

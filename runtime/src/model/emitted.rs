@@ -14,12 +14,13 @@ pub use super::saddle_point::{
     invalid_compliance, joined, least_pivot, parts, project, rows_of_accelerations, saddle_point,
     sizes_in_metric, violated_constraint,
 };
+pub use super::sensitivities::rows_of_multipliers;
 
-mod in_every_lane;
+mod on_scalar;
 mod series;
 
 pub use super::members_in_lanes::SharesLanes;
-pub use in_every_lane::{InEveryLane, Kept};
+pub use on_scalar::{Kept, OnScalar};
 
 pub use series::{
     HigherOrders, Term, event_series, orders, taylor_series, taylor_series_in_quasi_velocities,

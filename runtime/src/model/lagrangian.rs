@@ -19,7 +19,7 @@ use super::linearization::Linearization;
 use super::outputs::Outputs;
 use super::quantities::{Energies, Quantities};
 use super::regressor::Regressor;
-use super::sensitivities::Sensitivities;
+use super::sensitivities::{MultiplierSensitivities, Sensitivities};
 use super::state::State;
 use super::state_jacobian::StateJacobian;
 use super::with_inputs::WithInputs;
@@ -172,7 +172,7 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
     where
         Self::Model: Constraints<N, C, S>,
     {
-        DegreesOfFreedom::of(self.model(), state, &[false; N])
+        DegreesOfFreedom::of(self.model(), state, [&[false; N]; 2])
     }
 
     /// The search ([`Assembly`]) for a state that meets the constraints: `model.assemble(guess).solve()?.state`.
@@ -303,6 +303,23 @@ pub trait Lagrangian<const N: usize, S: Scalar = f64>: GeneralizedCoordinates<N>
         Self::Model: Sensitivities<N, P, S>,
     {
         self.model().sensitivities(state, &self.inputs())
+    }
+
+    /// The derivatives ∂λᵢ/∂πⱼ of the multipliers by parameters in row i, column j, if the declaration has constraints and the clause
+    /// `sensitivities`. The state is fixed, also where a parameter, such as a length, moves a constraint away from it. Of reactions that
+    /// are not [unique](DegreesOfFreedom::indeterminate_reactions), they have no meaning.
+    #[inline]
+    fn multiplier_sensitivities<const C: usize, const P: usize>(
+        &self,
+        state: &State<S, N>,
+    ) -> SMatrix<S, C, P>
+    where
+        Self::Model: MultiplierSensitivities<N, C, P, S>,
+    {
+        let (model, inputs) = (self.model(), self.inputs());
+        model
+            .accelerations_and_multipliers_by_parameters(state, &inputs)
+            .1
     }
 
     /// The rate Q·q̇ − ∂L/∂t of the energy function h along every motion: the power of the generalized forces, and what

@@ -8,11 +8,18 @@ use lagrangian::quantities::DirectionalDerivatives;
 mod derivatives;
 mod equilibria;
 mod identification;
+mod in_space;
 mod inverse_dynamics;
 mod linkages;
 mod mechanisms;
 mod mistakes;
+mod moving;
 mod oscillations;
+mod press;
+mod sensitivities;
+mod steady;
+mod trailer;
+mod type_parameters;
 
 use linkages::*;
 use mechanisms::*;
@@ -389,30 +396,4 @@ fn a_disc_rolls_upright() {
         checked::<_, 6, 3, 4>(&disc, &state, [&left_out, &turning]);
     }
     checked::<_, 6, 3, 8>(&disc, &disc.upright(8.0), [&[]; 2]);
-}
-
-/// A disc that rolls in a circle: its motion is steady without its place and the direction in which it rolls.
-#[test]
-fn a_disc_rolls_in_a_circle() {
-    let disc = Disc {
-        m: 0.4,
-        r: 0.4,
-        g: 9.81,
-    };
-    let state = disc.circle(60_f64.to_radians(), 2.0);
-    let left_out = [Disc::X, Disc::Y, Disc::PHI, Disc::PSI];
-    let turning = [Disc::PHI, Disc::THETA, Disc::PSI];
-    let tangent = TangentSpace::at(&disc, &state)
-        .without(left_out)
-        .velocities(turning);
-    let steady = StateSpace::<f64, 4, 0, 4>::reduced_free(&tangent).expect("steady");
-    assert!(steady.is_at_equilibrium(1e-11));
-    // Two families of circles, and nodding.
-    let poles = steady.poles().expect("finite");
-    assert!(
-        poles[1].norm() < 1e-5 && poles[2].re.abs() < 1e-5 && poles[2].im > 1.0,
-        "{poles:?}"
-    );
-    checked::<_, 6, 3, 4>(&disc, &state, [&left_out, &turning]);
-    checked::<_, 6, 3, 8>(&disc, &state, [&[]; 2]);
 }

@@ -146,6 +146,16 @@ impl ConstraintEquations {
         self.jacobian.iter().map(|row| row[coordinate]).collect()
     }
 
+    /// For each coordinate, whether its column of G contains neither coordinates nor the time, as it is written.
+    #[must_use]
+    pub fn constant_columns(&self, model: &Model) -> Vec<bool> {
+        let changes = |symbol: &Symbol| matches!(symbol, Symbol::Coordinate(_) | Symbol::Time);
+        let columns = (0..model.coordinates as usize).map(|i| self.column(i));
+        columns
+            .map(|column| !model.graph.symbols(&column).iter().any(changes))
+            .collect()
+    }
+
     /// a in w = G q̇ + a.
     pub fn rheonomic(&self, model: &mut Model) -> Vec<Expression> {
         let zero = model.graph.zero();

@@ -1,7 +1,8 @@
 //! Whipple's bicycle as a nonlinear mechanism, against the published linear equations and eigenvalues
 //! (`data/bicycle.json`), and its nonlinear motions.
 
-use lagrangian::analysis::{StateSpace, TangentError, TangentSpace};
+use lagrangian::StateTransition;
+use lagrangian::analysis::{EquilibriumSearch, StateSpace, TangentError, TangentSpace, Variable};
 use lagrangian::prelude::*;
 use lagrangian_models::Bicycle;
 use lagrangian_tests::{Figures, bicycle, list, number, relative_error};
@@ -207,6 +208,65 @@ fn a_regulator_steers() {
     for i in held {
         assert!(end.q[i].abs() < 1e-3 && end.v[i].abs() < 1e-3, "{end:?}");
     }
+}
+
+/// A turn to the right that a torque to the right holds: "Precise steady turning conditions" of D. L. Peterson,
+/// <http://biosport.ucdavis.edu/blog/precise-steady-turning-conditions> (2011), to 16 digits by equations of his own. His pitch is that of
+/// the axis of steering. The eigenvalues that are printed there are not those of the nonlinear motion, with which the linear model is
+/// compared here.
+#[test]
+fn a_published_steady_turn() {
+    let model = benchmark();
+    let mut guess = model.straight(5.0);
+    guess.q[Bicycle::YAW] = 0.8;
+    guess.q[Bicycle::LEAN] = 0.087_266_462_599_716_47;
+    guess.q[Bicycle::STEER] = 0.024_993_114_888_518_4;
+    let found = EquilibriumSearch::constrained_trim(&model)
+        .unknown(&[
+            Variable::Coordinate(Bicycle::PITCH),
+            Variable::Velocity(Bicycle::FRONT),
+            Variable::Input(Bicycle::STEER_TORQUE),
+        ])
+        .near(&guess)
+        .expect("a turn");
+    let turn = found.state;
+    let (mut figures, at) = (Figures::new(), "6 m/s");
+    let pitch = turn.q[Bicycle::PITCH] + model.tilt;
+    figures.record("pitch", at, (pitch - 0.313_989_918_050_926_1).abs(), 1e-14);
+    let wheel = turn.v[Bicycle::FRONT] / -17.278_954_702_278_79;
+    figures.record("rate of the front wheel", at, (wheel - 1.0).abs(), 1e-13);
+    // It is the difference of moments of some N m.
+    let torque = found.inputs[Bicycle::STEER_TORQUE] - 0.002_386_180_613_544_564;
+    figures.record("torque in N m", at, torque.abs(), 1e-13);
+    let ridden = Bicycle {
+        steer_torque: found.inputs[Bicycle::STEER_TORQUE],
+        ..model
+    };
+    let tangent = TangentSpace::at(&ridden, &turn).without(LEFT_OUT);
+    // Motions nearby, as they are integrated, leave it like the exponential of the linear model.
+    let basis = tangent.basis::<5>().expect("it is steady");
+    let plant = StateSpace::<f64, 5, 0, 5>::reduced_free(&tangent).expect("it is steady");
+    let method = Dop853::new()
+        .relative_tolerance(1e-12)
+        .absolute_tolerance(1e-12);
+    let flow = StateTransition::<8, 16>::over(&method, &ridden.dynamics(), &turn, 1.0);
+    let flow = flow.expect("it does not fall");
+    let expected = plant.discretized(1.0).a;
+    for (j, column) in (0..5).map(|j| (j, [basis.q.column(j), basis.v.column(j)])) {
+        let [q, v] = [&flow.q, &flow.v].map(|rows| {
+            rows.fixed_columns::<8>(0) * column[0] + rows.fixed_columns::<8>(8) * column[1]
+        });
+        for (i, variable) in basis.variables.iter().enumerate() {
+            let found = match *variable {
+                Variable::Coordinate(i) => q[i],
+                Variable::Velocity(i) => v[i],
+                Variable::Input(_) => f64::NAN,
+            };
+            let error = (found - expected[(i, j)]).abs() / expected.amax();
+            figures.record("motion nearby", at, error, 1e-9);
+        }
+    }
+    figures.finish();
 }
 
 /// What moves has to be left out, and what acts cannot be.

@@ -179,6 +179,21 @@ fn a_disc_has_five_configurations_and_three_velocities() {
     );
     assert_eq!((freedom.coordinates, freedom.velocities), (5, 3));
     assert_eq!(freedom.redundant_constraints().count(), 0);
+    assert_eq!(
+        <Disc as Constraints<6, 3>>::CONSTANT_COLUMNS,
+        [true, true, true, false, false, false]
+    );
+    // The rates of the angles are independent, in whichever direction the disc rolls.
+    for heading in 0..16 {
+        for lean in [0.3, 0.8, 1.5, 2.5] {
+            let height = disc.radius * f64::sin(lean);
+            let q = [0.1, 0.2, height, 0.4 * f64::from(heading), lean, 0.7];
+            assert_eq!(
+                names(Disc::COORDINATES, check(&disc, q).independent_velocities()),
+                names(Disc::COORDINATES, [3, 4, 5].into_iter())
+            );
+        }
+    }
     assert_eq!(<Disc as Constraints<6, 3>>::MIN_DEGREES_OF_FREEDOM, 3);
     assert_eq!(
         <Disc as Constraints<6, 3>>::INTEGRABLE,

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 
 use super::Fallback;
 use crate::emit::constraints;
+use crate::emit::on_another_scalar::scalar_parameter;
 use crate::plan::Interface;
 use crate::syntax::names::constant_name;
 
@@ -46,7 +47,8 @@ impl Fallback<'_> {
             }
         };
         let mut constraints = self.interface(Interface::Constraints, &items);
-        if scalar.is_generic() {
+        let parameter = scalar_parameter(&self.declaration.generics, scalar);
+        if scalar.is_generic() || parameter.is_some() {
             let methods = signatures.directional_derivatives(
                 |_, arguments| quote::quote!(let _ = (#arguments); ::core::unreachable!()),
             );

@@ -24,6 +24,9 @@ impl Fallback<'_> {
             let count = self.parameters().len();
             let items = quote!(const PARAMETERS: [&'static str; #count] = [""; #count];);
             impls.extend(self.asked_for(Interface::Sensitivities, &items));
+            if self.lowered.constraints.len() > 0 {
+                impls.extend(self.asked_for(Interface::MultiplierSensitivities, &none));
+            }
         }
         if clauses.regressor.is_some() {
             let (signatures, count) = (self.signatures(), base_parameters());

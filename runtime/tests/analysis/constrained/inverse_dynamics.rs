@@ -63,7 +63,8 @@ fn the_smallest_torques_of_a_linkage() {
     let (linkage, state) = linkage();
     let other = Vector3::new(0.7, -1.1, 0.4);
     let accelerations = linkage.with_inputs(other).accelerations(&state);
-    let found = RequiredInputs::of(&linkage, &state, &accelerations).expect("one freedom");
+    let found =
+        RequiredInputs::of(&linkage, &state, &accelerations, [1.0; 3]).expect("one freedom");
     let there = linkage.with_inputs(found.inputs);
     assert!((there.accelerations(&state) - accelerations).amax() < 1e-12);
     assert!((there.multipliers(&state) - found.multipliers).amax() < 1e-12);
@@ -78,6 +79,37 @@ fn the_smallest_torques_of_a_linkage() {
     let forces = there.inverse_dynamics(&state, &accelerations);
     let reactions = linkage.constraint_jacobian(&state).transpose() * found.multipliers;
     assert!((forces - reactions).amax() < 1e-12);
+}
+
+/// Of all torques with the same motion, Σ wᵢ uᵢ² is least: u is W⁻¹ times the gradient of the motion by the torques.
+#[test]
+fn the_cheapest_torques_of_a_linkage() {
+    let (linkage, state) = linkage();
+    let other = Vector3::new(0.7, -1.1, 0.4);
+    let accelerations = linkage.with_inputs(other).accelerations(&state);
+    let slopes = linkage
+        .input_jacobian(&state)
+        .row(Linkage::CRANK)
+        .transpose();
+    for weights in [[1.0, 4.0, 0.25], [1e-6, 1.0, 1e6], [3.0; 3]] {
+        let weights = Vector3::from(weights);
+        let found = RequiredInputs::of(&linkage, &state, &accelerations, weights);
+        let found = found.expect("one freedom").inputs;
+        let direction = slopes.component_div(&weights);
+        let expected = direction * (slopes.dot(&other) / slopes.dot(&direction));
+        assert!((found - expected).amax() < 1e-12, "{found} {expected}");
+        let cost = |u: &Vector3<f64>| u.component_mul(&weights).dot(u);
+        assert!(cost(&found) < cost(&other));
+    }
+    for weight in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+        let error = RequiredInputs::of(&linkage, &state, &accelerations, [1.0, weight, 1.0]);
+        let error = error.expect_err("no weight");
+        assert!(matches!(
+            error,
+            RequiredInputsError::Weight { input: 1, .. }
+        ));
+        assert!(error.to_string().contains("the input 1 has to be positive"));
+    }
 }
 
 /// The input matrix has the rows of the derived ∂q̈/∂u.
@@ -101,13 +133,14 @@ fn the_input_matrix_of_a_linkage() {
 fn what_no_inputs_do() {
     let (linkage, state) = linkage();
     let bent = Vector3::new(1.0, 0.0, 0.0);
-    let error = RequiredInputs::of(&linkage, &state, &bent).expect_err("the joint opens");
+    let error = RequiredInputs::of(&linkage, &state, &bent, [1.0; 3]).expect_err("the joint opens");
     assert!(
         matches!(error, RequiredInputsError::InconsistentAccelerations { constraint, .. } if constraint.starts_with("joint"))
     );
     let mut open = state;
     open.q[Linkage::ROCKER] += 0.1;
-    let error = RequiredInputs::of(&linkage, &open, &bent).expect_err("the joint is open");
+    let error =
+        RequiredInputs::of(&linkage, &open, &bent, [1.0; 3]).expect_err("the joint is open");
     assert!(matches!(
         error,
         RequiredInputsError::InconsistentState { .. }
@@ -121,10 +154,10 @@ fn what_no_inputs_do() {
     let state = State::new(0.0, [0.0; 3], [1.5, 0.0, 0.4]);
     // Along its edge it is pushed, and ÿ is that of the turn.
     let pushed = Vector3::new(0.8, 1.5 * 0.4, 0.0);
-    let found = RequiredInputs::of(&knife, &state, &pushed).expect("the push is enough");
+    let found = RequiredInputs::of(&knife, &state, &pushed, [1.0]).expect("the push is enough");
     assert!((found.inputs[0] - 1.6).abs() < 1e-14 && (found.multipliers[0] - 1.2).abs() < 1e-14);
     let turned = Vector3::new(0.8, 1.5 * 0.4, 0.1);
-    let error = RequiredInputs::of(&knife, &state, &turned).expect_err("nothing turns it");
+    let error = RequiredInputs::of(&knife, &state, &turned, [1.0]).expect_err("nothing turns it");
     let expected = RequiredInputsError::TooFewInputs {
         coordinate: "theta",
         missing: 0.1,
