@@ -1,5 +1,6 @@
 //! Operations of the accelerations and multipliers of loops in a row.
 
+use lagrangian_symbolic::{Kinetics, Program, Symbol};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -116,4 +117,118 @@ fn what_is_coupled_throughout_is_left_to_the_numerical_factorization() {
         struct Coupled { m: f64, c: f64 }
     });
     assert!(methods.accelerations.outputs.pivots().is_none());
+}
+
+/// Two arms in space on a cart, whose tips a rod connects.
+fn arms() -> TokenStream {
+    quote! {
+        #[lagrangian(
+            coordinates(s, q[3], u[3]),
+            define(
+                base = [s, 0.2 * s, 0.0],
+                r[0] = rotation_z(q[0]),
+                r[1] = r[0] * rotation_y(q[1]),
+                r[2] = r[1] * rotation_y(q[2]),
+                elbow = base + r[1] * [l, 0.1, 0.0],
+                plate = elbow + r[2] * [l, 0.0, -0.2],
+                f[0] = rotation_x(0.3) * rotation_z(u[0]),
+                f[1] = f[0] * rotation_x(u[1]),
+                f[2] = f[1] * rotation_z(u[2]),
+                knee = base + [0.0, 1.5, 0.0] + f[1] * [0.2, l, 0.1],
+                tip = knee + f[2] * [0.0, l, 0.3],
+                w[i] = angular_velocity(r[i]) for i in 0..3,
+                o[i] = angular_velocity(f[i]) for i in 0..3,
+            ),
+            kinetic = 0.5 * cart * dot(base).norm_squared()
+                + (0..3).map(|i| 0.5 * j * (w[i].x.powi(2) + 2.0 * w[i].y.powi(2) + 1.5 * w[i].z.powi(2))
+                    + 0.5 * j * o[i].norm_squared()).sum()
+                + 0.5 * m * (dot(elbow).norm_squared() + dot(plate).norm_squared()
+                    + dot(knee).norm_squared() + dot(tip).norm_squared()),
+            potential = m * g * (elbow.z + plate.z + knee.z + tip.z),
+            constraint(
+                rod = (plate - tip).norm_squared() - length.powi(2),
+                rail = tip.z + 0.1 * t - 0.4,
+                coupled = q[0] - 0.5 * u[0],
+            ),
+            nonholonomic(
+                along = cos(q[1]) * dot(plate).x - dot(tip).x + 0.3 * dot(s),
+                turning = o[2].z - 0.2 * w[2].x,
+            ),
+        )]
+        struct Arms { cart: f64, m: f64, j: f64, g: f64, l: f64, length: f64 }
+    }
+}
+
+/// Numbers between −1 and 1.
+fn number(seed: usize) -> f64 {
+    (12.9898 * (seed as f64 + 1.0)).sin()
+}
+
+/// Compares what solvers find where they are stable, and the residuals of the constraints, at some states of a declaration.
+fn compare_solvers(declaration: TokenStream, parameters: &[f64], allowed: f64) {
+    let mut derived = derive(declaration);
+    let constraints = derived.equations.constraints.clone();
+    let solutions = Kinetics::solutions(&mut derived.model, &derived.equations);
+    let links = solutions
+        .iter()
+        .find(|solution| solution.method() == "articulated links");
+    let graph = &derived.model.graph;
+    let programs = links
+        .into_iter()
+        .chain(&solutions)
+        .map(|solution| Program::schedule(graph, &[&*solution.pivots, &solution.accelerations]));
+    let programs: Vec<_> = programs.collect();
+    assert!(programs.len() > solutions.len(), "no articulated links");
+    let rows = Program::schedule(
+        graph,
+        &[&*constraints.jacobian.concat(), &constraints.rates],
+    );
+    let coordinates = derived.model.coordinates as usize;
+    let mut compared = 0;
+    for seed in 0..40 {
+        let value = |symbol| match symbol {
+            Symbol::Coordinate(i) => number(100 * seed + i as usize),
+            Symbol::Velocity(i) => number(100 * seed + 50 + i as usize),
+            Symbol::Parameter(i) => parameters[i as usize],
+            Symbol::Time => number(seed),
+            _ => f64::NAN,
+        };
+        let stable = programs.iter().filter_map(|program| {
+            let mut found = program.evaluate(value);
+            let is_stable = found[0].iter().all(|pivot| *pivot > 0.0);
+            is_stable.then(|| found.swap_remove(1))
+        });
+        let stable: Vec<_> = stable.collect();
+        // The links are there twice.
+        let [first, others @ ..] = stable.as_slice() else {
+            continue;
+        };
+        if !others.contains(first) {
+            continue;
+        }
+        compared += others.len();
+        let size = first.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        for (x, y) in others.iter().flat_map(|other| first.iter().zip(other)) {
+            assert!((x - y).abs() < allowed * size, "{x} is not {y} of {size}");
+        }
+        let rows = rows.evaluate(value);
+        for (row, rate) in rows[0].chunks(coordinates).zip(&rows[1]) {
+            let terms: Vec<_> = row.iter().zip(first).map(|(x, y)| x * y).collect();
+            let size = terms.iter().fold(rate.abs(), |size, x| size + x.abs());
+            let residual = terms.iter().sum::<f64>() + rate;
+            assert!(residual.abs() < 2e-15 * size, "{residual:e} of {size:e}");
+        }
+    }
+    assert!(compared > 40, "{compared}");
+}
+
+#[test]
+fn arms_in_space_are_solved_along_their_links() {
+    compare_solvers(arms(), &[2.0, 1.5, 0.3, 9.81, 0.8, 1.1], 1e-12);
+}
+
+/// The links are lighter than the cart by twelve orders of magnitude.
+#[test]
+fn accelerations_of_light_links_meet_the_constraints() {
+    compare_solvers(arms(), &[1e6, 1e-6, 1e-6, 9.81, 0.8, 1.1], 1e-8);
 }
