@@ -82,7 +82,8 @@ impl Emitter<'_> {
                 #visibility const PARAMETERS: [&'static str; #count] = [#(#names),*];
             }
         });
-        quote!(#regressor #sensitivities)
+        let c = self.c_constants();
+        quote!(#regressor #sensitivities #c)
     }
 }
 

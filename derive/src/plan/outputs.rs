@@ -40,6 +40,11 @@ impl OutputSlice {
         self.range.len()
     }
 
+    /// Whether the output of a group at a position is among them.
+    pub(crate) fn contains(&self, group: usize, position: usize) -> bool {
+        self.group == group && self.range.contains(&position)
+    }
+
     /// These among the outputs of each group.
     pub(crate) fn of<'a, T>(&self, outputs: &'a [Vec<T>]) -> &'a [T] {
         let outputs = outputs.get(self.group);

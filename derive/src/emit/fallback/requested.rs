@@ -51,7 +51,13 @@ impl Fallback<'_> {
             let count = self.parameters().len();
             quote!(#visibility const PARAMETERS: [&'static str; #count] = [""; #count];)
         });
-        quote!(#regressor #sensitivities)
+        let c = clauses.c.is_some().then(|| {
+            quote! {
+                #visibility const C_SOURCE: &'static str = "";
+                #visibility const C_HEADER: &'static str = "";
+            }
+        });
+        quote!(#regressor #sensitivities #c)
     }
 
     /// The names of the parameters by which accelerations are differentiated.
