@@ -1,9 +1,9 @@
 //! The model in C: what the clause `c` adds.
 //!
-//! The source is written from the programs of the methods: the same operations in the same order, one statement for each. Around
-//! them is written in C what the methods do in Rust (`c/methods.rs`, `c/derivatives.rs`, `c/projection.rs`), and what they call in the
+//! The source is written from the programs of the methods: the same operations in the same order, one statement for each
+//! (`c/body.rs`). Around them is written in C what the methods do in Rust (`c/methods.rs`, `c/derivatives.rs`), and what they call in the
 //! runtime stands in `c/library/`. In all these texts `$` stands for the name of the model, `@N`, `@C` and `@K` for the
-//! numbers of coordinates, constraints and both.
+//! numbers of coordinates, constraints and both, and `@P` for the sweeps in which coordinates are projected.
 
 mod identifiers;
 mod structs;
@@ -11,7 +11,6 @@ mod body;
 mod library;
 mod methods;
 mod derivatives;
-mod projection;
 mod interface;
 mod header;
 
@@ -87,10 +86,13 @@ impl<'a> Export<'a> {
 
     /// A text with the names and numbers of the model.
     fn filled(&self, text: &str) -> String {
+        let has_positions = self.emitter.lowered.constraints.holonomic() > 0;
+        let position_sweeps = if has_positions { 3 } else { 0 };
         let numbers = [
             ("@N", self.emitter.coordinates()),
             ("@C", self.emitter.constraint_count()),
             ("@K", self.emitter.unknowns()),
+            ("@P", position_sweeps),
         ];
         let text = text.replace('$', &self.prefix);
         numbers.into_iter().fold(text, |text, (mark, number)| {
@@ -107,9 +109,7 @@ impl<'a> Export<'a> {
         let mut functions = interface.join("\n");
         // Each function behind those that it calls, and none that is not called.
         let mut others = vec![("$_begin".to_owned(), self.begin())];
-        if self.is_constrained() {
-            others.push(("$_project_at".to_owned(), self.projection()));
-        }
+        others.extend(library::around_methods());
         let methods = Self::METHODS.iter().rev();
         let (factored, factors) = methods.clone().partition::<Vec<_>, _>(|method| {
             matches!(

@@ -220,11 +220,25 @@ impl Export<'_> {
         } else {
             ""
         };
-        let projection = if self.is_constrained() {
-            "$_project_step(&at, t + h, q, v);"
+        let end: &[&str] = if self.is_constrained() {
+            &["$_end_step(&at, h, q, v, of_q, of_v);"]
         } else {
-            ""
+            &[
+                &format!("for (i = 0; i < {n}; ++i) {{"),
+                "    q[i] += of_q[i];",
+                "    v[i] += of_v[i];",
+                "}",
+            ]
         };
+        let counter: &[&str] = if self.is_constrained() {
+            &[]
+        } else {
+            &["int i;"]
+        };
+        let increments = [
+            &format!("double of_q[{n}], of_v[{n}];"),
+            "$_increments(&at, h, of_q, of_v);",
+        ];
         Function::new(
             "step",
             "double h",
@@ -232,44 +246,7 @@ impl Export<'_> {
                 "Takes one step of length h by the classical method of Runge and Kutta of order 4, in place, at constant inputs. There \
                  is no error control, and angles are not reduced.{of_constraints}"
             ),
-            &[
-                "static const double nodes[4] = {0.0, 0.5, 0.5, 1.0};",
-                "static const double weights[4] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};",
-                &format!(
-                    "double q_at[{n}], v_at[{n}], dq[{n}], dv[{n}], sum_q[{n}], sum_v[{n}], x[{}];",
-                    self.emitter.unknowns()
-                ),
-                "int i, stage;",
-                "at.q = q_at;",
-                "at.v = v_at;",
-                &format!("for (i = 0; i < {n}; ++i) {{"),
-                "    dq[i] = 0.0;",
-                "    dv[i] = 0.0;",
-                "    sum_q[i] = 0.0;",
-                "    sum_v[i] = 0.0;",
-                "}",
-                "for (stage = 0; stage < 4; ++stage) {",
-                "    at.t = t + nodes[stage] * h;",
-                &format!("    for (i = 0; i < {n}; ++i) {{"),
-                "        const double slope_q = stage == 0 ? 0.0 : $_mul_add(dq[i], nodes[stage], 0.0);",
-                "        const double slope_v = stage == 0 ? 0.0 : $_mul_add(dv[i], nodes[stage], 0.0);",
-                "        q_at[i] = $_mul_add(slope_q, h, q[i]);",
-                "        v_at[i] = $_mul_add(slope_v, h, v[i]);",
-                "    }",
-                "    $_accelerations_at(&at, x);",
-                &format!("    for (i = 0; i < {n}; ++i) {{"),
-                "        dq[i] = v_at[i];",
-                "        dv[i] = x[i];",
-                "        sum_q[i] = $_mul_add(dq[i], weights[stage], sum_q[i]);",
-                "        sum_v[i] = $_mul_add(dv[i], weights[stage], sum_v[i]);",
-                "    }",
-                "}",
-                &format!("for (i = 0; i < {n}; ++i) {{"),
-                "    q[i] += sum_q[i] * h;",
-                "    v[i] += sum_v[i] * h;",
-                "}",
-                projection,
-            ],
+            &[counter, &increments, end].concat(),
         )
     }
 

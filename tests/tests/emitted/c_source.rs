@@ -1,0 +1,66 @@
+//! Models in C against the same models in Rust: their source is compiled by the system's `cc`, without warnings, and evaluated at
+//! random points.
+
+mod models;
+mod program;
+
+use program::{Case, Point};
+
+/// How many points are compared, where not all are.
+const POINTS: usize = 40;
+
+#[test]
+fn a_driven_cart_has_the_bits_of_rust() {
+    models::cart_pole().agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn bodies_families_and_vectors_have_the_bits_of_rust() {
+    models::arm().agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn redundant_constraints_have_the_bits_of_rust() {
+    models::guided().agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn an_indefinite_mass_matrix_has_the_bits_of_rust() {
+    models::indefinite().agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn keywords_and_greek_letters_are_written_otherwise() {
+    models::names().agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn a_model_without_parameters_has_no_struct_of_them() {
+    models::oscillator().agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn elementary_functions_agree_to_two_units() {
+    models::elementary_functions().agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn special_numbers_have_the_bits_of_rust() {
+    let case = models::cart_pole();
+    let numbers = [0.0, -0.0, 1e-310, 1.5e5, -1e22, f64::INFINITY, f64::NAN];
+    let point = |x: &f64| Point {
+        t: 0.0,
+        q: vec![*x, *x],
+        v: vec![*x, -*x],
+        u: vec![*x, 0.0],
+        a: vec![*x, 1.0],
+        h: 1.0 / 128.0,
+    };
+    // Steps are refused in Rust where numbers are not finite.
+    let checks = case.checks.into_iter().filter(|check| check.name != "step");
+    let case = Case {
+        checks: checks.collect(),
+        ..case
+    };
+    case.agrees(&numbers.iter().map(point).collect::<Vec<_>>());
+}
