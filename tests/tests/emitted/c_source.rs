@@ -45,22 +45,35 @@ fn elementary_functions_agree_to_two_units() {
 }
 
 #[test]
-fn special_numbers_have_the_bits_of_rust() {
-    let case = models::cart_pole();
-    let numbers = [0.0, -0.0, 1e-310, 1.5e5, -1e22, f64::INFINITY, f64::NAN];
-    let point = |x: &f64| Point {
-        t: 0.0,
-        q: vec![*x, *x],
-        v: vec![*x, -*x],
-        u: vec![*x, 0.0],
-        a: vec![*x, 1.0],
-        h: 1.0 / 128.0,
-    };
-    // Steps are refused in Rust where numbers are not finite.
-    let checks = case.checks.into_iter().filter(|check| check.name != "step");
-    let case = Case {
-        checks: checks.collect(),
-        ..case
-    };
-    case.agrees(&numbers.iter().map(point).collect::<Vec<_>>());
+fn special_numbers_are_those_of_rust() {
+    for case in [models::cart_pole(), models::elementary_functions()] {
+        let numbers = [
+            0.0,
+            -0.0,
+            1e-310,
+            -1e-200,
+            1e-150,
+            1e200,
+            1.5e5,
+            -1e22,
+            f64::INFINITY,
+            f64::NAN,
+        ];
+        let point = |x: &f64| Point {
+            t: 0.0,
+            q: vec![*x, *x],
+            v: vec![*x, -*x],
+            u: vec![*x; case.inputs],
+            a: vec![*x, 1.0],
+            h: 1.0 / 128.0,
+        };
+        let points: Vec<Point> = numbers.iter().map(point).collect();
+        // Steps are refused in Rust where numbers are not finite.
+        let checks = case.checks.into_iter().filter(|check| check.name != "step");
+        let case = Case {
+            checks: checks.collect(),
+            ..case
+        };
+        case.agrees(&points);
+    }
 }

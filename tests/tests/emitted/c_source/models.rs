@@ -292,12 +292,12 @@ pub(super) fn guided() -> Case {
     }
 }
 
-/// A mass matrix that is not positive definite, and whose solution is factored numerically.
+/// A mass matrix that is not positive definite, with rows of different sizes.
 #[derive(Lagrangian)]
 #[lagrangian(
     coordinates(a, b, c, d, e),
     lagrangian = dot(a) * dot(b) + 0.5 * dot(a).powi(2) * cos(b + c) + dot(b) * dot(c) * sin(a + d)
-        + 0.5 * dot(c).powi(2) * (2.0 + cos(d + e)) + 0.25 * dot(c) * dot(e) * sin(b)
+        + 0.5 * dot(c).powi(2) * (2.0 + cos(d + e)) + 250.0 * dot(c) * dot(e) * sin(b)
         + dot(d) * dot(e) * (3.0 + sin(a)) + 0.5 * dot(d).powi(2) * cos(c) + 0.3 * dot(a) * dot(e) * cos(d)
         + 0.2 * dot(b) * dot(d) * sin(c + e) + dot(a) * b - k * (a.powi(2) + b * c + sin(d) * e),
     force(d = -dot(d), e = t * dot(a)),

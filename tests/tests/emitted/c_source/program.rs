@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use lagrangian::State;
 use lagrangian_tests::Random;
@@ -136,9 +137,13 @@ impl Case {
 
     /// The path of the compiled program.
     fn compile(&self) -> PathBuf {
+        // Tests compile the same models at the same time.
+        static PROGRAMS: AtomicUsize = AtomicUsize::new(0);
+        let number = PROGRAMS.fetch_add(1, Ordering::Relaxed);
+        let name = format!("{}{number}", self.prefix);
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
             .join("c_source")
-            .join(self.prefix);
+            .join(name);
         std::fs::create_dir_all(&folder).expect("a folder");
         let (model, header, main) = (
             folder.join(format!("{}.c", self.prefix)),
@@ -264,7 +269,8 @@ impl Agreement {
                 pairs.all(|(x, y)| x.to_bits() == y.to_bits() || (x.is_nan() && y.is_nan()))
             }
             Self::Units(units) => {
-                let largest = expected.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+                let finite = expected.iter().filter(|x| x.is_finite());
+                let largest = finite.fold(0.0, |most, x| f64::max(most, x.abs()));
                 pairs.all(|(x, y)| {
                     (x - y).abs() <= units * f64::EPSILON * largest
                         || (x.is_nan() && y.is_nan())
