@@ -3,11 +3,13 @@
 
 mod models;
 mod program;
+mod ready_models;
 
 use program::{Case, Point};
 
-/// How many points are compared, where not all are.
+/// How many points are compared, and how many of all models.
 const POINTS: usize = 40;
+const MANY_POINTS: usize = 1000;
 
 #[test]
 fn a_driven_cart_has_the_bits_of_rust() {
@@ -76,4 +78,30 @@ fn special_numbers_are_those_of_rust() {
         };
         case.agrees(&points);
     }
+}
+
+#[test]
+fn a_ready_model_with_constraints_has_the_bits_of_rust() {
+    ready_models::bicycle().agrees(&ready_models::points_of_bicycle(POINTS));
+}
+
+#[test]
+#[ignore = "a thousand states of eleven models; run with `--include-ignored`"]
+fn a_thousand_states_of_all_models_agree() {
+    let cases = [
+        models::cart_pole(),
+        models::arm(),
+        models::guided(),
+        models::indefinite(),
+        models::names(),
+        models::oscillator(),
+        models::elementary_functions(),
+        ready_models::general_top(),
+        ready_models::furuta_pendulum(),
+    ];
+    for case in cases {
+        case.agrees_at_random_points(MANY_POINTS);
+    }
+    ready_models::bicycle().agrees(&ready_models::points_of_bicycle(MANY_POINTS));
+    ready_models::stewart_platform().agrees(&ready_models::points_of_platform(MANY_POINTS));
 }

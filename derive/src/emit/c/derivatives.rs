@@ -27,8 +27,7 @@ impl Export<'_> {
                 derivatives,
                 residuals,
             } => {
-                let whole = self.body(method, None);
-                let reads = whole.reads_accelerations();
+                let reads = self.body(method, None).reads_accelerations();
                 let unneeded = (!reads).then_some(accelerations);
                 let mut body = self.body(method, unneeded);
                 let pivots = body.compute(pivots);
@@ -64,10 +63,11 @@ impl Export<'_> {
                 forcing,
                 residuals,
             } => {
-                let mut body = self.body(method, None);
+                let reads = self.body(method, None).reads_accelerations();
+                let mut body = self.body(method, (!reads).then_some(forcing));
                 self.factors(&mut body, mass, ParameterSource::Fields);
-                let forcing = body.compute(forcing);
-                if body.reads_accelerations() {
+                if reads {
+                    let forcing = body.compute(forcing);
                     body.line(&format!("double a[{}];", self.emitter.unknowns()));
                     body.assign("a", forcing.into_iter().enumerate());
                     body.line("$_solve(&factors, a);");
