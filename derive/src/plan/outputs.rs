@@ -40,9 +40,10 @@ impl OutputSlice {
         self.range.len()
     }
 
-    /// Whether the output of a group at a position is among them.
-    pub(crate) fn contains(&self, group: usize, position: usize) -> bool {
-        self.group == group && self.range.contains(&position)
+    /// The index among them of the output of a group at a position.
+    pub(crate) fn index_of(&self, group: usize, position: usize) -> Option<usize> {
+        let is_among = self.group == group && self.range.contains(&position);
+        is_among.then(|| position - self.range.start)
     }
 
     /// These among the outputs of each group.

@@ -13,6 +13,9 @@ use crate::emit::body::variables::Variables;
 use crate::emit::locals::Locals;
 use crate::plan::OutputSlice;
 
+/// Outputs that are not needed: some of consecutive ones, by their indices.
+pub(super) type Unneeded<'b> = (&'b OutputSlice, &'b dyn Fn(usize) -> bool);
+
 /// A function in C whose statements are those of a program, among others.
 pub(super) struct Body<'a> {
     program: &'a Program,
@@ -92,7 +95,7 @@ impl<'a> Body<'a> {
         program: &'a Program,
         (passes, locals): (Passes, &Locals<'_>),
         parameters: &'a [String],
-        unneeded: Option<&OutputSlice>,
+        unneeded: Option<Unneeded<'_>>,
     ) -> Self {
         let products = Products::of(program, passes, locals);
         let (mut fusions, mut fused) = (BTreeMap::new(), BTreeSet::new());
@@ -133,14 +136,30 @@ impl<'a> Body<'a> {
 
     /// Writes the statements that compute some outputs, as far as they are not written yet, and returns the outputs.
     pub(super) fn compute(&mut self, slice: &OutputSlice) -> Vec<String> {
+        self.compute_some(slice, |_| true)
+    }
+
+    /// The same of some outputs, by their indices; the others are empty.
+    pub(super) fn compute_some(
+        &mut self,
+        slice: &OutputSlice,
+        is_wanted: impl Fn(usize) -> bool,
+    ) -> Vec<String> {
         let program = self.program;
         let groups = program.groups.iter();
         for group in groups.take(slice.group() + 1).skip(self.written) {
             self.group(group);
             self.written += 1;
         }
-        let outputs = slice.operands(program).iter();
-        outputs.map(|output| self.operand(output)).collect()
+        let outputs = slice.operands(program).iter().enumerate();
+        let outputs = outputs.map(|(index, output)| {
+            if is_wanted(index) {
+                self.operand(output)
+            } else {
+                String::new()
+            }
+        });
+        outputs.collect()
     }
 
     /// Whether the program reads accelerations or multipliers.
@@ -290,13 +309,15 @@ pub(super) fn mentions(text: &str, name: &str) -> bool {
 }
 
 /// The values that outputs depend on, without some of them.
-fn needed(program: &Program, unneeded: Option<&OutputSlice>) -> Vec<bool> {
+fn needed(program: &Program, unneeded: Option<Unneeded<'_>>) -> Vec<bool> {
     let last = program.instructions().last();
     let count = last.map_or(0, |last| last.value + last.operation.results());
     let mut needed = vec![false; count];
     for (index, group) in program.groups.iter().enumerate() {
         for (position, output) in group.outputs.iter().enumerate() {
-            let is_left_out = unneeded.is_some_and(|slice| slice.contains(index, position));
+            let is_left_out = unneeded.is_some_and(|(slice, is_left_out)| {
+                slice.index_of(index, position).is_some_and(is_left_out)
+            });
             if let (Some(value), false) = (output.value(), is_left_out) {
                 needed[value] = true;
             }

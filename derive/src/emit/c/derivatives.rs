@@ -20,6 +20,7 @@ impl Export<'_> {
         method: &Method,
         outputs: &DerivativeOutputs<StateJacobian>,
     ) -> String {
+        let all = |_: usize| true;
         let body = match outputs {
             DerivativeOutputs::Symbolic {
                 pivots,
@@ -28,11 +29,11 @@ impl Export<'_> {
                 residuals,
             } => {
                 let reads = self.body(method, None).reads_accelerations();
-                let unneeded = (!reads).then_some(accelerations);
+                let unneeded = (!reads).then_some((accelerations, &all as &dyn Fn(usize) -> bool));
                 let mut body = self.body(method, unneeded);
                 let pivots = body.compute(pivots);
-                let accelerations = body.compute(accelerations);
                 if reads {
+                    let accelerations = body.compute(accelerations);
                     body.line(&format!("double a[{}];", self.emitter.unknowns()));
                     let found = (&pivots[..], accelerations);
                     self.if_positive(&mut body, "a", found, ParameterSource::Fields);
@@ -64,7 +65,10 @@ impl Export<'_> {
                 residuals,
             } => {
                 let reads = self.body(method, None).reads_accelerations();
-                let mut body = self.body(method, (!reads).then_some(forcing));
+                let mut body = self.body(
+                    method,
+                    (!reads).then_some((forcing, &all as &dyn Fn(usize) -> bool)),
+                );
                 self.factors(&mut body, mass, ParameterSource::Fields);
                 if reads {
                     let forcing = body.compute(forcing);
@@ -166,7 +170,15 @@ impl Export<'_> {
         if inputs == 0 {
             return String::new();
         }
-        let mut body = self.body(method, None);
+        let (k, n) = (self.emitter.unknowns(), self.emitter.coordinates());
+        // The rows of multipliers are left out.
+        let of_multipliers = |i: usize| i % k >= n;
+        let mut body = match outputs {
+            InputJacobianOutputs::Symbolic { derivatives, .. } => {
+                self.body(method, Some((derivatives, &of_multipliers)))
+            }
+            InputJacobianOutputs::Numerical { .. } => self.body(method, None),
+        };
         match outputs {
             InputJacobianOutputs::Symbolic {
                 pivots,
@@ -174,13 +186,12 @@ impl Export<'_> {
                 residuals,
             } => {
                 let pivots = body.compute(pivots);
-                let elements = body.compute(derivatives).into_iter().enumerate();
+                let elements = body.compute_some(derivatives, |i| !of_multipliers(i));
+                let elements = elements.into_iter().enumerate();
                 if !pivots.is_empty() {
                     body.line(&format!("if ({}) {{", are_positive(&pivots)));
                 }
-                let k = self.emitter.unknowns();
-                let n = self.emitter.coordinates();
-                let rows = elements.filter(|(i, _)| i % k < n);
+                let rows = elements.filter(|(i, _)| !of_multipliers(*i));
                 let rows = rows.map(|(i, value)| ((i % k) * inputs + i / k, value));
                 body.assign("x", rows.collect::<Vec<_>>());
                 if !pivots.is_empty() {

@@ -1,7 +1,7 @@
 //! The functions that evaluate the programs of a model at a point, `static` and written like its methods in Rust.
 
 use super::Export;
-use super::body::Body;
+use super::body::{Body, Unneeded};
 use super::structs::{Field, place};
 use crate::emit::locals::Locals;
 use crate::plan::{
@@ -81,7 +81,7 @@ impl Export<'_> {
     pub(super) fn body<'b>(
         &'b self,
         method: &'b Method,
-        unneeded: Option<&OutputSlice>,
+        unneeded: Option<Unneeded<'_>>,
     ) -> Body<'b> {
         let graph = &self.emitter.model.graph;
         let lowered = self.emitter.lowered;
