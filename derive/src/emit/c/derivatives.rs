@@ -3,7 +3,7 @@
 use lagrangian_symbolic::{Operand, Rational};
 
 use super::Export;
-use super::body::Body;
+use super::body::{Body, Unneeded};
 use super::methods::are_positive;
 use crate::plan::{
     DerivativeOutputs, InputJacobianOutputs, Method, OutputSlice, ParameterSource, Residuals,
@@ -20,7 +20,7 @@ impl Export<'_> {
         method: &Method,
         outputs: &DerivativeOutputs<StateJacobian>,
     ) -> String {
-        let all = |_: usize| true;
+        let reads = self.body(method, None).reads_accelerations();
         let body = match outputs {
             DerivativeOutputs::Symbolic {
                 pivots,
@@ -28,9 +28,7 @@ impl Export<'_> {
                 derivatives,
                 residuals,
             } => {
-                let reads = self.body(method, None).reads_accelerations();
-                let unneeded = (!reads).then_some((accelerations, &all as &dyn Fn(usize) -> bool));
-                let mut body = self.body(method, unneeded);
+                let mut body = self.body(method, unless(reads, accelerations));
                 let pivots = body.compute(pivots);
                 if reads {
                     let accelerations = body.compute(accelerations);
@@ -38,25 +36,8 @@ impl Export<'_> {
                     let found = (&pivots[..], accelerations);
                     self.if_positive(&mut body, "a", found, ParameterSource::Fields);
                 }
-                // What both ways read is computed before them.
-                let columns = [
-                    &derivatives.position,
-                    &derivatives.velocity,
-                    &derivatives.time,
-                ];
-                let columns = columns.map(|slice| body.compute(slice));
-                if !pivots.is_empty() {
-                    body.line(&format!("if ({}) {{", are_positive(&pivots)));
-                }
-                self.derivatives(&mut body, columns);
-                if !pivots.is_empty() {
-                    body.line("} else {");
-                    if let Some(residuals) = residuals {
-                        self.factors_by_methods(&mut body, ParameterSource::Fields);
-                        self.solved_beside(&mut body, method, residuals);
-                    }
-                    body.line("}");
-                }
+                let residuals = residuals.as_ref().filter(|_| !pivots.is_empty());
+                self.derivatives(&mut body, method, &pivots, (derivatives, residuals));
                 body
             }
             DerivativeOutputs::Numerical {
@@ -64,11 +45,7 @@ impl Export<'_> {
                 forcing,
                 residuals,
             } => {
-                let reads = self.body(method, None).reads_accelerations();
-                let mut body = self.body(
-                    method,
-                    (!reads).then_some((forcing, &all as &dyn Fn(usize) -> bool)),
-                );
+                let mut body = self.body(method, unless(reads, forcing));
                 self.factors(&mut body, mass, ParameterSource::Fields);
                 if reads {
                     let forcing = body.compute(forcing);
@@ -85,8 +62,34 @@ impl Export<'_> {
         )
     }
 
+    /// Writes the derivatives where all pivots are positive, and elsewhere what is solved for numerically.
+    fn derivatives(
+        &self,
+        body: &mut Body<'_>,
+        method: &Method,
+        pivots: &[String],
+        (derivatives, residuals): (&StateJacobian, Option<&Residuals<StateJacobian>>),
+    ) {
+        // What both ways read is computed before them.
+        let columns = [
+            &derivatives.position,
+            &derivatives.velocity,
+            &derivatives.time,
+        ];
+        let columns = columns.map(|slice| body.compute(slice));
+        let Some(residuals) = residuals else {
+            return self.columns(body, columns);
+        };
+        body.line(&format!("if ({}) {{", are_positive(pivots)));
+        self.columns(body, columns);
+        body.line("} else {");
+        self.factors_by_methods(body, ParameterSource::Fields);
+        self.solved_beside(body, method, residuals);
+        body.line("}");
+    }
+
     /// Writes the derivatives themselves.
-    fn derivatives(&self, body: &mut Body<'_>, columns: [Vec<String>; 3]) {
+    fn columns(&self, body: &mut Body<'_>, columns: [Vec<String>; 3]) {
         let n = self.emitter.coordinates();
         for (part, elements) in PARTS.into_iter().zip(columns) {
             let width = (elements.len() / n.max(1)).max(1);
@@ -220,4 +223,9 @@ impl Export<'_> {
             self.solved_column(body, column, &format!("x[i * {inputs} + {j}]"));
         }
     }
+}
+
+/// Outputs that are not needed, unless accelerations are read.
+fn unless(reads: bool, slice: &OutputSlice) -> Option<Unneeded<'_>> {
+    (!reads).then_some((slice, &|_| true))
 }

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::structs::Field;
 use super::{Export, WIDTH};
 use crate::emit::events::names;
+use crate::syntax::label::Label;
 use crate::syntax::names::unraw;
 
 impl Export<'_> {
@@ -56,36 +57,21 @@ impl Export<'_> {
              products with sums: with -ffp-contract=off, and for the same instructions of fused multiply-add or without any. They \
              allocate nothing and keep nothing between calls.\n\n",
         );
-        let lists = [
+        let constraints = &self.emitter.lowered.constraints;
+        let events = &self.emitter.lowered.events;
+        let lists: [(&str, Vec<String>); 4] = [
             (
                 "q[i], coordinates, and v[i], their velocities",
-                quantities
-                    .coordinates
-                    .iter()
-                    .map(ToString::to_string)
-                    .collect::<Vec<_>>(),
+                printed(&quantities.coordinates),
             ),
-            (
-                "u[i], inputs",
-                quantities
-                    .inputs
-                    .iter()
-                    .map(|input| input.label.to_string())
-                    .collect(),
-            ),
+            ("u[i], inputs", self.inputs()),
             (
                 "multipliers[i], of the constraints",
-                self.emitter
-                    .lowered
-                    .constraints
-                    .labels()
-                    .iter()
-                    .map(ToString::to_string)
-                    .collect(),
+                printed(&constraints.labels()),
             ),
             (
                 "values[i], event functions",
-                names(self.emitter.declaration, &self.emitter.lowered.events).collect(),
+                names(self.emitter.declaration, events).collect(),
             ),
         ];
         for (title, list) in lists {
@@ -110,6 +96,22 @@ impl Export<'_> {
         comment(&about)
     }
 
+    /// The names of the inputs, with what the declaration says of them.
+    fn inputs(&self) -> Vec<String> {
+        let declaration = self.emitter.declaration;
+        let inputs = self.emitter.lowered.quantities.inputs.iter();
+        let inputs = inputs.map(|input| {
+            let mut fields = declaration.fields.iter();
+            let field = fields.find(|field| unraw(&field.name) == unraw(&input.field));
+            let documentation = field.map(|field| in_a_line(&field.documentation));
+            match documentation.filter(|text| !text.is_empty()) {
+                Some(text) => format!("{}: {text}", input.label),
+                None => input.label.to_string(),
+            }
+        });
+        inputs.collect()
+    }
+
     /// The numbers of coordinates, inputs and constraints.
     fn numbers(&self) -> String {
         let prefix = self.prefix.to_uppercase();
@@ -129,20 +131,28 @@ impl Export<'_> {
     fn structure(&self, about: &str, name: &str, fields: &[Field]) -> String {
         let mut text = format!("/* {about} */\ntypedef struct {{\n");
         for field in fields {
-            let mut lines: Vec<&str> = field.documentation.lines().map(str::trim).collect();
-            let declared = format!("`{}` in the declaration.", field.declared);
+            let mut about = in_a_line(&field.documentation);
             if field.name != field.declared {
-                lines.push(&declared);
+                let _ = write!(about, " `{}` in the declaration.", field.declared);
             }
-            if !lines.is_empty() {
-                let text_of_field = lines.join(" ");
-                let _ = writeln!(text, "    /* {} */", inner(&text_of_field));
+            if !about.is_empty() {
+                let _ = writeln!(text, "    /* {} */", inner(about.trim()));
             }
             let _ = writeln!(text, "    {}", self.filled(&field.declaration()));
         }
         let _ = write!(text, "}} {}_{name};\n\n", self.prefix);
         text
     }
+}
+
+fn printed(labels: &[Label]) -> Vec<String> {
+    labels.iter().map(ToString::to_string).collect()
+}
+
+/// A text in one line.
+fn in_a_line(text: &str) -> String {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    words.join(" ")
 }
 
 /// What may stand in a comment.

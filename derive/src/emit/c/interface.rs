@@ -65,6 +65,26 @@ impl Export<'_> {
                 ],
             ));
         }
+        functions.extend(self.observations_of_header());
+        if self.is_constrained() {
+            functions.push(
+                Function::new(
+                    "project",
+                    "",
+                    "Projects coordinates and velocities onto the constraints in the metric of M, in place. It does not check that the \
+                     iteration has converged.",
+                    &["$_project_at(&at, q, v);"],
+                )
+                .moving(),
+            );
+        }
+        functions.push(self.step_of_header().moving());
+        functions
+    }
+
+    /// The functions for outputs, events and energies.
+    fn observations_of_header(&self) -> Vec<Function> {
+        let mut functions = Vec::new();
         if !self.outputs.is_empty() {
             functions.push(Function::new(
                 "compute_outputs",
@@ -95,19 +115,6 @@ impl Export<'_> {
                 "Returns the potential energy V.",
             ));
         }
-        if self.is_constrained() {
-            functions.push(
-                Function::new(
-                    "project",
-                    "",
-                    "Projects coordinates and velocities onto the constraints in the metric of M, in place. It does not check that the \
-                     iteration has converged.",
-                    &["$_project_at(&at, q, v);"],
-                )
-                .moving(),
-            );
-        }
-        functions.push(self.step_of_header().moving());
         functions
     }
 
@@ -146,55 +153,25 @@ impl Export<'_> {
             self.emitter.model.inputs as usize,
         );
         let has_inputs = m > 0 && self.has(EmittedMethod::InputJacobian);
-        let of_inputs = [
-            format!("double jacobian[{}];", n * m.max(1)),
-            "$_input_jacobian_at(&at, jacobian);".to_owned(),
-            format!("for (i = 0; i < {n}; ++i) {{"),
-            format!("    for (j = 0; j < {m}; ++j) {{"),
-            format!("        input_matrix[i * {m} + j] = 0.0;"),
-            format!("        input_matrix[({n} + i) * {m} + j] = jacobian[i * {m} + j];"),
-            "    }".to_owned(),
-            "}".to_owned(),
-        ];
         let in_words = format!(
             "B = d(v, a)/du, with {} rows and {m} columns, row by row: element (i, j) is input_matrix[i * {m} + j]",
             2 * n
         );
-        let of_inputs = of_inputs.iter().map(String::as_str);
+        let of_inputs = "$_input_matrix_at(&at, input_matrix);";
         if !self.has(EmittedMethod::Linearize) {
-            let lines: Vec<&str> = ["int i, j;"].into_iter().chain(of_inputs).collect();
             return has_inputs.then(|| {
+                let in_words = format!("Computes the input matrix {in_words}.");
                 Function::new(
                     "input_matrix",
                     "double *input_matrix",
-                    &format!("Computes the input matrix {in_words}."),
-                    &lines,
+                    &in_words,
+                    &[of_inputs],
                 )
             });
         }
         let d = 2 * n;
-        let of_state = [
-            format!("double position[{0}], velocity[{0}], by_time[{n}];", n * n),
-            "int i, j;".to_owned(),
-            "$_linearize_at(&at, position, velocity, by_time);".to_owned(),
-            format!("for (i = 0; i < {n}; ++i) {{"),
-            format!("    for (j = 0; j < {n}; ++j) {{"),
-            format!("        state_matrix[i * {d} + j] = 0.0;"),
-            format!("        state_matrix[i * {d} + {n} + j] = i == j ? 1.0 : 0.0;"),
-            format!("        state_matrix[({n} + i) * {d} + j] = position[i * {n} + j];"),
-            format!("        state_matrix[({n} + i) * {d} + {n} + j] = velocity[i * {n} + j];"),
-            "    }".to_owned(),
-            "    if (time_derivative) {".to_owned(),
-            "        time_derivative[i] = by_time[i];".to_owned(),
-            "    }".to_owned(),
-            "}".to_owned(),
-        ];
-        let of_inputs = of_inputs.filter(|_| has_inputs);
-        let lines: Vec<&str> = of_state
-            .iter()
-            .map(String::as_str)
-            .chain(of_inputs)
-            .collect();
+        let mut lines = vec!["$_state_matrix_at(&at, state_matrix, time_derivative);"];
+        lines.extend(has_inputs.then_some(of_inputs));
         let (argument, in_words) = if has_inputs {
             ("double *input_matrix, ", format!(" and {in_words};"))
         } else {

@@ -40,7 +40,9 @@ const FACTORS: [Part; 2] = [
 ];
 
 /// What calls the functions of methods, each behind those that call it.
-const AROUND_METHODS: [Part; 3] = [
+const AROUND_METHODS: [Part; 5] = [
+    part!("state_matrix_at", "state_matrix"),
+    part!("input_matrix_at", "input_matrix"),
     part!("end_step", "end_of_step"),
     part!("project_at", "projection"),
     part!("increments", "step"),

@@ -4,7 +4,7 @@ use lagrangian::prelude::*;
 use lagrangian::rigid_body::Solid;
 
 use super::program::{
-    Agreement, Case, PROJECTIONS, check, constrained, free, input_matrix, on_constraints,
+    Agreement, Case, PROJECTIONS, body, check, constrained, free, input_matrix, on_constraints,
     state_matrix,
 };
 
@@ -156,28 +156,10 @@ pub(super) fn arm() -> Case {
         g: 9.81,
         torque: [u[0], u[1], u[2]],
     };
-    let body = |body: &RigidBody| {
-        let inertia = body.inertia().matrix();
-        [
-            &[body.mass()][..],
-            body.center().as_slice(),
-            inertia.as_slice(),
-        ]
-        .concat()
-    };
-    let symmetric = {
-        let inertia = column.inertia().matrix();
-        [
-            &[column.mass()][..],
-            column.center().as_slice(),
-            inertia.as_slice(),
-        ]
-        .concat()
-    };
     let parameters = [
-        symmetric,
-        body(&upper),
-        body(&lower),
+        body!(column),
+        body!(upper),
+        body!(lower),
         shoulder.as_slice().to_vec(),
         mount.transpose().as_slice().to_vec(),
         vec![0.5, 0.25, 0.125, 0.6, 9.81],

@@ -453,7 +453,16 @@ macro_rules! constrained {
     }};
 }
 
-pub(super) use {constrained, free, functions, input_matrix, on_constraints, state_matrix};
+/// The numbers of a body, in the order of its struct in C.
+macro_rules! body {
+    ($body:expr) => {{
+        let inertia = $body.inertia().matrix();
+        let center = $body.center();
+        [&[$body.mass()][..], center.as_slice(), inertia.as_slice()].concat()
+    }};
+}
+
+pub(super) use {body, constrained, free, functions, input_matrix, on_constraints, state_matrix};
 
 /// A function in C and in Rust.
 pub(super) fn check(

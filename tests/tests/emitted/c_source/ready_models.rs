@@ -5,18 +5,9 @@ use lagrangian_models::{Bicycle, FurutaPendulum, GeneralTop, StewartPlatform};
 use lagrangian_tests::Random;
 
 use super::program::{
-    Agreement, Case, PROJECTIONS, Point, check, constrained, free, input_matrix, on_constraints,
-    state_matrix,
+    Agreement, Case, PROJECTIONS, Point, body, check, constrained, free, input_matrix,
+    on_constraints, state_matrix,
 };
-
-/// The numbers of a body, in the order of its struct in C.
-macro_rules! body {
-    ($body:expr) => {{
-        let inertia = $body.inertia().matrix();
-        let center = $body.center();
-        [&[$body.mass()][..], center.as_slice(), inertia.as_slice()].concat()
-    }};
-}
 
 /// A body without symmetry.
 fn rigid_body() -> RigidBody {
