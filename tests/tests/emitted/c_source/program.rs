@@ -53,6 +53,9 @@ impl Point {
     }
 }
 
+/// What Rust returns at a point, unless it refuses.
+pub(super) type Expected = Box<dyn Fn(&Point) -> Option<Vec<f64>>>;
+
 /// A function of the model, in C and in Rust.
 pub(super) struct Check {
     pub(super) name: &'static str,
@@ -61,8 +64,7 @@ pub(super) struct Check {
     pub(super) statements: String,
     /// How many results there are.
     pub(super) count: usize,
-    /// What Rust returns, unless it refuses.
-    pub(super) expected: Box<dyn Fn(&Point) -> Option<Vec<f64>>>,
+    pub(super) expected: Expected,
 }
 
 /// How nearly results are the same.
@@ -274,7 +276,7 @@ impl Agreement {
                 pairs.all(|(x, y)| {
                     (x - y).abs() <= units * f64::EPSILON * largest
                         || (x.is_nan() && y.is_nan())
-                        || x == y
+                        || x.to_bits() == y.to_bits()
                 })
             }
         }
