@@ -13,7 +13,19 @@ const MANY_POINTS: usize = 1000;
 
 #[test]
 fn a_driven_cart_has_the_bits_of_rust() {
-    models::cart_pole().agrees_at_random_points(POINTS);
+    models::cart_pole(0.25).agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn what_cannot_be_solved_symbolically_has_the_bits_of_rust() {
+    models::cart_pole(-0.75).agrees_at_random_points(POINTS);
+    models::chain(-4.0).agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn a_chain_and_a_reduced_model_have_the_bits_of_rust() {
+    models::chain(0.5).agrees_at_random_points(POINTS);
+    models::radial().agrees_at_random_points(POINTS);
 }
 
 #[test]
@@ -48,7 +60,7 @@ fn elementary_functions_agree_to_two_units() {
 
 #[test]
 fn special_numbers_are_those_of_rust() {
-    for case in [models::cart_pole(), models::elementary_functions()] {
+    for case in [models::cart_pole(0.25), models::elementary_functions()] {
         let numbers = [
             0.0,
             -0.0,
@@ -86,11 +98,14 @@ fn a_ready_model_with_constraints_has_the_bits_of_rust() {
 }
 
 #[test]
-#[ignore = "a thousand states of eleven models; run with `--include-ignored`"]
+#[ignore = "a thousand states of thirteen models; run with `--include-ignored`"]
 fn a_thousand_states_of_all_models_agree() {
     let cases = [
-        models::cart_pole(),
+        models::cart_pole(0.25),
         models::arm(),
+        models::chain(0.5),
+        models::chain(-4.0),
+        models::radial(),
         models::guided(),
         models::indefinite(),
         models::names(),

@@ -38,10 +38,11 @@ pub(super) struct CartPole {
     twist: f64,
 }
 
-pub(super) fn cart_pole() -> Case {
-    let model = |u: &[f64]| CartPole {
+/// With this mass of the pole. If it is negative, accelerations are solved for numerically.
+pub(super) fn cart_pole(pole: f32) -> Case {
+    let model = move |u: &[f64]| CartPole {
         cart: 1.3,
-        pole: 0.25,
+        pole,
         l: 0.7,
         g: 9.81,
         friction: 0.02,
@@ -93,7 +94,7 @@ pub(super) fn cart_pole() -> Case {
         prefix: "cart_pole",
         source: CartPole::C_SOURCE,
         header: CartPole::C_HEADER,
-        parameters: vec![1.3, 0.25, 0.7, 9.81, 0.02],
+        parameters: vec![1.3, f64::from(pole), 0.7, 9.81, 0.02],
         coordinates: 2,
         inputs: 2,
         checks,
@@ -416,5 +417,100 @@ pub(super) fn elementary_functions() -> Case {
         inputs: 0,
         checks,
         agreement: Agreement::Units(2.0),
+    }
+}
+
+/// A chain of joints, whose accelerations are differentiated along the links.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(q[6]),
+    define(
+        angle[0] = q[0],
+        angle[i] = angle[i - 1] + q[i] for i in 1..6,
+        p[0] = l[0] * [sin(angle[0]), -cos(angle[0])],
+        p[i] = p[i - 1] + l[i] * [sin(angle[i]), -cos(angle[i])] for i in 1..6,
+    ),
+    kinetic = (0..6).map(|i| 0.5 * m[i] * dot(p[i]).norm_squared()).sum(),
+    potential = (0..6).map(|i| m[i] * g * p[i].y).sum(),
+    force(q[i] = push[i] - 0.1 * dot(q[i]) for i in 0..6),
+    c,
+)]
+pub(super) struct Chain {
+    m: [f64; 6],
+    l: [f64; 6],
+    g: f64,
+    #[lagrangian(input)]
+    push: [f64; 6],
+}
+
+/// With this mass of the fourth link. If it is negative enough, accelerations are solved for numerically.
+pub(super) fn chain(mass: f64) -> Case {
+    let (m, l) = (
+        [1.0, 0.5, 0.75, mass, 0.25, 0.5],
+        [0.5, 0.4, 0.3, 0.6, 0.2, 0.7],
+    );
+    let model = move |u: &[f64]| Chain {
+        m,
+        l,
+        g: 9.81,
+        push: std::array::from_fn(|i| u[i]),
+    };
+    let mut checks = free!(6, model);
+    checks.push(state_matrix!(6, model, "b, "));
+    let call = "double a2[144]; $_linearize(POINT, a2, y, NULL);";
+    checks.push(input_matrix!(6, 6, model, call));
+    Case {
+        prefix: "chain",
+        source: Chain::C_SOURCE,
+        header: Chain::C_HEADER,
+        parameters: [&m[..], &l, &[9.81]].concat(),
+        coordinates: 6,
+        inputs: 6,
+        checks,
+        agreement: Agreement::Bits,
+    }
+}
+
+/// A mass that slides on a turning rod, whose angle is ignorable, with parameters of any scalar.
+#[derive(Lagrangian)]
+#[lagrangian(
+    coordinates(r, phi),
+    kinetic = 0.5 * m * (dot(r).powi(2) + (r * dot(phi)).powi(2)) + 0.5 * i * dot(phi).powi(2),
+    potential = 0.5 * k * r.powi(2),
+    output(rate = dot(phi)),
+    routhian(Radial),
+    c,
+)]
+pub(super) struct Slider<T: Scalar> {
+    m: T,
+    i: T,
+    k: T,
+}
+
+/// The reduced model.
+pub(super) fn radial() -> Case {
+    let model = |_: &[f64]| {
+        let slider = Slider {
+            m: 1.5,
+            i: 0.25,
+            k: 3.0,
+        };
+        slider.reduce(&State::new(0.0, [1.0, 0.0], [0.0, 1.5])).0
+    };
+    let mut checks = free!(1, model);
+    checks.push(state_matrix!(1, model, ""));
+    let call = "$_outputs o; $_compute_outputs(POINT, &o); y[0] = o.rate;";
+    checks.push(check("outputs", 1, call, move |point| {
+        Some(vec![model(&[]).outputs(&point.state::<1>()).rate])
+    }));
+    Case {
+        prefix: "radial",
+        source: Radial::<f64>::C_SOURCE,
+        header: Radial::<f64>::C_HEADER,
+        parameters: vec![1.5, 0.25, 3.0, model(&[]).p_phi],
+        coordinates: 1,
+        inputs: 0,
+        checks,
+        agreement: Agreement::Bits,
     }
 }
