@@ -423,49 +423,47 @@ pub(super) fn elementary_functions() -> Case {
 /// A chain of joints, whose accelerations are differentiated along the links.
 #[derive(Lagrangian)]
 #[lagrangian(
-    coordinates(q[6]),
+    coordinates(q[10]),
     define(
         angle[0] = q[0],
-        angle[i] = angle[i - 1] + q[i] for i in 1..6,
+        angle[i] = angle[i - 1] + q[i] for i in 1..10,
         p[0] = l[0] * [sin(angle[0]), -cos(angle[0])],
-        p[i] = p[i - 1] + l[i] * [sin(angle[i]), -cos(angle[i])] for i in 1..6,
+        p[i] = p[i - 1] + l[i] * [sin(angle[i]), -cos(angle[i])] for i in 1..10,
     ),
-    kinetic = (0..6).map(|i| 0.5 * m[i] * dot(p[i]).norm_squared()).sum(),
-    potential = (0..6).map(|i| m[i] * g * p[i].y).sum(),
-    force(q[i] = push[i] - 0.1 * dot(q[i]) for i in 0..6),
+    kinetic = (0..10).map(|i| 0.5 * m[i] * dot(p[i]).norm_squared()).sum(),
+    potential = (0..10).map(|i| m[i] * g * p[i].y).sum(),
+    force(q[i] = push[i] - 0.1 * dot(q[i]) for i in 0..10),
     c,
 )]
 pub(super) struct Chain {
-    m: [f64; 6],
-    l: [f64; 6],
+    m: [f64; 10],
+    l: [f64; 10],
     g: f64,
     #[lagrangian(input)]
-    push: [f64; 6],
+    push: [f64; 10],
 }
 
 /// With this mass of the fourth link. If it is negative enough, accelerations are solved for numerically.
 pub(super) fn chain(mass: f64) -> Case {
-    let (m, l) = (
-        [1.0, 0.5, 0.75, mass, 0.25, 0.5],
-        [0.5, 0.4, 0.3, 0.6, 0.2, 0.7],
-    );
+    let m = [1.0, 0.5, 0.75, mass, 0.25, 0.5, 0.125, 0.75, 0.5, 1.0];
+    let l = [0.5, 0.4, 0.3, 0.6, 0.2, 0.7, 0.4, 0.3, 0.5, 0.6];
     let model = move |u: &[f64]| Chain {
         m,
         l,
         g: 9.81,
         push: std::array::from_fn(|i| u[i]),
     };
-    let mut checks = free!(6, model);
-    checks.push(state_matrix!(6, model, "b, "));
-    let call = "double a2[144]; $_linearize(POINT, a2, y, NULL);";
-    checks.push(input_matrix!(6, 6, model, call));
+    let mut checks = free!(10, model);
+    checks.push(state_matrix!(10, model, "b, "));
+    let call = "double a2[400]; $_linearize(POINT, a2, y, NULL);";
+    checks.push(input_matrix!(10, 10, model, call));
     Case {
         prefix: "chain",
         source: Chain::C_SOURCE,
         header: Chain::C_HEADER,
         parameters: [&m[..], &l, &[9.81]].concat(),
-        coordinates: 6,
-        inputs: 6,
+        coordinates: 10,
+        inputs: 10,
         checks,
         agreement: Agreement::Bits,
     }
