@@ -1,6 +1,6 @@
 //! Writes the equations of motion of a cart with a pole as C, for a microcontroller or a simulator of others.
 //!
-//! `cargo run --example c_source -- FOLDER` writes `cart_pole.c` and `cart_pole.h`.
+//! `cargo run --example c_source -- FOLDER` writes `cart_pole.c` and `cart_pole.h`, and `cart_pole_casadi.c` for `CasADi`.
 
 use lagrangian::prelude::*;
 
@@ -37,6 +37,7 @@ fn main() -> std::io::Result<()> {
     let folder = std::path::Path::new(&folder);
     std::fs::write(folder.join("cart_pole.c"), CartPole::C_SOURCE)?;
     std::fs::write(folder.join("cart_pole.h"), CartPole::C_HEADER)?;
+    std::fs::write(folder.join("cart_pole_casadi.c"), CartPole::C_CASADI)?;
     println!("cc -std=c99 -O2 -ffp-contract=off -c cart_pole.c");
     Ok(())
 }

@@ -12,6 +12,7 @@ mod library;
 mod methods;
 mod derivatives;
 mod interface;
+mod casadi;
 mod header;
 
 use proc_macro2::TokenStream;
@@ -32,6 +33,7 @@ impl Emitter<'_> {
         let visibility = &self.declaration.visibility;
         let export = Export::new(self);
         let (source, header) = (export.source(), export.header());
+        let casadi = export.casadi();
         let name = format!("{}.h", export.prefix);
         let of_source = format!("The model in C99, which includes `{name}`.");
         let of_header = format!("The header of [`C_SOURCE`](Self::C_SOURCE), `{name}`.");
@@ -40,6 +42,8 @@ impl Emitter<'_> {
             #visibility const C_SOURCE: &'static str = #source;
             #[doc = #of_header]
             #visibility const C_HEADER: &'static str = #header;
+            /// The model as external functions of `CasADi`, in C.
+            #visibility const C_CASADI: &'static str = #casadi;
         }
     }
 }

@@ -21,8 +21,8 @@ const BY_COLUMNS: MethodLimits = MethodLimits {
     ..LIMITS
 };
 
-/// The sources and headers in an expansion: of the model, and of its reduced model.
-fn sources(declaration: TokenStream, limits: MethodLimits) -> Vec<[String; 2]> {
+/// The sources, headers and external functions in an expansion: of the model, and of its reduced model.
+fn sources(declaration: TokenStream, limits: MethodLimits) -> Vec<[String; 3]> {
     let items = expand_within(declaration, limits);
     let file: syn::File = syn::parse2(items).expect("the expansion is of items");
     let mut found = Vec::new();
@@ -40,21 +40,28 @@ fn sources(declaration: TokenStream, limits: MethodLimits) -> Vec<[String; 2]> {
                 _ => None,
             })
         };
-        if let (Some(source), Some(header)) = (text_of("C_SOURCE"), text_of("C_HEADER")) {
-            found.push([source, header]);
+        if let [Some(source), Some(header), Some(casadi)] =
+            ["C_SOURCE", "C_HEADER", "C_CASADI"].map(text_of)
+        {
+            found.push([source, header, casadi]);
         }
     }
     found
 }
 
 /// What a compiler says of a source, unless there is none; nothing if it is content.
-fn complaints([source, header]: &[String; 2], folder: &Path) -> Option<String> {
+fn complaints([source, header, casadi]: &[String; 3], folder: &Path) -> Option<String> {
     let include = source.split("#include \"").nth(1)?;
     let header_name = include.split('"').next()?;
     fs::create_dir_all(folder).expect("a folder");
     fs::write(folder.join(header_name), header).expect("a file");
-    let file = folder.join("model.c");
-    fs::write(&file, source).expect("a file");
+    let sources = [("model.c", source), ("casadi.c", casadi)];
+    let complaints = sources.map(|(name, text)| complaints_of(&folder.join(name), text));
+    complaints.into_iter().flatten().next()
+}
+
+fn complaints_of(file: &Path, text: &str) -> Option<String> {
+    fs::write(file, text).expect("a file");
     let mut command = Command::new("cc");
     command.args([
         "-std=c99",
@@ -66,9 +73,9 @@ fn complaints([source, header]: &[String; 2], folder: &Path) -> Option<String> {
     ]);
     let output = command
         .arg("-c")
-        .arg(&file)
+        .arg(file)
         .arg("-o")
-        .arg(folder.join("model.o"))
+        .arg(file.with_extension("o"))
         .output();
     let output = output.ok()?;
     (!output.status.success()).then(|| String::from_utf8_lossy(&output.stderr).into_owned())
@@ -92,7 +99,7 @@ fn a_source_is_the_same_each_time() {
     let [first, second] = [(); 2].map(|()| sources(driven_pendulum(), LIMITS));
     assert_eq!(first.len(), 1);
     assert_eq!(first, second);
-    let [source, header] = &first[0];
+    let [source, header, _] = &first[0];
     assert!(source.contains("\nvoid pendulum_step("));
     assert!(header.contains("\nvoid pendulum_step("));
     // What is not called is not there.

@@ -79,7 +79,7 @@ namesakes! {
     OfEvents: DeclaresEvents { const EVENTS; }
     OfRegressor: DeclaresRegressor { const BASE_PARAMETERS, WITHOUT_EFFECT; }
     OfSensitivities: DeclaresSensitivities { const PARAMETERS; }
-    OfC: DeclaresC { const C_SOURCE, C_HEADER; }
+    OfC: DeclaresC { const C_SOURCE, C_HEADER, C_CASADI; }
     OfReducedModels: IsReduced {
         fn routhian, effective_potential, ignorable_velocities, full_state, reconstruction;
         const ELIMINATED;

@@ -9,6 +9,9 @@ use crate::syntax::label::{Index, Label};
 use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
 
+/// The mass, the centre of gravity and the inertia tensor.
+const NUMBERS_OF_BODY: usize = 13;
+
 /// The struct of parameters, which has a field for each of the model.
 pub(super) struct Parameters {
     pub(super) fields: Vec<Field>,
@@ -65,6 +68,11 @@ impl Parameters {
         self.fields.is_empty()
     }
 
+    /// How many numbers the struct has.
+    pub(super) fn numbers(&self) -> usize {
+        self.fields.iter().map(Field::numbers).sum()
+    }
+
     /// Whether some fields hold bodies.
     pub(super) fn have_bodies(&self) -> bool {
         self.fields.iter().any(|field| field.is_body)
@@ -93,6 +101,12 @@ impl Field {
                 }
             })
             .collect()
+    }
+
+    /// How many numbers the field has.
+    fn numbers(&self) -> usize {
+        let each = if self.is_body { NUMBERS_OF_BODY } else { 1 };
+        self.lengths.iter().product::<usize>() * each
     }
 
     /// The declaration of the field.

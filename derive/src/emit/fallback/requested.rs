@@ -55,6 +55,7 @@ impl Fallback<'_> {
             quote! {
                 #visibility const C_SOURCE: &'static str = "";
                 #visibility const C_HEADER: &'static str = "";
+                #visibility const C_CASADI: &'static str = "";
             }
         });
         quote!(#regressor #sensitivities #c)

@@ -4,8 +4,8 @@ use lagrangian::prelude::*;
 use lagrangian::rigid_body::Solid;
 
 use super::program::{
-    Agreement, Case, PROJECTIONS, body, check, constrained, free, input_matrix, on_constraints,
-    state_matrix,
+    Agreement, Case, Check, PROJECTIONS, body, check, constrained, free, input_matrix,
+    on_constraints, state_matrix,
 };
 
 /// A pole on a cart, with outputs of all shapes, one of which reads accelerations, and an event that does.
@@ -66,6 +66,7 @@ pub(super) fn cart_pole(pole: f32) -> Case {
             .concat(),
         )
     }));
+    checks.extend(casadi_checks(model));
     checks.push(check(
         "events",
         3,
@@ -94,12 +95,41 @@ pub(super) fn cart_pole(pole: f32) -> Case {
         prefix: "cart_pole",
         source: CartPole::C_SOURCE,
         header: CartPole::C_HEADER,
+        casadi: CartPole::C_CASADI,
         parameters: vec![1.3, f64::from(pole), 0.7, 9.81, 0.02],
         coordinates: 2,
         inputs: 2,
         checks,
         agreement: Agreement::Bits,
     }
+}
+
+/// The external functions of `CasADi` for a cart with a pole.
+fn casadi_checks(model: impl Fn(&[f64]) -> CartPole + Copy + 'static) -> [Check; 2] {
+    let call = |function: &str, results: &str| {
+        format!(
+            "extern int $_{function}(const double **, double **, long long int *, double *, int); double x[4]; \
+             memcpy(x, q, sizeof q); memcpy(x + 2, v, sizeof v); \
+             const double *arg[4] = {{&t, x, u, (const double *)&p}}; double *res[2] = {{{results}}}; \
+             $_{function}(arg, res, NULL, NULL, 0);"
+        )
+    };
+    [
+        check("dynamics", 4, &call("dynamics", "y, NULL"), move |point| {
+            let accelerations = model(&point.u).accelerations(&point.state::<2>());
+            Some([&point.v, accelerations.as_slice()].concat())
+        }),
+        check(
+            "linear model",
+            24,
+            &call("linear_model", "y, y + 16"),
+            move |point| {
+                let (model, state) = (model(&point.u), point.state::<2>());
+                let found = lagrangian::analysis::StateSpace::<f64, 4, 2, 4>::of(&model, &state);
+                Some([found.a.as_slice(), found.b.as_slice()].concat())
+            },
+        ),
+    ]
 }
 
 /// An arm of bodies, a family of coordinates and of parameters, a vector and a matrix.
@@ -183,6 +213,7 @@ pub(super) fn arm() -> Case {
         prefix: "arm3_r",
         source: Arm3R::C_SOURCE,
         header: Arm3R::C_HEADER,
+        casadi: Arm3R::C_CASADI,
         parameters: parameters.concat(),
         coordinates: 3,
         inputs: 3,
@@ -267,6 +298,7 @@ pub(super) fn guided() -> Case {
         prefix: "guided",
         source: Guided::C_SOURCE,
         header: Guided::C_HEADER,
+        casadi: Guided::C_CASADI,
         parameters: vec![0.8, 0.3, 9.81, 2.0, 0.5, 0.125],
         coordinates: 6,
         inputs: 2,
@@ -298,6 +330,7 @@ pub(super) fn indefinite() -> Case {
         prefix: "indefinite",
         source: Indefinite::C_SOURCE,
         header: Indefinite::C_HEADER,
+        casadi: Indefinite::C_CASADI,
         parameters: vec![0.7],
         coordinates: 5,
         inputs: 0,
@@ -338,6 +371,7 @@ pub(super) fn names() -> Case {
         prefix: "signed_",
         source: Signed::C_SOURCE,
         header: Signed::C_HEADER,
+        casadi: Signed::C_CASADI,
         parameters: vec![1.5, 0.75, 2.25],
         coordinates: 2,
         inputs: 0,
@@ -359,6 +393,7 @@ pub(super) fn oscillator() -> Case {
         prefix: "oscillator",
         source: Oscillator::C_SOURCE,
         header: Oscillator::C_HEADER,
+        casadi: Oscillator::C_CASADI,
         parameters: Vec::new(),
         coordinates: 1,
         inputs: 0,
@@ -412,6 +447,7 @@ pub(super) fn elementary_functions() -> Case {
         prefix: "functions",
         source: Functions::C_SOURCE,
         header: Functions::C_HEADER,
+        casadi: Functions::C_CASADI,
         parameters: vec![1.25, 0.3],
         coordinates: 2,
         inputs: 0,
@@ -460,6 +496,7 @@ pub(super) fn chain(mass: f64) -> Case {
         prefix: "chain",
         source: Chain::C_SOURCE,
         header: Chain::C_HEADER,
+        casadi: Chain::C_CASADI,
         parameters: [&m[..], &l, &[9.81]].concat(),
         coordinates: 5,
         inputs: 5,
@@ -504,6 +541,7 @@ pub(super) fn radial() -> Case {
         prefix: "radial",
         source: Radial::<f64>::C_SOURCE,
         header: Radial::<f64>::C_HEADER,
+        casadi: Radial::<f64>::C_CASADI,
         parameters: vec![1.5, 0.25, 3.0, model(&[]).p_phi],
         coordinates: 1,
         inputs: 0,

@@ -82,6 +82,7 @@ pub(super) struct Case {
     pub(super) prefix: &'static str,
     pub(super) source: &'static str,
     pub(super) header: &'static str,
+    pub(super) casadi: &'static str,
     /// The numbers in the struct of parameters, in order.
     pub(super) parameters: Vec<f64>,
     pub(super) coordinates: usize,
@@ -147,14 +148,13 @@ impl Case {
             .join("c_source")
             .join(name);
         std::fs::create_dir_all(&folder).expect("a folder");
-        let (model, header, main) = (
-            folder.join(format!("{}.c", self.prefix)),
-            folder.join(format!("{}.h", self.prefix)),
-            folder.join("main.c"),
-        );
+        let named = |ending: &str| folder.join(format!("{}{ending}", self.prefix));
+        let (model, header, casadi) = (named(".c"), named(".h"), named("_casadi.c"));
+        let main = folder.join("main.c");
         for (path, text) in [
             (&model, self.source),
             (&header, self.header),
+            (&casadi, self.casadi),
             (&main, &self.main()),
         ] {
             std::fs::write(path, text).expect("a file");
@@ -173,20 +173,17 @@ impl Case {
             let errors = String::from_utf8_lossy(&output.stderr);
             assert!(output.status.success(), "{}: {errors}", self.prefix);
         };
-        let (object, program) = (folder.join("model.o"), folder.join("program"));
-        let object_name = object.to_str().expect("a path of letters");
-        let strict = [
-            "-Wall",
-            "-Wextra",
-            "-Werror",
-            "-pedantic",
-            "-c",
-            "-o",
-            object_name,
-        ];
-        cc(&strict, &[&model]);
+        let objects = [&model, &casadi].map(|source| {
+            let object = source.with_extension("o");
+            let name = object.to_str().expect("a path of letters");
+            let strict = ["-Wall", "-Wextra", "-Werror", "-pedantic", "-c", "-o", name];
+            cc(&strict, &[source]);
+            object
+        });
+        let program = folder.join("program");
         let program_name = program.to_str().expect("a path of letters");
-        cc(&["-o", program_name, "-lm"], &[&main, &object]);
+        let [object, casadi] = &objects;
+        cc(&["-o", program_name, "-lm"], &[&main, object, casadi]);
         program
     }
 
