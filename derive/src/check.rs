@@ -4,6 +4,7 @@
 
 mod fields;
 mod functions;
+mod c;
 mod names;
 mod parameter_lists;
 mod scalar;
@@ -32,6 +33,7 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     refuse_clauses(declaration, diagnostics);
     parameter_lists::check(declaration, diagnostics);
     check_gravity(declaration, diagnostics);
+    c::check(declaration, diagnostics);
     check_reduced_name(declaration, diagnostics);
     if !declaration.clauses.unreadable {
         check_energies(declaration, diagnostics);

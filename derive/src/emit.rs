@@ -11,6 +11,7 @@ mod outputs;
 mod events;
 mod constraints;
 mod requested;
+mod c;
 mod external_functions;
 mod routhian;
 mod item_names;

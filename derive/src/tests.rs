@@ -1,6 +1,7 @@
 //! Tests of the whole macro: from the tokens of a declaration to those that are emitted.
 
 mod arms;
+mod c_sources;
 mod derived;
 mod editor;
 mod families;

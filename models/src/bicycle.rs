@@ -32,6 +32,7 @@ use lagrangian::rigid_body::{BodyError, InertiaTensor};
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    c,
     coordinates(x, y, yaw, lean, pitch, steer, rear, front),
     define(
         upright = rotation_z(yaw) * rotation_x(lean),

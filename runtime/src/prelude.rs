@@ -13,8 +13,8 @@ pub use crate::{
 // Imported without names: through these traits, the compiler says which clause is missing.
 #[doc(hidden)]
 pub use crate::model::undeclared::{
-    OfConstantsOfMotion as _, OfEvents as _, OfInputs as _, OfReducedModels as _, OfRegressor as _,
-    OfSensitivities as _,
+    OfC as _, OfConstantsOfMotion as _, OfEvents as _, OfInputs as _, OfReducedModels as _,
+    OfRegressor as _, OfSensitivities as _,
 };
 pub use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 

@@ -6,8 +6,8 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
 use crate::plan::constants::{
-    CONSTANTS, CONSTANTS_OF_CONSERVATION, CONSTANTS_OF_CONSTRAINTS, CONSTANTS_OF_EVENTS,
-    CONSTANTS_OF_FUNCTIONS, CONSTANTS_OF_INPUTS, CONSTANTS_OF_REDUCED_MODELS,
+    CONSTANTS, CONSTANTS_OF_C, CONSTANTS_OF_CONSERVATION, CONSTANTS_OF_CONSTRAINTS,
+    CONSTANTS_OF_EVENTS, CONSTANTS_OF_FUNCTIONS, CONSTANTS_OF_INPUTS, CONSTANTS_OF_REDUCED_MODELS,
     CONSTANTS_OF_REGRESSORS, CONSTANTS_OF_SENSITIVITIES, CONSTANTS_OF_SYSTEMS,
 };
 use crate::syntax::declaration::Declaration;
@@ -108,7 +108,7 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
     let has_events = !clauses.events.is_empty();
     let has_constraints = !clauses.constraints.is_empty() || !clauses.nonholonomic.is_empty();
     let every = "a constant of every model";
-    let all: [(&[&str], bool, &str); 10] = [
+    let all: [(&[&str], bool, &str); 11] = [
         (&CONSTANTS, true, every),
         (&CONSTANTS_OF_SYSTEMS, true, every),
         (
@@ -150,6 +150,11 @@ fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
             &CONSTANTS_OF_REGRESSORS,
             declaration.clauses.regressor.is_some(),
             "a constant of every model with a `regressor`",
+        ),
+        (
+            &CONSTANTS_OF_C,
+            clauses.c.is_some(),
+            "a constant of every model with `c`",
         ),
     ];
     let all = all.into_iter().filter(|(_, there, _)| *there);

@@ -3,7 +3,7 @@
 //! Each value that is used more than once, or that the declaration names, is a variable; the others are inlined
 //! where they are used, up to a depth of nesting.
 
-mod variables;
+pub(super) mod variables;
 mod pieces;
 mod in_pieces;
 mod block;

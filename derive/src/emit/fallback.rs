@@ -23,7 +23,7 @@ use super::members_in_lanes::members_in_lanes;
 use super::signatures::Signatures;
 use crate::lower::Lowered;
 use crate::plan::constants::{
-    CONSTANTS, CONSTANTS_OF_CONSTRAINTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS,
+    CONSTANTS, CONSTANTS_OF_C, CONSTANTS_OF_CONSTRAINTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS,
     CONSTANTS_OF_REGRESSORS, CONSTANTS_OF_SENSITIVITIES,
 };
 use crate::plan::{EmittedMethod, Interface};
@@ -74,6 +74,9 @@ impl<'a> Fallback<'a> {
         }
         if declaration.clauses.regressor.is_some() {
             taken.extend(CONSTANTS_OF_REGRESSORS.map(str::to_owned));
+        }
+        if declaration.clauses.c.is_some() {
+            taken.extend(CONSTANTS_OF_C.map(str::to_owned));
         }
         if declaration.clauses.sensitivities.is_some() {
             taken.extend(CONSTANTS_OF_SENSITIVITIES.map(str::to_owned));

@@ -86,7 +86,8 @@ impl Emitter<'_> {
                 #visibility const PARAMETERS: [&'static str; #count] = [#(#names),*];
             }
         });
-        quote!(#regressor #sensitivities)
+        let c = self.c_constants();
+        quote!(#regressor #sensitivities #c)
     }
 }
 

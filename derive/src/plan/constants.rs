@@ -27,6 +27,8 @@ pub(crate) const CONSTANTS_OF_FUNCTIONS: [&str; 1] = ["FUNCTIONS"];
 pub(crate) const CONSTANTS_OF_SENSITIVITIES: [&str; 1] = ["PARAMETERS"];
 /// The constants of a model with a regressor.
 pub(crate) const CONSTANTS_OF_REGRESSORS: [&str; 2] = ["BASE_PARAMETERS", "WITHOUT_EFFECT"];
+/// The constants of a model that is written in C.
+pub(crate) const CONSTANTS_OF_C: [&str; 3] = ["C_SOURCE", "C_HEADER", "C_CASADI"];
 /// The constants of a reduced model.
 pub(crate) const CONSTANTS_OF_REDUCED_MODELS: [&str; 1] = ["ELIMINATED"];
 /// The constants of a model with events.

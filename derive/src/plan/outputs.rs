@@ -40,6 +40,12 @@ impl OutputSlice {
         self.range.len()
     }
 
+    /// The index among them of the output of a group at a position.
+    pub(crate) fn index_of(&self, group: usize, position: usize) -> Option<usize> {
+        let is_among = self.group == group && self.range.contains(&position);
+        is_among.then(|| position - self.range.start)
+    }
+
     /// These among the outputs of each group.
     pub(crate) fn of<'a, T>(&self, outputs: &'a [Vec<T>]) -> &'a [T] {
         let outputs = outputs.get(self.group);

@@ -36,6 +36,7 @@ pub(super) fn reduced_declaration(
         role: Role::Parameter,
         readable: true,
         visibility: declaration.visibility.clone(),
+        documentation: format!("The momentum of {}.", labels[*i]),
     });
     let constants = constants.filter(|constant| {
         let mut fields = declaration.fields.iter();
@@ -76,6 +77,7 @@ pub(super) fn reduced_declaration(
             sensitivities: with_constants(clauses.sensitivities.as_ref(), &constants)
                 .filter(|_| wanted("sensitivities")),
             regressor: clauses.regressor.clone().filter(|_| wanted("regressor")),
+            c: clauses.c.clone().filter(|_| wanted("c")),
             scalar: clauses.scalar.clone(),
             ..Clauses::default()
         },
@@ -84,12 +86,13 @@ pub(super) fn reduced_declaration(
 }
 
 /// The clauses that a reduced model can do without.
-pub(super) const CLAUSES: [&str; 5] = [
+pub(super) const CLAUSES: [&str; 6] = [
     "taylor",
     "hamiltonian",
     "energy_balance",
     "sensitivities",
     "regressor",
+    "c",
 ];
 
 /// Whether the reduced model shall not have a clause: an output or an event of that name comes first.

@@ -48,6 +48,8 @@ pub(crate) struct Clauses {
     pub(crate) sensitivities: Option<ParameterList>,
     /// Which parameters are unknown in the regressor.
     pub(crate) regressor: Option<ParameterList>,
+    /// The word `c`.
+    pub(crate) c: Option<Ident>,
     /// The reduced model that is asked for.
     pub(crate) routhian: Option<RouthianClause>,
     /// The type of `scalar = …`.
@@ -68,7 +70,7 @@ pub(crate) struct Clause {
     pub(crate) expression: Expr,
 }
 
-const KEYWORDS: [&str; 22] = [
+const KEYWORDS: [&str; 23] = [
     "coordinates",
     "function",
     "define",
@@ -90,6 +92,7 @@ const KEYWORDS: [&str; 22] = [
     "energy_balance",
     "sensitivities",
     "regressor",
+    "c",
     "routhian",
 ];
 
@@ -241,6 +244,7 @@ impl Clauses {
             "energy_balance" => word_alone(keyword, input, &mut self.energy_balance)?,
             "sensitivities" => ParameterList::read(keyword, input, &mut self.sensitivities)?,
             "regressor" => ParameterList::read(keyword, input, &mut self.regressor)?,
+            "c" => word_alone(keyword, input, &mut self.c)?,
             "routhian" => self.read_routhian(keyword, input)?,
             written => {
                 if let Some(place) = other_clauses::said_elsewhere(written) {

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
-use syn::{Token, Type, Visibility};
+use syn::{Attribute, Expr, Lit, Meta, Token, Type, Visibility};
 
 use crate::diagnostics::Diagnostics;
 use crate::syntax::field_type::{FieldType, UnsupportedType};
@@ -20,6 +20,8 @@ pub(crate) struct Field {
     /// Whether its attributes could be read.
     pub(crate) readable: bool,
     pub(crate) visibility: Visibility,
+    /// Its documentation, line by line.
+    pub(crate) documentation: String,
 }
 
 /// What a field is to the model.
@@ -55,6 +57,7 @@ impl Field {
             }
         }
         Some(Self {
+            documentation: documentation(&field.attrs),
             name: field.ident?,
             ty: field.ty,
             declared_type: attributes.declared_type,
@@ -73,6 +76,23 @@ impl Field {
     pub(crate) fn field_type(&self) -> Result<FieldType<'_>, UnsupportedType> {
         FieldType::read(self.declared_type())
     }
+}
+
+/// The lines of the comments `///`.
+fn documentation(attributes: &[Attribute]) -> String {
+    let lines = attributes
+        .iter()
+        .filter_map(|attribute| match &attribute.meta {
+            Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+                Expr::Lit(literal) => match &literal.lit {
+                    Lit::Str(text) => Some(text.value()),
+                    _ => None,
+                },
+                _ => None,
+            },
+            _ => None,
+        });
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// One attribute of a field.

@@ -21,6 +21,7 @@ pub(super) fn called_otherwise(written: &str) -> Option<&'static str> {
         "observables" | "measurements" => "output",
         "definitions" | "with" => "define",
         "bodies" | "links" => "body",
+        "C" | "c99" | "source" => "c",
         "reduce" | "reduced" | "ignorable" | "cyclic" => "routhian",
         _ => return None,
     };

@@ -30,7 +30,7 @@ const TABLE: &str = "operations.txt";
 const LIMITS: MethodLimits = MethodLimits::OF_EXPANSIONS;
 
 /// The folders with declarations of models; declarations with mistakes are in others.
-const FOLDERS: [&str; 9] = [
+pub(super) const FOLDERS: [&str; 9] = [
     "bench/models",
     "derive/golden",
     "ensembles",
@@ -50,26 +50,10 @@ type Table = BTreeMap<String, BTreeMap<String, usize>>;
 fn operations_of_all_declarations_are_those_of_the_table() {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
     let mut table = Table::new();
-    for file in FOLDERS
-        .iter()
-        .flat_map(|folder| files(&repository.join(folder)))
-    {
-        let name = file.strip_prefix(repository).unwrap().display().to_string();
-        let source = fs::read_to_string(&file).unwrap();
-        let mut structs = Vec::new();
-        collect(&syn::parse_file(&source).unwrap().items, &mut structs);
-        for declaration in structs {
-            let ident = declaration.ident.to_string();
-            let names = (1..).map(|k| match k {
-                1 => format!("{name} {ident}"),
-                k => format!("{name} {ident}#{k}"),
-            });
-            let mut names = names.filter(|name| !table.contains_key(name));
-            let name = names.next().unwrap();
-            let all = operations(declaration).unwrap_or_default().into_iter();
-            let names = [name.clone(), format!("{name}/reduced")];
-            table.extend(names.into_iter().zip(all));
-        }
+    for (name, declaration) in declarations(repository, &FOLDERS) {
+        let all = operations(declaration).unwrap_or_default().into_iter();
+        let names = [name.clone(), format!("{name}/reduced")];
+        table.extend(names.into_iter().zip(all));
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(TABLE);
     let committed = fs::read_to_string(&path).unwrap_or_default();
@@ -83,6 +67,31 @@ fn operations_of_all_declarations_are_those_of_the_table() {
         "{changed} differences from {TABLE}: see {}",
         file!()
     );
+}
+
+/// The declarations of some folders, each with a name of its own.
+pub(super) fn declarations(repository: &Path, folders: &[&str]) -> Vec<(String, ItemStruct)> {
+    let mut declarations: Vec<(String, ItemStruct)> = Vec::new();
+    let mut taken = BTreeSet::new();
+    for file in folders
+        .iter()
+        .flat_map(|folder| files(&repository.join(folder)))
+    {
+        let name = file.strip_prefix(repository).unwrap().display().to_string();
+        let source = fs::read_to_string(&file).unwrap();
+        let mut structs = Vec::new();
+        collect(&syn::parse_file(&source).unwrap().items, &mut structs);
+        for declaration in structs {
+            let ident = declaration.ident.to_string();
+            let mut names = (1..).map(|k| match k {
+                1 => format!("{name} {ident}"),
+                k => format!("{name} {ident}#{k}"),
+            });
+            let name = names.find(|name| taken.insert(name.clone())).unwrap();
+            declarations.push((name, declaration));
+        }
+    }
+    declarations
 }
 
 /// The Rust files of a folder, in order.

@@ -34,6 +34,12 @@ pub trait DeclaresRegressor {}
 )]
 pub trait DeclaresSensitivities {}
 
+/// A bound met by models with the clause `c`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not written in C: write the clause `c` in its declaration"
+)]
+pub trait DeclaresC {}
+
 /// A bound met by the reduced model of a clause `routhian`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a reduced model: write the clause `routhian(Name)` in its declaration, and \
@@ -73,6 +79,7 @@ namesakes! {
     OfEvents: DeclaresEvents { const EVENTS; }
     OfRegressor: DeclaresRegressor { const BASE_PARAMETERS, WITHOUT_EFFECT; }
     OfSensitivities: DeclaresSensitivities { const PARAMETERS; }
+    OfC: DeclaresC { const C_SOURCE, C_HEADER, C_CASADI; }
     OfReducedModels: IsReduced {
         fn routhian, effective_potential, ignorable_velocities, full_state, reconstruction;
         const ELIMINATED;

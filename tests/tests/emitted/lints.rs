@@ -68,6 +68,7 @@ pub struct HeavyTop {
     dissipation = 0.5 * drag * (dot(theta1).powi(2) + (dot(theta2) - dot(theta1)).powi(2)),
     force(theta1 = torque * (1.0 - abs(dot(theta1)) / limit)),
     output(x = x, y = y, sensed = dot(dot(x)) + gain * torque),
+    c,
 )]
 pub struct DrivenDoublePendulum {
     /// Upper mass.

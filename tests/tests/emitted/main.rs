@@ -1,6 +1,7 @@
 //! Emitted code as a guest in the user's crate: its names, its lints, its form.
 #![deny(future_incompatible)] // Some lints of this group are those of whole crates.
 
+mod c_source;
 pub mod golden;
 pub mod lints;
 pub mod long_methods;

@@ -6,7 +6,7 @@ use crate::limits::DEEPEST_NESTING;
 
 /// The values that are variables: those that are used more than once, that have a name, or that would be
 /// nested too deeply. The others are inlined.
-pub(super) struct Variables {
+pub(in crate::emit) struct Variables {
     named: Vec<bool>,
     /// Which values a group behind their own reads.
     read_later: Vec<bool>,
@@ -16,7 +16,10 @@ pub(super) struct Variables {
 
 impl Variables {
     /// Those of a program; `is_defined` tells what the declaration has a name for.
-    pub(super) fn of(program: &Program, is_defined: impl Fn(Option<Expression>) -> bool) -> Self {
+    pub(in crate::emit) fn of(
+        program: &Program,
+        is_defined: impl Fn(Option<Expression>) -> bool,
+    ) -> Self {
         let (uses, read_later) = count_uses(program);
         let mut variables = vec![true; uses.len()];
         let mut depths = vec![0; uses.len()];
@@ -69,7 +72,7 @@ impl Variables {
     }
 
     /// Whether a value is a variable.
-    pub(super) fn contain(&self, value: usize) -> bool {
+    pub(in crate::emit) fn contain(&self, value: usize) -> bool {
         self.named.get(value).is_none_or(|variable| *variable)
     }
 

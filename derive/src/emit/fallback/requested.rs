@@ -54,7 +54,14 @@ impl Fallback<'_> {
             let count = self.parameters().len();
             quote!(#visibility const PARAMETERS: [&'static str; #count] = [""; #count];)
         });
-        quote!(#regressor #sensitivities)
+        let c = clauses.c.is_some().then(|| {
+            quote! {
+                #visibility const C_SOURCE: &'static str = "";
+                #visibility const C_HEADER: &'static str = "";
+                #visibility const C_CASADI: &'static str = "";
+            }
+        });
+        quote!(#regressor #sensitivities #c)
     }
 
     /// The names of the parameters by which accelerations are differentiated.

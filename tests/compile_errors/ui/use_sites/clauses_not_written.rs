@@ -26,6 +26,7 @@ fn main() {
     let _ = plain.effective_potential(&state);
     let _ = plain.constants_of_motion(&state);
     let _ = Plain::INPUTS;
+    let _ = Plain::C_SOURCE;
     let _ = plain.check_derivatives("friction", [0.0..1.0]);
     has_outputs(&plain);
 }

@@ -1,0 +1,231 @@
+//! The functions that differentiate the accelerations by the state and by the inputs.
+
+use lagrangian_symbolic::{Operand, Rational};
+
+use super::Export;
+use super::body::{Body, Unneeded};
+use super::methods::are_positive;
+use crate::plan::{
+    DerivativeOutputs, InputJacobianOutputs, Method, OutputSlice, ParameterSource, Residuals,
+    StateJacobian,
+};
+
+/// The matrices of the derivatives by q and by q̇, and the vector of those by t.
+const PARTS: [&str; 3] = ["position", "velocity", "time"];
+
+impl Export<'_> {
+    /// The function for the derivatives by q, q̇ and t; those of columns that were differentiated one by one, in any case.
+    pub(super) fn linearization(
+        &self,
+        method: &Method,
+        outputs: &DerivativeOutputs<StateJacobian>,
+    ) -> String {
+        let reads = self.body(method, None).reads_accelerations();
+        let body = match outputs {
+            DerivativeOutputs::Symbolic {
+                pivots,
+                accelerations,
+                derivatives,
+                residuals,
+            } => {
+                let mut body = self.body(method, unless(reads, accelerations));
+                let pivots = body.compute(pivots);
+                if reads {
+                    let accelerations = body.compute(accelerations);
+                    body.line(&format!("double a[{}];", self.emitter.unknowns()));
+                    let found = (&pivots[..], accelerations);
+                    self.if_positive(&mut body, "a", found, ParameterSource::Fields);
+                }
+                let residuals = residuals.as_ref().filter(|_| !pivots.is_empty());
+                self.derivatives(&mut body, method, &pivots, (derivatives, residuals));
+                body
+            }
+            DerivativeOutputs::Numerical {
+                mass,
+                forcing,
+                residuals,
+            } => {
+                let mut body = self.body(method, unless(reads, forcing));
+                self.factors(&mut body, mass, ParameterSource::Fields);
+                if reads {
+                    let forcing = body.compute(forcing);
+                    body.line(&format!("double a[{}];", self.emitter.unknowns()));
+                    body.assign("a", forcing.into_iter().enumerate());
+                    body.line("$_solve(&factors, a);");
+                }
+                self.solved(&mut body, method, residuals);
+                body
+            }
+        };
+        body.into_function(
+            "static void $_linearize_at(const $_point *at, double *position, double *velocity, double *time)",
+        )
+    }
+
+    /// Writes the derivatives where all pivots are positive, and elsewhere what is solved for numerically.
+    fn derivatives(
+        &self,
+        body: &mut Body<'_>,
+        method: &Method,
+        pivots: &[String],
+        (derivatives, residuals): (&StateJacobian, Option<&Residuals<StateJacobian>>),
+    ) {
+        // What both ways read is computed before them.
+        let columns = [
+            &derivatives.position,
+            &derivatives.velocity,
+            &derivatives.time,
+        ];
+        let columns = columns.map(|slice| body.compute(slice));
+        let Some(residuals) = residuals else {
+            return self.columns(body, columns);
+        };
+        body.line(&format!("if ({}) {{", are_positive(pivots)));
+        self.columns(body, columns);
+        body.line("} else {");
+        self.factors_by_methods(body, ParameterSource::Fields);
+        self.solved_beside(body, method, residuals);
+        body.line("}");
+    }
+
+    /// Writes the derivatives themselves.
+    fn columns(&self, body: &mut Body<'_>, columns: [Vec<String>; 3]) {
+        let n = self.emitter.coordinates();
+        for (part, elements) in PARTS.into_iter().zip(columns) {
+            let width = (elements.len() / n.max(1)).max(1);
+            let elements = elements.into_iter().enumerate();
+            body.assign(
+                part,
+                elements.map(|(i, value)| ((i % n) * width + i / n, value)),
+            );
+        }
+    }
+
+    /// Writes −M⁻¹ times the derivatives of M q̈ − f.
+    fn solved(&self, body: &mut Body<'_>, method: &Method, residuals: &StateJacobian) {
+        let n = self.emitter.coordinates();
+        body.line(&format!("double column[{n}];"));
+        body.line("int i;");
+        let parts = [&residuals.position, &residuals.velocity];
+        for (part, slice) in PARTS.into_iter().zip(parts) {
+            let elements = body.compute(slice);
+            for (j, column) in elements.chunks(n).enumerate() {
+                self.solved_column(body, column, &format!("{part}[i * {n} + {j}]"));
+            }
+        }
+        let zero = Operand::Constant(Rational::ZERO);
+        let mut of_time = residuals.time.operands(&method.program).iter();
+        if of_time.any(|output| *output != zero) {
+            let time = body.compute(&residuals.time);
+            self.solved_column(body, &time, "time[i]");
+        } else {
+            self.each_row(body, "time[i] = 0.0;");
+        }
+    }
+
+    fn solved_column(&self, body: &mut Body<'_>, column: &[String], place: &str) {
+        body.assign("column", column.iter().cloned().enumerate());
+        body.line("$_solve(&factors, column);");
+        self.each_row(body, &format!("{place} = -column[i];"));
+    }
+
+    fn each_row(&self, body: &mut Body<'_>, statement: &str) {
+        body.line(&format!(
+            "for (i = 0; i < {}; ++i) {{",
+            self.emitter.coordinates()
+        ));
+        body.line(statement);
+        body.line("}");
+    }
+
+    /// Writes −M⁻¹ times the derivatives of M q̈ − f, where they stand beside those of q̈.
+    fn solved_beside(
+        &self,
+        body: &mut Body<'_>,
+        method: &Method,
+        residuals: &Residuals<StateJacobian>,
+    ) {
+        let variation = match residuals {
+            Residuals::Columns(columns) => return self.solved(body, method, columns),
+            Residuals::AlongVariation(variation) => variation,
+        };
+        let n = self.emitter.coordinates();
+        body.line("int i, j;");
+        body.line(&format!("for (j = 0; j < {}; ++j) {{", 2 * n + 1));
+        body.line(&format!(
+            "double delta[{}] = {{0.0}}, column[{n}];",
+            2 * n + 1
+        ));
+        body.line("delta[j] = 1.0;");
+        let column = body.compute(variation);
+        body.assign("column", column.into_iter().enumerate());
+        body.line("$_solve(&factors, column);");
+        self.each_row(
+            body,
+            &format!("*(j < {n} ? &position[i * {n} + j] : j < {} ? &velocity[i * {n} + j - {n}] : &time[i]) = -column[i];", 2 * n),
+        );
+        body.line("}");
+    }
+
+    /// The function for the derivatives by the inputs.
+    pub(super) fn input_jacobian(&self, method: &Method, outputs: &InputJacobianOutputs) -> String {
+        let inputs = self.emitter.model.inputs as usize;
+        if inputs == 0 {
+            return String::new();
+        }
+        let (k, n) = (self.emitter.unknowns(), self.emitter.coordinates());
+        // The rows of multipliers are left out.
+        let of_multipliers = |i: usize| i % k >= n;
+        let mut body = match outputs {
+            InputJacobianOutputs::Symbolic { derivatives, .. } => {
+                self.body(method, Some((derivatives, &of_multipliers)))
+            }
+            InputJacobianOutputs::Numerical { .. } => self.body(method, None),
+        };
+        match outputs {
+            InputJacobianOutputs::Symbolic {
+                pivots,
+                derivatives,
+                residuals,
+            } => {
+                let pivots = body.compute(pivots);
+                let elements = body.compute_some(derivatives, |i| !of_multipliers(i));
+                let elements = elements.into_iter().enumerate();
+                if !pivots.is_empty() {
+                    body.line(&format!("if ({}) {{", are_positive(&pivots)));
+                }
+                let rows = elements.filter(|(i, _)| !of_multipliers(*i));
+                let rows = rows.map(|(i, value)| ((i % k) * inputs + i / k, value));
+                body.assign("x", rows.collect::<Vec<_>>());
+                if !pivots.is_empty() {
+                    body.line("} else {");
+                    if let Some(residuals) = residuals {
+                        self.factors_by_methods(&mut body, ParameterSource::Fields);
+                        self.solved_inputs(&mut body, residuals);
+                    }
+                    body.line("}");
+                }
+            }
+            InputJacobianOutputs::Numerical { mass, residuals } => {
+                self.factors(&mut body, mass, ParameterSource::Fields);
+                self.solved_inputs(&mut body, residuals);
+            }
+        }
+        body.into_function("static void $_input_jacobian_at(const $_point *at, double *x)")
+    }
+
+    fn solved_inputs(&self, body: &mut Body<'_>, residuals: &OutputSlice) {
+        let (k, inputs) = (self.emitter.unknowns(), self.emitter.model.inputs);
+        let elements = body.compute(residuals);
+        body.line(&format!("double column[{k}];"));
+        body.line("int i;");
+        for (j, column) in elements.chunks(k).enumerate() {
+            self.solved_column(body, column, &format!("x[i * {inputs} + {j}]"));
+        }
+    }
+}
+
+/// Outputs that are not needed, unless accelerations are read.
+fn unless(reads: bool, slice: &OutputSlice) -> Option<Unneeded<'_>> {
+    (!reads).then_some((slice, &|_| true))
+}
