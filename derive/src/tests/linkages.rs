@@ -160,8 +160,8 @@ fn arms() -> TokenStream {
 }
 
 /// Numbers between −1 and 1.
-fn number(seed: usize) -> f64 {
-    (12.9898 * (seed as f64 + 1.0)).sin()
+fn number(seed: u32) -> f64 {
+    (12.9898 * (f64::from(seed) + 1.0)).sin()
 }
 
 /// Compares what solvers find where they are stable, and the residuals of the constraints, at some states of a declaration.
@@ -187,8 +187,8 @@ fn compare_solvers(declaration: TokenStream, parameters: &[f64], allowed: f64) {
     let mut compared = 0;
     for seed in 0..40 {
         let value = |symbol| match symbol {
-            Symbol::Coordinate(i) => number(100 * seed + i as usize),
-            Symbol::Velocity(i) => number(100 * seed + 50 + i as usize),
+            Symbol::Coordinate(i) => number(100 * seed + i),
+            Symbol::Velocity(i) => number(100 * seed + 50 + i),
             Symbol::Parameter(i) => parameters[i as usize],
             Symbol::Time => number(seed),
             _ => f64::NAN,

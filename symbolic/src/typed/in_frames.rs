@@ -54,9 +54,12 @@ impl TypedGraph {
         });
         let constraints = constraints.iter().map(|(value, is_holonomic)| {
             let components = known[value.0 as usize].as_ref()?.elements().iter();
-            let velocities = components.map(|x| match is_holonomic {
-                true => geometry.rate_in_frames(*x, self.coordinates),
-                false => Some(*x),
+            let velocities = components.map(|x| {
+                if *is_holonomic {
+                    geometry.rate_in_frames(*x, self.coordinates)
+                } else {
+                    Some(*x)
+                }
             });
             velocities.collect::<Option<Vec<_>>>()
         });

@@ -128,9 +128,10 @@ impl Reader {
         let vector = self.vectors.vector(number).clone();
         let is_inertial = vector.axes == Frame::INERTIAL;
         let direction = Direction {
-            axes: match is_inertial {
-                true => None,
-                false => Some(self.frames.iter().position(|f| *f == vector.axes)?),
+            axes: if is_inertial {
+                None
+            } else {
+                Some(self.frames.iter().position(|f| *f == vector.axes)?)
             },
             components: coefficients,
             is_constant: is_inertial && !self.varies(coefficients),
