@@ -2,7 +2,6 @@
 //! and their control.
 //!
 //! - [`EquilibriumSearch`] finds equilibria, steady motions and the inputs that hold a configuration.
-//! - [`EquilibriumSearch`] finds equilibria, steady motions and the inputs that hold a configuration.
 //! - [`SmallOscillations`] holds the linearized equations about an equilibrium or a steady motion: [`NormalModes`],
 //!   [`DampedModes`], the [`Spectrum`] and the [`Stability`].
 //! - [`StateSpace`] is a linear model with inputs and outputs, about any state: its poles, its [`Controllability`], its

@@ -22,18 +22,31 @@
 //! # Ok::<(), IntegrationError>(())
 //! ```
 //!
-//! - [`Lagrangian`](derive@Lagrangian) describes the declaration.
-//! - [`trait@Lagrangian`] has the methods of a model: mass matrix, forcing, accelerations, momenta, energy, inverse
-//!   dynamics, derivatives, outputs. Functions that are generic over models name the traits of [`quantities`] in their
-//!   bounds.
-//! - [`Problem`] integrates a model from a state: the law of its inputs comes first, then what is watched and recorded,
-//!   in any order, and the method last. [`Taylor`] integrates systems that have a [`Series`], such as models with the
-//!   clause `taylor`; [`Dop853`] and [`RungeKutta`] integrate any [`Dynamics`] ẋ = f(t, x).
-//! - [`Scalar`] is the trait of the numbers over which models and integrators are generic: `f64`, `f32`, [`Lanes`],
-//!   [`DoubleDouble`], and [`Dual`] numbers, which carry derivatives.
-//! - [`rigid_body`] contains bodies, their momenta and Euler's equations, [`rotation`] Euler angles and quaternions,
-//!   [`elliptic`] the elliptic functions of free rotation. Triangle meshes are read from files with the feature
-//!   `mesh-files`.
+//! # Where to begin
+//!
+//! Most programs need a dozen names:
+//!
+//! | to | use |
+//! |---|---|
+//! | declare a model | [`derive(Lagrangian)`](derive@Lagrangian), the language of declarations, clause by clause |
+//! | evaluate it: q̈, M, f, momenta, energy, inverse dynamics, outputs, multipliers | the methods of [`trait@Lagrangian`], at a [`State`] |
+//! | integrate it from a state | [`Problem`], which ends in a [`Solution`] or an [`IntegrationError`] |
+//! | choose a method | [`Taylor`] for models with the clause `taylor`, [`Dop853`] and [`RungeKutta`] for all |
+//! | stop at events, record them, react to them | `when` and `on` of [`Problem`], then `stop`, `record` or `then` a reaction |
+//! | save samples | `save` of [`Problem`], with times, `Every`, `StepEnds` or `Dense` |
+//! | control it | `feedback` and the other laws of [`Problem`], which [`laws`] lists |
+//! | integrate many motions | [`Ensemble`] on one core; the crate `lagrangian-ensembles` on many |
+//! | find equilibria and steady motions | [`analysis::EquilibriumSearch`] |
+//! | linearize, find poles, design a regulator | [`analysis::StateSpace`], with constraints about an [`analysis::TangentSpace`] |
+//! | judge stability, find modes | [`analysis::SmallOscillations`] |
+//! | assemble a mechanism | [`assemble`](Lagrangian::assemble) |
+//! | identify parameters | [`identification::Identification`] |
+//! | compute with mass, centre and inertia of bodies | [`rigid_body`], with meshes from files by the feature `mesh-files` |
+//!
+//! Functions that are generic over models name the traits of [`quantities`] in their bounds, and functions over other systems
+//! ẋ = f(t, x) the trait [`Dynamics`]. [`Scalar`] is the trait of the numbers over which models and integrators are generic: `f64`,
+//! `f32`, [`Lanes`], [`DoubleDouble`], and [`Dual`] numbers, which carry derivatives. [`rotation`] has Euler angles and quaternions,
+//! [`elliptic`] the elliptic functions of free rotation.
 //!
 //! Without the default feature `std` the crate is `no_std`, and without `alloc` it does not allocate.
 #![cfg_attr(not(feature = "std"), no_std)]

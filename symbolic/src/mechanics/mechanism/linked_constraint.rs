@@ -240,7 +240,9 @@ impl Reader {
                 break;
             }
             axis = Some(own_axis);
-            if let Some(place) = rest.get_mut(&before) {
+            if let Some(place) = rest.get_mut(&before)
+                && !self.geometry.graph.contents(place[own_axis]).varies()
+            {
                 let along = core::mem::replace(&mut place[own_axis], zero);
                 own[own_axis] = self.geometry.graph.add(own[own_axis], along);
             }
