@@ -4,7 +4,6 @@ use nalgebra::SVector;
 
 use super::generalized_coordinates::GeneralizedCoordinates;
 use super::inputs::Inputs;
-use super::lagrangian::Lagrangian;
 use crate::scalar::Scalar;
 
 /// A model under other, constant inputs; made by [`Lagrangian::with_inputs`](crate::Lagrangian::with_inputs).
@@ -32,21 +31,4 @@ where
     const SINGULARITIES: [&'static [usize]; N] = M::SINGULARITIES;
     const STAYS_REGULAR: bool = M::STAYS_REGULAR;
     const POLES: &'static [usize] = M::POLES;
-}
-
-impl<M, S, const N: usize, const U: usize> Lagrangian<N, S> for WithInputs<'_, M, S, U>
-where
-    M: Inputs<N, U, S>,
-    S: Scalar,
-{
-    type Model = M;
-
-    fn model(&self) -> &M {
-        self.model
-    }
-
-    #[inline]
-    fn inputs(&self) -> SVector<S, U> {
-        self.inputs
-    }
 }

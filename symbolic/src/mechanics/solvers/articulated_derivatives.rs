@@ -12,13 +12,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::mechanics::mechanism::kept;
-use crate::mechanics::solvers::articulated_links::{ArticulatedLinks, Step};
+use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::link_responses::LinkResponses;
 use crate::mechanics::solvers::link_vectors::Accelerations;
 use crate::mechanics::solvers::perturbation_forces::{
     Column, Forces, JointSteps, Meeting, PassedJoint, coordinates_before, steps_of_joints,
 };
-use crate::mechanics::solvers::twist_elimination::Unknown;
+use crate::mechanics::solvers::twist_elimination::{Step, Unknown};
 use crate::{Expression, Graph, Rational, Symbol};
 
 impl ArticulatedLinks {

@@ -10,7 +10,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::mechanics::mechanism::{Inertia, Turn, Vector};
+use crate::mechanics::mechanism::{Inertia, Vector};
 use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
@@ -18,19 +18,9 @@ use crate::mechanics::solvers::multiplier_elimination::MultiplierElimination;
 use crate::mechanics::solvers::newton_euler::Joint;
 use crate::mechanics::solvers::pivots::Pivot;
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, InertiaRow, TwistElimination, Unknown, angular, linear,
+    InertiaRow, Step, TwistElimination, Unknown, angular, linear,
 };
 use crate::{Expression, Graph, Rational};
-
-/// One step of the factorization.
-pub(crate) enum Step {
-    /// x := x + e q̈ of three unknowns.
-    SplitOff([Unknown; 3], usize, Vector),
-    Eliminate(EliminatedRow),
-    Turn(usize, Turn),
-    /// From a link to the link before, from whose origin this one's is at a place.
-    Shift(usize, Option<usize>, Vector),
-}
 
 /// The rows of the quadratic form at what a joint moves, before it is passed and on the way.
 #[derive(Clone, Default)]

@@ -8,10 +8,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::mechanics::mechanism::{Turn, Vector, kept};
-use crate::mechanics::solvers::articulated_links::Step;
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, InertiaRow, Unknown, angular, linear,
+    EliminatedRow, InertiaRow, Step, Unknown, angular, linear,
 };
 use crate::{Expression, Graph, Rational};
 

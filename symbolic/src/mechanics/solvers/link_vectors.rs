@@ -4,9 +4,8 @@
 use std::collections::BTreeMap;
 
 use crate::mechanics::mechanism::{Turn, Vector, kept, total};
-use crate::mechanics::solvers::articulated_links::Step;
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, InertiaRow, Unknown, angular, linear,
+    EliminatedRow, InertiaRow, Step, Unknown, angular, linear,
 };
 use crate::{Expression, Graph, Rational};
 

@@ -12,10 +12,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::limits::MIN_SADDLE_POINT_PIVOT;
 use crate::mechanics::mechanism::Inertia;
-use crate::mechanics::solvers::articulated_links::Step;
 use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, TwistElimination, Unknown, angular, linear,
+    EliminatedRow, Step, TwistElimination, Unknown, angular, linear,
 };
 use crate::{Expression, Graph, Rational};
 

@@ -6,12 +6,12 @@ use std::collections::BTreeSet;
 use crate::Graph;
 use crate::mechanics::mechanism::{Vector, kept, total};
 use crate::mechanics::solvers::articulated_coriolis::ArticulatedCoriolis;
-use crate::mechanics::solvers::articulated_links::{ArticulatedLinks, Step};
+use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
 use crate::mechanics::solvers::joint_perturbations::{JointPerturbations, derivative, symbols};
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
 use crate::mechanics::solvers::newton_euler::Wrench;
-use crate::mechanics::solvers::twist_elimination::{Unknown, angular, linear};
+use crate::mechanics::solvers::twist_elimination::{Step, Unknown, angular, linear};
 
 /// The negative acceleration of an eliminated coordinate, by the acceleration of a link before it.
 #[derive(Clone)]

@@ -61,6 +61,16 @@ pub(crate) struct EliminatedRow {
     pub(crate) others: Vec<(Unknown, Expression, Expression)>,
 }
 
+/// One step of an elimination along links.
+pub(crate) enum Step {
+    /// x := x + e q̈ of three unknowns.
+    SplitOff([Unknown; 3], usize, Vector),
+    Eliminate(EliminatedRow),
+    Turn(usize, Turn),
+    /// From a link to the link before, from whose origin this one's is at a place.
+    Shift(usize, Option<usize>, Vector),
+}
+
 /// H, both triangles, without zeros.
 #[derive(Clone, Default)]
 pub(crate) struct TwistElimination {
