@@ -77,6 +77,13 @@ impl PageLetters {
         let definitions =
             definitions.map(|(name, _)| Spelling::of(name).print(0, Notation::Unicode));
         let printed: BTreeSet<String> = letters.all_printed().chain(definitions).collect();
+        let names = &declared.names;
+        let components = [&names.coordinates, &names.parameters, &names.inputs];
+        let components = components.into_iter().flatten();
+        let vectors = components.filter_map(|name| Some(name.split_once('.')?.0));
+        let vectors: BTreeSet<String> = vectors
+            .map(|name| Spelling::of(name).print(0, Notation::Unicode))
+            .collect();
         let count = u32::try_from(declared.names.coordinates.len()).unwrap_or(0);
         let coordinates: Vec<_> = (0..count)
             .map(|i| letters.print_plain(Symbol::Coordinate(i)))
@@ -92,7 +99,7 @@ impl PageLetters {
                 let mut momenta = coordinates.iter().map(|name| format!("{letter}_{name}"));
                 momenta.all(|name| !printed.contains(&name)) && !printed.contains(letter)
             }
-            _ => !printed.contains(letter),
+            _ => !printed.contains(letter) && !vectors.contains(letter),
         };
         let mut sentences = Vec::new();
         let chosen = QUANTITIES.map(|(quantity, what, candidates)| {
