@@ -3,6 +3,8 @@
 use lagrangian::analysis::{StateSpace, TangentSpace};
 use lagrangian::prelude::*;
 
+use super::checked;
+
 /// A motor turns a crank, by whose rod a ram presses.
 #[derive(Lagrangian)]
 #[lagrangian(
@@ -95,6 +97,7 @@ fn a_press_under_load() {
             .coordinates(held)
             .velocities(held)
             .along_motion();
+        checked::<_, 3, 2, 2>(&three, &state, [&[], &held]);
         let basis = tangent.basis::<2>().expect("regular");
         let found = StateSpace::<f64, 2, 2, 2>::reduced(&tangent).expect("regular");
         let found = found.with_linearized_outputs_along(&basis, (&state, &inputs), |x, u| {
