@@ -150,7 +150,7 @@ impl Writer<'_> {
         (TokenStream::new(), solved)
     }
 
-    /// The derivatives of the accelerations by parameters, with constraints those of the multipliers besides.
+    /// The derivatives of the accelerations, and with constraints of the multipliers, by parameters.
     pub(super) fn sensitivities(
         &mut self,
         outputs: &DerivativeOutputs<OutputSlice>,

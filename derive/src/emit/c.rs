@@ -3,7 +3,7 @@
 //! The source is written from the programs of the methods: the same operations in the same order, one statement for each
 //! (`c/body.rs`). Around them is written in C what the methods do in Rust (`c/methods.rs`, `c/derivatives.rs`), and what they call in the
 //! runtime stands in `c/library/`. In all these texts `$` stands for the name of the model, `@N`, `@C` and `@K` for the
-//! numbers of coordinates, constraints and both, `@M` for that of inputs, and `@P` for the sweeps in which coordinates are projected.
+//! numbers of coordinates, of constraints, and of both together, `@M` for the number of inputs, and `@P` for the number of sweeps of the projection.
 
 mod identifiers;
 mod structs;

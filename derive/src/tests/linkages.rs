@@ -40,7 +40,7 @@ fn operations_of_linkages_in_a_row_grow_linearly() {
     assert!(prepared[1] <= 2 * prepared[0]);
 }
 
-/// The same linkages in angles of each rod against the one before: the couplers are a chain, from whose joints the other cranks
+/// Such linkages by the angles of each rod against the one before: the couplers are a chain, from whose joints the other cranks
 /// hang.
 fn chained(count: usize) -> Methods {
     let (couplers, behind) = (count, count - 1);

@@ -7,7 +7,7 @@
 //! such as I sin²θ + Iₛ cos²θ − (Iₛ cos θ)²/Iₛ is I sin²θ, with no digits lost near θ = 0. M is not inverted; the
 //! solution is straight-line code with one division for each pivot.
 
-mod stability;
+pub(crate) mod stability;
 
 use crate::limits::MAX_TRANSPARENT_ELIMINATION;
 use crate::matrix::elimination_order::EliminationOrder;

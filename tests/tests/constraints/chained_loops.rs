@@ -2,38 +2,12 @@
 //! with complete pivoting.
 
 use lagrangian::prelude::*;
-use lagrangian::quantities::{Constraints, Quantities};
 use lagrangian_tests::{Random, assert_close};
-use nalgebra::{DMatrix, DVector};
 
+use crate::dense::solutions;
 use crate::four_bars::{FourChained, chained, expected};
 
 const COORDINATES: usize = 9;
-const CONSTRAINTS: usize = 8;
-
-/// The accelerations and multipliers by a dense factorization of the saddle point problem.
-fn expected_accelerations(state: &State<f64, COORDINATES>) -> Vec<f64> {
-    let model = &FourChained::NEW;
-    let (inputs, prepared) = (Quantities::inputs(model), Quantities::prepare(model));
-    let mass = Quantities::mass_matrix(model, state, &prepared);
-    let jacobian = Constraints::constraint_jacobian(model, state, &prepared);
-    let forcing = Quantities::forcing(model, state, &inputs, &prepared);
-    let rates = Constraints::constraint_rates(model, state, &prepared);
-    let size = COORDINATES + CONSTRAINTS;
-    let matrix = DMatrix::from_fn(size, size, |i, j| {
-        match (i < COORDINATES, j < COORDINATES) {
-            (true, true) => mass[(i, j)],
-            (true, false) => -jacobian[(j - COORDINATES, i)],
-            (false, true) => -jacobian[(i - COORDINATES, j)],
-            (false, false) => 0.0,
-        }
-    });
-    let right = forcing.iter().chain(&rates).copied();
-    let right = DVector::from_iterator(size, right);
-    let solution = matrix.full_piv_lu().solve(&right);
-    let solution = solution.expect("a regular matrix");
-    solution.iter().copied().collect()
-}
 
 #[test]
 fn linkages_in_relative_angles_accelerate_as_a_dense_factorization_says() {
@@ -46,15 +20,7 @@ fn linkages_in_relative_angles_accelerate_as_a_dense_factorization_says() {
         for v in state.v.iter_mut() {
             *v += random.between(-2.0, 2.0);
         }
-        let model = &FourChained::NEW;
-        let (accelerations, multipliers) = Constraints::accelerations_and_multipliers(
-            model,
-            &state,
-            &Quantities::inputs(model),
-            &Quantities::prepare(model),
-        );
-        let found: Vec<f64> = accelerations.iter().chain(&multipliers).copied().collect();
-        let expected = expected_accelerations(&state);
+        let [found, expected] = solutions(&FourChained::NEW, &state);
         assert_close("q̈ and λ", &found, &expected, 1e-10);
     }
 }
@@ -67,4 +33,21 @@ fn linkages_in_relative_angles_move_as_a_pendulum() {
         .unwrap();
     let difference = end.q[0].cos() - expected(4.0, 1.0, 0.5);
     assert!(difference.abs() < 1e-12, "{difference:e}");
+}
+
+/// In the flat configuration, the angles of a loop no longer determine its multipliers.
+#[test]
+fn near_flat_configurations_linkages_in_relative_angles_are_pivoted() {
+    for distance in [0.05, 0.02, 0.01] {
+        let state = chained::<COORDINATES>(core::f64::consts::FRAC_PI_2 - distance, 1.0);
+        let [found, expected] = solutions(&FourChained::NEW, &state);
+        assert_close("q̈ and λ", &found, &expected, 1e-8);
+    }
+    let pivoted = |angle: f64| {
+        let problem = Problem::new(&FourChained::NEW, chained(angle, 1.0));
+        let end = problem.solve(0.005, RungeKutta::classical(1e-3)).unwrap();
+        end.statistics.pivoted
+    };
+    assert_eq!(pivoted(0.3), 0);
+    assert_eq!(pivoted(core::f64::consts::FRAC_PI_2 - 0.03), 5);
 }

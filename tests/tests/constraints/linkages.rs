@@ -2,56 +2,15 @@
 //! factorization with complete pivoting, also where a pivot is so small that the model pivots itself.
 
 use lagrangian::prelude::*;
-use lagrangian::quantities::{Constraints, Quantities};
 use lagrangian_tests::{Random, assert_close};
-use nalgebra::{DMatrix, DVector};
 
+use crate::dense::solutions;
 use crate::four_bars::{SixFourBars, upright};
 
 const CRANKS: usize = 7;
 const COORDINATES: usize = 2 * CRANKS;
-const CONSTRAINTS: usize = 2 * CRANKS - 1;
 
 type Row = State<f64, COORDINATES>;
-
-/// The accelerations and the multipliers of the model.
-fn found(state: &Row) -> Vec<f64> {
-    let model = &SixFourBars::NEW;
-    let (accelerations, multipliers) = Constraints::accelerations_and_multipliers(
-        model,
-        state,
-        &Quantities::inputs(model),
-        &Quantities::prepare(model),
-    );
-    accelerations.iter().chain(&multipliers).copied().collect()
-}
-
-/// Those by a dense factorization of the saddle point problem.
-fn expected(state: &Row) -> Vec<f64> {
-    let model = &SixFourBars::NEW;
-    let prepared = Quantities::prepare(model);
-    let mass = Quantities::mass_matrix(model, state, &prepared);
-    let jacobian = Constraints::constraint_jacobian(model, state, &prepared);
-    let forcing = Quantities::forcing(model, state, &Quantities::inputs(model), &prepared);
-    let rates = Constraints::constraint_rates(model, state, &prepared);
-    let size = COORDINATES + CONSTRAINTS;
-    let matrix = DMatrix::from_fn(size, size, |i, j| {
-        match (i < COORDINATES, j < COORDINATES) {
-            (true, true) => mass[(i, j)],
-            (true, false) => -jacobian[(j - COORDINATES, i)],
-            (false, true) => -jacobian[(i - COORDINATES, j)],
-            (false, false) => 0.0,
-        }
-    });
-    let right = forcing.iter().chain(&rates).copied();
-    let right = DVector::from_iterator(size, right);
-    let solution = matrix.full_piv_lu().solve(&right);
-    solution
-        .expect("a regular matrix")
-        .iter()
-        .copied()
-        .collect()
-}
 
 /// The state with all cranks at this angle to the upright, which turn at this rate.
 fn parallel(angle: f64, rate: f64) -> Row {
@@ -77,7 +36,8 @@ fn accelerations_and_multipliers_are_those_of_a_dense_factorization() {
         for v in state.v.iter_mut() {
             *v += random.between(-0.5, 0.5);
         }
-        assert_close("q̈ and λ", &found(&state), &expected(&state), 1e-10);
+        let [found, expected] = solutions(&SixFourBars::NEW, &state);
+        assert_close("q̈ and λ", &found, &expected, 1e-10);
     }
 }
 
@@ -86,7 +46,8 @@ fn accelerations_and_multipliers_are_those_of_a_dense_factorization() {
 fn near_singular_configurations_no_more_digits_are_lost_than_by_a_dense_factorization() {
     for distance in [0.05, 0.02, 0.01] {
         let state = parallel(core::f64::consts::FRAC_PI_2 - distance, 1.0);
-        assert_close("q̈ and λ", &found(&state), &expected(&state), 1e-8);
+        let [found, expected] = solutions(&SixFourBars::NEW, &state);
+        assert_close("q̈ and λ", &found, &expected, 1e-8);
     }
 }
 

@@ -5,6 +5,7 @@ mod bricard;
 mod chained_loops;
 mod closed_forms;
 mod consistency;
+mod dense;
 mod door;
 mod four_bars;
 mod freedom;

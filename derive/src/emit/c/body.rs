@@ -16,7 +16,7 @@ use crate::plan::OutputSlice;
 /// Outputs that are not needed: some of consecutive ones, by their indices.
 pub(super) type Unneeded<'b> = (&'b OutputSlice, &'b dyn Fn(usize) -> bool);
 
-/// A function in C whose statements are those of a program, among others.
+/// A function in C that contains the statements of a program.
 pub(super) struct Body<'a> {
     program: &'a Program,
     /// How parameters are read.
@@ -139,7 +139,7 @@ impl<'a> Body<'a> {
         self.compute_some(slice, |_| true)
     }
 
-    /// The same of some outputs, by their indices; the others are empty.
+    /// Computes some outputs, by their indices; the others are empty.
     pub(super) fn compute_some(
         &mut self,
         slice: &OutputSlice,
@@ -289,7 +289,7 @@ impl<'a> Body<'a> {
             Symbol::Invariant(i) => ("z", i),
             Symbol::Acceleration(i) => ("a", i),
             Symbol::Variation(i) => ("delta", i),
-            // Symbols of other programs than those of methods.
+            // Symbols that no method contains.
             _ => return String::new(),
         };
         self.reads.insert(array);

@@ -14,7 +14,7 @@ use crate::plan::{
 const PARTS: [&str; 3] = ["position", "velocity", "time"];
 
 impl Export<'_> {
-    /// The function for the derivatives by q, q̇ and t; those of columns that were differentiated one by one, in any case.
+    /// The function for the derivatives by q, q̇ and t, whether columns were differentiated together or one by one.
     pub(super) fn linearization(
         &self,
         method: &Method,
@@ -138,7 +138,7 @@ impl Export<'_> {
         body.line("}");
     }
 
-    /// Writes −M⁻¹ times the derivatives of M q̈ − f, where they stand beside those of q̈.
+    /// Writes −M⁻¹ times the derivatives of M q̈ − f, where a method returns these and the derivatives of q̈.
     fn solved_beside(
         &self,
         body: &mut Body<'_>,

@@ -162,7 +162,7 @@ fn in_ascii(name: &str) -> String {
     written
 }
 
-/// The name of a type as that of functions: `CartPole` is `cart_pole`, `Arm6R` is `arm6_r`.
+/// The name of a type as a prefix of functions: `CartPole` is `cart_pole`, `Arm6R` is `arm6_r`.
 pub(super) fn snake_case(name: &str) -> String {
     let mut written = String::new();
     let mut before = '_';

@@ -140,7 +140,7 @@ fn lengths(components: &[Component]) -> Vec<usize> {
     lengths
 }
 
-/// The indices of a component, without those of the numbers of a body.
+/// The indices of a component, up to a number of a body.
 fn places(label: &Label) -> Vec<usize> {
     let outer = label.indices.iter();
     let outer = outer.take_while(|index| !matches!(index, Index::Quantity(_)));

@@ -200,7 +200,7 @@ impl Added {
 }
 
 /// What is positive where `x` exceeds this part of `y`.
-fn exceeds(
+pub(crate) fn exceeds(
     graph: &mut Graph,
     x: Expression,
     y: Expression,

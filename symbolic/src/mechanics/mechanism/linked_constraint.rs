@@ -76,7 +76,7 @@ impl LinkedConstraint {
 /// A sum of vectors that are constant in frames.
 type Places = BTreeMap<Frame, Vector>;
 
-/// The components of vectors, along inertial axes or along those of a link.
+/// The components of vectors, along inertial axes or the axes of a link.
 #[derive(Clone, Copy)]
 struct Direction {
     axes: Option<usize>,

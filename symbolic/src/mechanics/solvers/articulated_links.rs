@@ -42,7 +42,7 @@ pub(crate) struct ArticulatedLinks {
     pub(crate) inertias: Vec<PassedInertia>,
     /// The expressions that must be positive.
     pub(crate) pivots: Vec<Expression>,
-    /// What q̈ is divided by: the pivot of each coordinate, and the opposite of that of each multiplier.
+    /// What q̈ is divided by: the pivots of coordinates, and the opposites of the pivots of multipliers.
     divisors: Vec<Pivot>,
 }
 
@@ -54,14 +54,7 @@ impl ArticulatedLinks {
         constraints: &[LinkConstraint],
     ) -> Option<Self> {
         let coordinates = equations.forces.len();
-        let mut uses = vec![0_usize; coordinates];
-        let all = |joint: &Joint| {
-            let all = joint.turning.iter().chain(&joint.sliding);
-            all.map(|(i, _)| *i).collect::<Vec<_>>()
-        };
-        for coordinate in equations.joints.iter().flat_map(all) {
-            uses[coordinate] += 1;
-        }
+        let mut uses = uses(&equations.joints, coordinates);
         let mut elimination = TwistElimination::of_coordinates(graph, &equations.other_mass);
         let mut multipliers =
             MultiplierElimination::of(graph, &mut elimination, constraints, coordinates);
@@ -71,7 +64,7 @@ impl ArticulatedLinks {
         // What moves no link.
         for coordinate in (0..uses.len()).filter(|i| uses[*i] == 0) {
             let row = elimination.eliminate(graph, coordinate)?;
-            multipliers.notice(&row);
+            multipliers.record(&row);
             steps.push(Step::Eliminate(row));
         }
         let links = equations.mechanism.links.iter().zip(&equations.joints);
@@ -101,18 +94,7 @@ impl ArticulatedLinks {
             passage.steps.push(step);
         }
         multipliers.eliminate_rest(graph, &mut elimination, &mut steps)?;
-        let divisors = steps.iter().filter_map(|step| match step {
-            Step::Eliminate(row) => Some(Pivot {
-                value: if row.coordinate < coordinates {
-                    row.pivot
-                } else {
-                    graph.negate(row.pivot)
-                },
-                coordinates: vec![row.coordinate],
-            }),
-            _ => None,
-        });
-        let divisors: Vec<_> = divisors.collect();
+        let divisors = divisors(graph, &steps, coordinates);
         if divisors.len() != coordinates + constraints.len() {
             return None;
         }
@@ -254,6 +236,34 @@ impl ArticulatedLinks {
     }
 }
 
+/// How many joints each coordinate moves.
+fn uses(joints: &[Joint], coordinates: usize) -> Vec<usize> {
+    let mut uses = vec![0; coordinates];
+    for joint in joints {
+        for (coordinate, _) in joint.turning.iter().chain(&joint.sliding) {
+            uses[*coordinate] += 1;
+        }
+    }
+    uses
+}
+
+/// The pivots of the coordinates, and the opposites of the pivots of multipliers, which are behind so many coordinates.
+fn divisors(graph: &mut Graph, steps: &[Step], coordinates: usize) -> Vec<Pivot> {
+    let rows = steps.iter().filter_map(|step| match step {
+        Step::Eliminate(row) => Some(row),
+        _ => None,
+    });
+    rows.map(|row| Pivot {
+        value: if row.coordinate < coordinates {
+            row.pivot
+        } else {
+            graph.negate(row.pivot)
+        },
+        coordinates: vec![row.coordinate],
+    })
+    .collect()
+}
+
 /// The way past one joint.
 struct Passage<'a> {
     elimination: &'a mut TwistElimination,
@@ -281,7 +291,7 @@ impl Passage<'_> {
         for (coordinate, _) in slopes {
             if self.uses[*coordinate] == 0 {
                 let row = self.elimination.eliminate(graph, *coordinate)?;
-                self.multipliers.notice(&row);
+                self.multipliers.record(&row);
                 self.steps.push(Step::Eliminate(row));
             }
         }

@@ -99,7 +99,7 @@ impl LinkEquations {
         row
     }
 
-    /// γ by the accelerations that the links have where those of the coordinates are zero, if all directions are constant.
+    /// γ by the accelerations of the links at q̈ = 0, if all directions are constant.
     fn rate(
         &self,
         graph: &mut Graph,

@@ -11,6 +11,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::limits::MIN_SADDLE_POINT_PIVOT;
+use crate::matrix::ldlt::stability::exceeds;
 use crate::mechanics::mechanism::Inertia;
 use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::twist_elimination::{
@@ -62,8 +63,8 @@ impl MultiplierElimination {
         }
     }
 
-    /// Takes notice of a coordinate that has been eliminated.
-    pub(crate) fn notice(&mut self, row: &EliminatedRow) {
+    /// Records which constraints restrict a coordinate that has been eliminated.
+    pub(crate) fn record(&mut self, row: &EliminatedRow) {
         for (unknown, ..) in &row.others {
             if let Unknown::Coordinate(i) = unknown
                 && self.waiting.contains(i)
@@ -164,7 +165,7 @@ impl MultiplierElimination {
             if graph.is_zero(inertia) {
                 return None;
             }
-            conditions.push(exceeds(graph, inertia, change));
+            conditions.push(exceeds(graph, inertia, change, MIN_SADDLE_POINT_PIVOT));
         }
         for row in &eliminated.rows {
             let own = Unknown::Coordinate(row.coordinate);
@@ -174,7 +175,7 @@ impl MultiplierElimination {
             let whole = graph.subtract(reduction, entry);
             let pivot = graph.negate(row.pivot);
             if pivot != whole {
-                conditions.push(exceeds(graph, pivot, whole));
+                conditions.push(exceeds(graph, pivot, whole, MIN_SADDLE_POINT_PIVOT));
             }
         }
         Some(conditions)
@@ -258,11 +259,4 @@ impl Diagonal {
         let unknowns = angular(link).into_iter().chain(linear(link));
         Self(unknowns.zip(entries).collect())
     }
-}
-
-/// What is positive where `x` is no small part of `y`.
-fn exceeds(graph: &mut Graph, x: Expression, y: Expression) -> Expression {
-    let (numerator, denominator) = MIN_SADDLE_POINT_PIVOT;
-    let least = Rational::new(-numerator, denominator).unwrap_or(Rational::ZERO);
-    graph.sum([(x, Rational::ONE), (y, least)])
 }
