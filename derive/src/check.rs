@@ -5,6 +5,7 @@
 mod fields;
 mod functions;
 mod c;
+mod reflect;
 mod names;
 mod parameter_lists;
 mod scalar;
@@ -34,6 +35,7 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     parameter_lists::check(declaration, diagnostics);
     check_gravity(declaration, diagnostics);
     c::check(declaration, diagnostics);
+    reflect::check(declaration, diagnostics);
     check_reduced_name(declaration, diagnostics);
     if !declaration.clauses.unreadable {
         check_energies(declaration, diagnostics);

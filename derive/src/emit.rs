@@ -11,6 +11,7 @@ mod outputs;
 mod events;
 mod constraints;
 mod requested;
+mod reflect;
 mod c;
 mod external_functions;
 mod routhian;
@@ -60,6 +61,7 @@ pub(crate) fn items(emitter: &Emitter<'_>) -> TokenStream {
         emitter.events(),
         emitter.impacts(),
         emitter.requested(),
+        emitter.reflect(),
     ]
     .into_iter()
     .collect()

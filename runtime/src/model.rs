@@ -45,6 +45,7 @@ mod canonical_phase;
 mod canonical_equations;
 mod hamiltonian;
 mod external_functions;
+mod reflect;
 mod routhian;
 mod reconstruction;
 mod signals;
@@ -83,6 +84,9 @@ pub use outputs::Outputs;
 pub use phase::Phase;
 pub use quantities::{Energies, Quantities};
 pub use reconstruction::Reconstruction;
+pub use reflect::{
+    FieldDescription, FieldElement, FieldReader, FieldValue, InvalidNumbers, Reflect,
+};
 pub use regressor::Regressor;
 pub use routhian::{RouthReduction, Routhian, RouthianSeries};
 pub use sensitivities::{MultiplierSensitivities, Sensitivities};

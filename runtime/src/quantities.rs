@@ -18,7 +18,8 @@
 //! ```
 
 pub use crate::model::{
-    Constraints, DirectionalDerivatives, Energies, EnergyBalance, Events, Hamiltonian, Impacts,
-    Inputs, MembersInLanes, MotionDerivatives, MotionSeries, MultiplierSensitivities, Outputs,
-    Quantities, Regressor, RouthianSeries, Sensitivities, StateJacobian,
+    Constraints, DirectionalDerivatives, Energies, EnergyBalance, Events, FieldDescription,
+    FieldElement, FieldReader, FieldValue, Hamiltonian, Impacts, Inputs, InvalidNumbers,
+    MembersInLanes, MotionDerivatives, MotionSeries, MultiplierSensitivities, Outputs, Quantities,
+    Reflect, Regressor, RouthianSeries, Sensitivities, StateJacobian,
 };

@@ -1,11 +1,8 @@
 //! Checks of the clause `c`.
 
-use quote::ToTokens as _;
-use syn::Type;
-
 use crate::diagnostics::Diagnostics;
 use crate::syntax::declaration::Declaration;
-use crate::syntax::scalar::type_parameter;
+use crate::syntax::scalar::computes_on_f64;
 
 /// What is written in C has its whole source in the declaration, and computes on `double`.
 pub(super) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
@@ -21,11 +18,7 @@ pub(super) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
         );
         diagnostics.error(keyword, message);
     }
-    let is_double = |scalar: &Type| {
-        type_parameter(&declaration.generics, scalar).is_some()
-            || scalar.to_token_stream().to_string().ends_with("f64")
-    };
-    if !clauses.scalar.as_ref().is_none_or(is_double) {
+    if !computes_on_f64(declaration) {
         let message = "functions in C are of `double`: write `scalar = f64`, or leave `c` out";
         diagnostics.error(keyword, message);
     }

@@ -127,6 +127,7 @@ impl<'a> Fallback<'a> {
             self.taylor_series(),
             self.events(),
             self.requested(),
+            self.reflect(),
         ]
         .into_iter()
         .collect()

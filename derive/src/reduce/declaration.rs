@@ -47,6 +47,7 @@ pub(super) fn reduced_declaration(
     let wanted = |name: &str| !is_left_out(name, clause, clauses);
     Declaration {
         name: clause.name.clone(),
+        documentation: declaration.documentation.clone(),
         visibility: declaration.visibility.clone(),
         generics: declaration.generics.clone(),
         fields: declaration

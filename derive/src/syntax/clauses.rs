@@ -50,6 +50,8 @@ pub(crate) struct Clauses {
     pub(crate) regressor: Option<ParameterList>,
     /// The word `c`.
     pub(crate) c: Option<Ident>,
+    /// The word `reflect`.
+    pub(crate) reflect: Option<Ident>,
     /// The reduced model that is asked for.
     pub(crate) routhian: Option<RouthianClause>,
     /// The type of `scalar = …`.
@@ -70,7 +72,7 @@ pub(crate) struct Clause {
     pub(crate) expression: Expr,
 }
 
-const KEYWORDS: [&str; 23] = [
+const KEYWORDS: [&str; 24] = [
     "coordinates",
     "function",
     "define",
@@ -93,6 +95,7 @@ const KEYWORDS: [&str; 23] = [
     "sensitivities",
     "regressor",
     "c",
+    "reflect",
     "routhian",
 ];
 
@@ -245,6 +248,7 @@ impl Clauses {
             "sensitivities" => ParameterList::read(keyword, input, &mut self.sensitivities)?,
             "regressor" => ParameterList::read(keyword, input, &mut self.regressor)?,
             "c" => word_alone(keyword, input, &mut self.c)?,
+            "reflect" => word_alone(keyword, input, &mut self.reflect)?,
             "routhian" => self.read_routhian(keyword, input)?,
             written => {
                 if let Some(place) = other_clauses::said_elsewhere(written) {

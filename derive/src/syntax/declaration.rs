@@ -9,13 +9,15 @@ use syn::{Attribute, Data, DeriveInput, Fields, Generics, Token, Visibility};
 
 use crate::diagnostics::Diagnostics;
 use crate::syntax::clauses::Clauses;
-use crate::syntax::field::{Field, Role};
+use crate::syntax::field::{Field, Role, documentation};
 use crate::syntax::grammar::own;
 use crate::syntax::root::Root;
 
 /// A struct with its energies.
 pub(crate) struct Declaration {
     pub(crate) name: Ident,
+    /// The documentation of the struct, line by line.
+    pub(crate) documentation: String,
     pub(crate) visibility: Visibility,
     pub(crate) generics: Generics,
     pub(crate) fields: Vec<Field>,
@@ -43,11 +45,13 @@ impl Declaration {
             clauses.read(attribute, diagnostics);
         }
         clauses.add_bodies();
+        let documentation = documentation(&input.attrs);
         let allowed = input.attrs.into_iter();
         let allowed = allowed.filter(|attribute| attribute.path().is_ident("allow"));
         Self {
             allowed: allowed.collect(),
             name: input.ident,
+            documentation,
             visibility: input.vis,
             generics: input.generics,
             fields,

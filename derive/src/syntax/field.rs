@@ -79,7 +79,7 @@ impl Field {
 }
 
 /// The lines of the comments `///`.
-fn documentation(attributes: &[Attribute]) -> String {
+pub(super) fn documentation(attributes: &[Attribute]) -> String {
     let lines = attributes
         .iter()
         .filter_map(|attribute| match &attribute.meta {

@@ -121,6 +121,11 @@ impl<'a> FieldType<'a> {
         })
     }
 
+    /// The lengths of the arrays around a vector, a matrix or a body, from the outermost.
+    pub(crate) fn array_lengths(&self) -> &[usize] {
+        &self.lengths
+    }
+
     /// How many indices distinguish the members of an array of vectors, matrices or bodies; 0 for no such array.
     pub(crate) const fn rank(&self) -> usize {
         self.lengths.len()

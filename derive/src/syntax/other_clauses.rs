@@ -22,6 +22,7 @@ pub(super) fn called_otherwise(written: &str) -> Option<&'static str> {
         "definitions" | "with" => "define",
         "bodies" | "links" => "body",
         "C" | "c99" | "source" => "c",
+        "python" | "reflection" | "names" => "reflect",
         "reduce" | "reduced" | "ignorable" | "cyclic" => "routhian",
         _ => return None,
     };

@@ -158,6 +158,14 @@ pub(crate) fn type_parameter<'a>(generics: &'a Generics, ty: &Type) -> Option<&'
     parameters.into_iter().find(|parameter| *parameter == name)
 }
 
+/// Whether a model is one on `f64`: where a clause names its scalar, that is a type parameter of the struct, or `f64`.
+pub(crate) fn computes_on_f64(declaration: &Declaration) -> bool {
+    declaration.clauses.scalar.as_ref().is_none_or(|scalar| {
+        type_parameter(&declaration.generics, scalar).is_some()
+            || scalar.to_token_stream().to_string().ends_with("f64")
+    })
+}
+
 /// The type parameters that parameters and inputs are of, in the order of the fields; then the one that is
 /// named as the scalar.
 pub(crate) fn scalar_parameters(

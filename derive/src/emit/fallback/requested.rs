@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::Fallback;
+use crate::emit::reflect;
 use crate::emit::requested::names;
 use crate::plan::Interface;
 use crate::syntax::parameter_list::ParameterList;
@@ -39,6 +40,29 @@ impl Fallback<'_> {
             impls.extend(self.asked_for(Interface::Regressor, &items));
         }
         impls
+    }
+
+    /// The impl of `Reflect` without fields.
+    pub(super) fn reflect(&self) -> TokenStream {
+        if self.declaration.clauses.reflect.is_none() {
+            return TokenStream::new();
+        }
+        let root = &self.declaration.root;
+        let items = quote! {
+            const NAME: &'static ::core::primitive::str = "";
+            const DOCUMENTATION: &'static ::core::primitive::str = "";
+            const FIELDS: &'static [#root::quantities::FieldDescription] = &[];
+            fn read_fields(
+                _: &mut #root::quantities::FieldReader<'_>,
+            ) -> ::core::result::Result<Self, #root::quantities::InvalidNumbers> {
+                ::core::unreachable!()
+            }
+            fn numbers(&self, _: &mut dyn ::core::ops::FnMut(::core::primitive::f64)) {
+                ::core::unreachable!()
+            }
+        };
+        let (scalar, parameter) = (&self.scalar, self.dimension_parameter.as_ref());
+        reflect::implementation(self.declaration, scalar, &self.dimension, parameter, &items)
     }
 
     /// The lists of names, as constants of the type. How many base parameters there are is not known.

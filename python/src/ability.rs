@@ -1,0 +1,425 @@
+//! What only some models can do, told apart by the traits that they implement.
+//!
+//! Each ability has a trait with two implementations: for `&Probe` if the model has it, and for `Probe` otherwise. The call
+//! `(&&probe).ability()` takes the first if there is one, since a method is looked for on a type before it is looked for on what the
+//! type refers to.
+
+use std::marker::PhantomData;
+
+use lagrangian::laws::{Feedback, SampledFeedback};
+use lagrangian::nalgebra::SVector;
+use lagrangian::problem::{
+    DeclaredBy, End, EnsembleIntegrator, Keep, Observer, Reactions, Watched,
+};
+use lagrangian::quantities::{
+    Constraints, Energies, Events, Inputs, MotionSeries, Reflect, StateJacobian,
+};
+use lagrangian::{
+    At, DeclaredEvent, Dynamics, EquationsOfMotion, EventDynamics, Integrator, Lagrangian, Phase,
+    Problem, State, Taylor,
+};
+
+use crate::ensemble::{Ensemble, EnsembleMotions};
+use crate::evaluator::rows;
+use crate::integrated::Integrated;
+use crate::request::{Law, Request};
+
+/// Functions of a model, some of which only some models have.
+pub struct Abilities<M, const N: usize> {
+    /// The kinetic and the potential energy.
+    pub energies: Option<fn(&M, &State<f64, N>) -> [f64; 2]>,
+    /// The event functions.
+    pub event_functions: Option<fn(&M, &State<f64, N>, &mut Vec<f64>)>,
+    /// The state matrix, row by row.
+    pub state_matrix: Option<fn(&M, &State<f64, N>, &mut Vec<f64>)>,
+    /// The input matrix, row by row.
+    pub input_matrix: Option<fn(&M, &State<f64, N>, &mut Vec<f64>)>,
+    /// The coordinates and velocities that satisfy the constraints.
+    pub assemble: Option<fn(&M, State<f64, N>) -> Result<[Vec<f64>; 2], String>>,
+    /// A motion.
+    pub integrate: fn(&M, &Request) -> Option<Integrated>,
+    /// Many motions.
+    pub ensemble: fn(&Ensemble) -> Option<Result<EnsembleMotions, String>>,
+}
+
+/// A model with N coordinates, U inputs, E events and C constraints.
+pub struct Probe<M, const N: usize, const U: usize, const E: usize, const C: usize>(
+    pub PhantomData<M>,
+);
+
+type Values<M, const N: usize> = fn(&M, &State<f64, N>, &mut Vec<f64>);
+
+/// The kinetic and the potential energy.
+pub trait HasEnergies<M, const N: usize> {
+    /// The function, if the declaration has the clauses `kinetic` and `potential`.
+    fn energies(&self) -> Option<fn(&M, &State<f64, N>) -> [f64; 2]>;
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasEnergies<M, N>
+    for &Probe<M, N, U, E, C>
+where
+    M: Reflect<N, Model: Energies<N>>,
+{
+    fn energies(&self) -> Option<fn(&M, &State<f64, N>) -> [f64; 2]> {
+        Some(|model, state| [model.kinetic_energy(state), model.potential_energy(state)])
+    }
+}
+
+/// No energies.
+pub trait HasNoEnergies<M, const N: usize> {
+    /// Nothing.
+    fn energies(&self) -> Option<fn(&M, &State<f64, N>) -> [f64; 2]> {
+        None
+    }
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoEnergies<M, N>
+    for Probe<M, N, U, E, C>
+{
+}
+
+/// The state matrix.
+pub trait HasStateMatrix<M, const N: usize> {
+    /// The function, for a model without constraints.
+    fn state_matrix(&self) -> Option<Values<M, N>>;
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasStateMatrix<M, N>
+    for &Probe<M, N, U, E, C>
+where
+    M: Reflect<N, Model: StateJacobian<N>>,
+{
+    fn state_matrix(&self) -> Option<Values<M, N>> {
+        Some(|model, state, numbers| {
+            let linearization = model.linearize(state);
+            for row in 0..N {
+                numbers.extend((0..2 * N).map(|column| f64::from(u8::from(column == N + row))));
+            }
+            let rows = linearization
+                .position
+                .row_iter()
+                .zip(linearization.velocity.row_iter());
+            for (position, velocity) in rows {
+                numbers.extend(position.iter().chain(velocity.iter()));
+            }
+        })
+    }
+}
+
+/// No state matrix.
+pub trait HasNoStateMatrix<M, const N: usize> {
+    /// Nothing.
+    fn state_matrix(&self) -> Option<Values<M, N>> {
+        None
+    }
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoStateMatrix<M, N>
+    for Probe<M, N, U, E, C>
+{
+}
+
+/// A law that is a function of Python.
+pub type PythonLaw<'a, const N: usize, const U: usize> =
+    Box<dyn Fn(&State<f64, N>) -> SVector<f64, U> + 'a>;
+
+/// A law that is a function of Python and called once per period.
+pub type SampledPythonLaw<'a, const N: usize, const U: usize> =
+    Box<dyn Fn(&State<f64, N>, &mut SVector<f64, 0>) -> SVector<f64, U> + 'a>;
+
+/// The equations of motion of a model under a law.
+pub type Under<'a, M, const N: usize, L> = EquationsOfMotion<&'a M, f64, N, L>;
+
+/// Inputs.
+pub trait HasInputs<M, const N: usize, const U: usize> {
+    /// The input matrix.
+    fn input_matrix(&self) -> Option<Values<M, N>>;
+
+    /// The problem under feedback.
+    fn feedback<'a>(
+        &self,
+        problem: Problem<f64, EquationsOfMotion<&'a M, f64, N>>,
+        request: &'a Request,
+    ) -> Option<Problem<f64, Under<'a, M, N, Feedback<PythonLaw<'a, N, U>, U>>>>
+    where
+        M: Lagrangian<N, Model: Inputs<N, U>>;
+
+    /// The problem under sampled feedback.
+    #[allow(clippy::type_complexity)] // The law is in the type of the problem.
+    fn sampled_feedback<'a>(
+        &self,
+        problem: Problem<f64, EquationsOfMotion<&'a M, f64, N>>,
+        request: &'a Request,
+    ) -> Option<Problem<f64, Under<'a, M, N, SampledFeedback<SampledPythonLaw<'a, N, U>, U, 0>>>>
+    where
+        M: Lagrangian<N, Model: Inputs<N, U>>;
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasInputs<M, N, U>
+    for &Probe<M, N, U, E, C>
+where
+    M: Reflect<N, Model: Inputs<N, U>>,
+{
+    fn input_matrix(&self) -> Option<Values<M, N>> {
+        Some(|model, state, numbers| {
+            numbers.extend(core::iter::repeat_n(0.0, N * U));
+            rows(&model.input_jacobian(state), numbers);
+        })
+    }
+
+    fn feedback<'a>(
+        &self,
+        problem: Problem<f64, EquationsOfMotion<&'a M, f64, N>>,
+        request: &'a Request,
+    ) -> Option<Problem<f64, Under<'a, M, N, Feedback<PythonLaw<'a, N, U>, U>>>> {
+        let Law::Feedback(function) = &request.law else {
+            return None;
+        };
+        let law: PythonLaw<'a, N, U> = Box::new(|state| request.inputs(function, state));
+        Some(problem.feedback(law))
+    }
+
+    fn sampled_feedback<'a>(
+        &self,
+        problem: Problem<f64, EquationsOfMotion<&'a M, f64, N>>,
+        request: &'a Request,
+    ) -> Option<Problem<f64, Under<'a, M, N, SampledFeedback<SampledPythonLaw<'a, N, U>, U, 0>>>>
+    {
+        let Law::Sampled(function, period) = &request.law else {
+            return None;
+        };
+        let law: SampledPythonLaw<'a, N, U> = Box::new(|state, _| request.inputs(function, state));
+        Some(problem.sampled_feedback(*period, SVector::zeros(), law))
+    }
+}
+
+/// No inputs.
+pub trait HasNoInputs<M, const N: usize> {
+    /// Nothing.
+    fn input_matrix(&self) -> Option<Values<M, N>> {
+        None
+    }
+
+    /// Nothing.
+    fn feedback<D: Dynamics<f64>>(
+        &self,
+        _: Problem<f64, D>,
+        _: &Request,
+    ) -> Option<Problem<f64, D>> {
+        None
+    }
+
+    /// Nothing.
+    fn sampled_feedback<D: Dynamics<f64>>(
+        &self,
+        _: Problem<f64, D>,
+        _: &Request,
+    ) -> Option<Problem<f64, D>> {
+        None
+    }
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoInputs<M, N>
+    for Probe<M, N, U, E, C>
+{
+}
+
+/// The declared events, where their functions rise and where they fall.
+type RisingAndFalling<M, const E: usize> = (
+    ((), <[DeclaredEvent<M>; E] as DeclaredBy<M>>::Events),
+    <[DeclaredEvent<M>; E] as DeclaredBy<M>>::Events,
+);
+
+/// Events.
+pub trait HasEvents<M, const N: usize, const E: usize> {
+    /// The event functions.
+    fn event_functions(&self) -> Option<Values<M, N>>;
+
+    /// Records all events: first those whose functions rise.
+    #[allow(clippy::type_complexity)] // The events are in the type of the problem.
+    fn watch<D>(&self, problem: Problem<f64, D>) -> Problem<f64, D, End, RisingAndFalling<M, E>>
+    where
+        D: EventDynamics<f64, Model = M>;
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasEvents<M, N, E>
+    for &Probe<M, N, U, E, C>
+where
+    M: Reflect<N, Model = M> + Events<N>,
+{
+    fn event_functions(&self) -> Option<Values<M, N>> {
+        Some(|model, state, numbers| {
+            let functions = Lagrangian::event_functions(model, state);
+            numbers.extend(functions.as_ref().iter().take(E));
+        })
+    }
+
+    fn watch<D>(&self, problem: Problem<f64, D>) -> Problem<f64, D, End, RisingAndFalling<M, E>>
+    where
+        D: EventDynamics<f64, Model = M>,
+    {
+        let all = core::array::from_fn::<_, E, _>(DeclaredEvent::<M>::new);
+        let problem = problem.on(all).rising().record();
+        problem.on(all).falling().record()
+    }
+}
+
+/// No events.
+pub trait HasNoEvents<M, const N: usize> {
+    /// Nothing.
+    fn event_functions(&self) -> Option<Values<M, N>> {
+        None
+    }
+
+    /// The problem as it is.
+    fn watch<D: Dynamics<f64>>(&self, problem: Problem<f64, D>) -> Problem<f64, D> {
+        problem
+    }
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoEvents<M, N>
+    for Probe<M, N, U, E, C>
+{
+}
+
+/// Constraints.
+pub trait HasConstraints<M, const N: usize> {
+    /// The function that finds a state which satisfies them.
+    #[allow(clippy::type_complexity)] // A state or a message.
+    fn assemble(&self) -> Option<fn(&M, State<f64, N>) -> Result<[Vec<f64>; 2], String>>;
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasConstraints<M, N>
+    for &Probe<M, N, U, E, C>
+where
+    M: Reflect<N, Model: Constraints<N, C>>,
+{
+    fn assemble(&self) -> Option<fn(&M, State<f64, N>) -> Result<[Vec<f64>; 2], String>> {
+        Some(|model, guess| {
+            let assembled = model.assemble(guess).solve();
+            let state = assembled.map_err(|error| error.to_string())?.state;
+            Ok([state.q, state.v].map(|vector| vector.as_slice().to_vec()))
+        })
+    }
+}
+
+/// No constraints.
+pub trait HasNoConstraints<M, const N: usize> {
+    /// Nothing.
+    #[allow(clippy::type_complexity)] // A state or a message.
+    fn assemble(&self) -> Option<fn(&M, State<f64, N>) -> Result<[Vec<f64>; 2], String>> {
+        None
+    }
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoConstraints<M, N>
+    for Probe<M, N, U, E, C>
+{
+}
+
+/// The clause `taylor`.
+pub trait HasTaylorSeries {
+    /// Whether the model has it.
+    fn has_taylor(&self) -> bool;
+
+    /// Integrates a problem by Taylor series.
+    fn by_taylor<D, C, R, O, Z, const N: usize>(
+        &self,
+        problem: Problem<f64, D, End, C, R, O>,
+        request: &Request,
+    ) -> Option<Integrated>
+    where
+        D: Dynamics<f64, State = Phase<f64, N, Z>>,
+        Z: Clone,
+        Taylor: Integrator<f64, D>,
+        C: Watched<f64, D>,
+        R: Reactions<f64, D>,
+        O: Observer<D::State>,
+        Vec<f64>:
+            Keep<f64, D, <Taylor as Integrator<f64, D>>::Stepper, Kept = Vec<At<f64, D::State>>>;
+
+    /// Integrates an ensemble by Taylor series in lanes.
+    fn ensemble_by_taylor<D, C, R, O, Z, const N: usize>(
+        &self,
+        problem: impl Fn(usize) -> Problem<f64, D, Vec<f64>, C, R, O> + Sync,
+        ensemble: &Ensemble,
+    ) -> Option<Result<EnsembleMotions, String>>
+    where
+        D: Dynamics<f64, State = Phase<f64, N, Z>>,
+        Z: Send,
+        Taylor: EnsembleIntegrator<f64, D, 4>,
+        C: Watched<f64, D>,
+        R: Reactions<f64, D>,
+        O: Observer<D::State>,
+        Vec<f64>:
+            Keep<f64, D, <Taylor as Integrator<f64, D>>::Stepper, Kept = Vec<At<f64, D::State>>>;
+}
+
+impl<M, const DEGREES: usize, const U: usize, const E: usize, const K: usize> HasTaylorSeries
+    for &Probe<M, DEGREES, U, E, K>
+where
+    M: MotionSeries<DEGREES>,
+{
+    fn has_taylor(&self) -> bool {
+        true
+    }
+
+    fn by_taylor<D, C, R, O, Z, const N: usize>(
+        &self,
+        problem: Problem<f64, D, End, C, R, O>,
+        request: &Request,
+    ) -> Option<Integrated>
+    where
+        D: Dynamics<f64, State = Phase<f64, N, Z>>,
+        Z: Clone,
+        Taylor: Integrator<f64, D>,
+        C: Watched<f64, D>,
+        R: Reactions<f64, D>,
+        O: Observer<D::State>,
+        Vec<f64>:
+            Keep<f64, D, <Taylor as Integrator<f64, D>>::Stepper, Kept = Vec<At<f64, D::State>>>,
+    {
+        Some(request.solve(problem, request.settings.taylor()))
+    }
+
+    fn ensemble_by_taylor<D, C, R, O, Z, const N: usize>(
+        &self,
+        problem: impl Fn(usize) -> Problem<f64, D, Vec<f64>, C, R, O> + Sync,
+        ensemble: &Ensemble,
+    ) -> Option<Result<EnsembleMotions, String>>
+    where
+        D: Dynamics<f64, State = Phase<f64, N, Z>>,
+        Z: Send,
+        Taylor: EnsembleIntegrator<f64, D, 4>,
+        C: Watched<f64, D>,
+        R: Reactions<f64, D>,
+        O: Observer<D::State>,
+        Vec<f64>:
+            Keep<f64, D, <Taylor as Integrator<f64, D>>::Stepper, Kept = Vec<At<f64, D::State>>>,
+    {
+        Some(ensemble.solve(problem, ensemble.settings.taylor()))
+    }
+}
+
+/// No clause `taylor`.
+pub trait HasNoTaylorSeries {
+    /// It does not.
+    fn has_taylor(&self) -> bool {
+        false
+    }
+
+    /// Nothing.
+    fn by_taylor<P>(&self, _: P, _: &Request) -> Option<Integrated> {
+        None
+    }
+
+    /// Nothing.
+    fn ensemble_by_taylor<P>(&self, _: P, _: &Ensemble) -> Option<Result<EnsembleMotions, String>> {
+        None
+    }
+}
+
+impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoTaylorSeries
+    for Probe<M, N, U, E, C>
+{
+}

@@ -1,0 +1,76 @@
+//! Arrays of numpy.
+
+use numpy::{PyArrayDyn, PyArrayMethods as _, PyReadonlyArrayDyn};
+use pyo3::prelude::*;
+use pyo3::types::IntoPyDict as _;
+
+use crate::description::shape;
+use crate::errors::value_error;
+
+/// The numbers of an array, row by row, and its shape.
+pub(crate) struct Numbers {
+    pub(crate) numbers: Vec<f64>,
+    pub(crate) shape: Vec<usize>,
+}
+
+impl Numbers {
+    /// Reads anything that numpy makes an array of floats from.
+    ///
+    /// # Errors
+    ///
+    /// `ValueError` with the name of the argument: it is no array of numbers, or a number is NaN.
+    pub(crate) fn read(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let py = value.py();
+        let settings = [("dtype", "float64"), ("order", "C")].into_py_dict(py)?;
+        let array = py
+            .import("numpy")?
+            .getattr("array")?
+            .call((value,), Some(&settings));
+        let array = array.map_err(|error| {
+            let message = format!("{name} is not an array of numbers: {}", error.value(py));
+            value_error(message)
+        })?;
+        let array: PyReadonlyArrayDyn<'_, f64> = array.extract()?;
+        let array = array.as_array();
+        let read = Self {
+            numbers: array.iter().copied().collect(),
+            shape: array.shape().to_vec(),
+        };
+        if read.numbers.iter().any(|number| number.is_nan()) {
+            return Err(value_error(format!("{name} contains NaN")));
+        }
+        Ok(read)
+    }
+
+    /// The numbers of an array that must have a shape.
+    pub(crate) fn of_shape(self, name: &str, expected: &[usize]) -> PyResult<Vec<f64>> {
+        if self.shape == expected {
+            return Ok(self.numbers);
+        }
+        Err(value_error(format!(
+            "{name} has the shape {}, but {} is needed",
+            shape(&self.shape),
+            shape(expected)
+        )))
+    }
+}
+
+/// Reads the inputs that a function returned: a number for one input, or an array.
+pub(crate) fn inputs(value: &Bound<'_, PyAny>, count: usize) -> PyResult<Vec<f64>> {
+    let read = Numbers::read("the value of the feedback", value)?;
+    if count == 1 && read.shape.is_empty() {
+        return Ok(read.numbers);
+    }
+    read.of_shape("the value of the feedback", &[count])
+}
+
+/// An array of a shape.
+pub(crate) fn array<'py>(
+    py: Python<'py>,
+    numbers: Vec<f64>,
+    shape: &[usize],
+) -> PyResult<Bound<'py, PyAny>> {
+    let array = numpy::PyArray1::from_vec(py, numbers);
+    let array: Bound<'py, PyArrayDyn<f64>> = array.reshape(shape.to_vec())?;
+    Ok(array.into_any())
+}
