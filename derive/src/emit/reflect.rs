@@ -1,8 +1,9 @@
 //! The impl of `Reflect`: the fields of a model by their names, and its numbers one by one.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, quote};
+use quote::{ToTokens, quote, quote_spanned};
 use syn::GenericParam;
+use syn::spanned::Spanned as _;
 
 use super::emitter::Emitter;
 use super::on_another_scalar::{conditions_beside, replaced, scalar_parameter};
@@ -33,9 +34,10 @@ impl Emitter<'_> {
         };
         let fields = described().map(|field| Description::of_field(field).tokens(root));
         let reads = declaration.fields.iter().map(read);
-        let writes = described().map(
-            |Field { name, .. }| quote!(#root::quantities::FieldValue::write(&self.#name, each);),
-        );
+        let writes = described().map(|Field { name, ty, .. }| {
+            let field = quote!(&self.#name);
+            quote_spanned!(ty.span()=> #root::quantities::FieldValue::write(#field, each);)
+        });
         let names = quote!(&'static [&'static ::core::primitive::str]);
         let inputs = self
             .has_inputs()
@@ -169,10 +171,11 @@ pub(super) fn implementation(
 fn read(field: &Field) -> TokenStream {
     let name = &field.name;
     if field.role == Role::Skipped {
-        return quote!(#name: ::core::default::Default::default());
+        return quote_spanned!(field.ty.span()=> #name: ::core::default::Default::default());
     }
-    let text = unraw(name);
-    quote!(#name: numbers.field(#text)?)
+    let (reader, text) = (quote!(numbers), unraw(name));
+    // A type that is not made from numbers is an error at the type.
+    quote_spanned!(field.ty.span()=> #name: #reader.field(#text)?)
 }
 
 /// What is said of a field or an output.

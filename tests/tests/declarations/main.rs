@@ -7,6 +7,7 @@ mod branches;
 mod composition;
 mod forces;
 mod outputs;
+mod reflect;
 mod vector_coordinates;
 mod vectors_in_frames;
 mod external_functions;

@@ -8,6 +8,7 @@ use crate::emit::reflect;
 use crate::emit::requested::names;
 use crate::plan::Interface;
 use crate::syntax::parameter_list::ParameterList;
+use crate::syntax::scalar::computes_on_f64;
 
 impl Fallback<'_> {
     /// The impls of what clauses ask for.
@@ -44,7 +45,7 @@ impl Fallback<'_> {
 
     /// The impl of `Reflect` without fields.
     pub(super) fn reflect(&self) -> TokenStream {
-        if self.declaration.clauses.reflect.is_none() {
+        if self.declaration.clauses.reflect.is_none() || !computes_on_f64(self.declaration) {
             return TokenStream::new();
         }
         let root = &self.declaration.root;
