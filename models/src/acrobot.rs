@@ -29,6 +29,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(theta1, theta2),
     define(
         elbow = l1 * [sin(theta1), -cos(theta1)],

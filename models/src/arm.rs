@@ -32,6 +32,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(q[3]),
     define(
         turned = rotation_z(q[0]),

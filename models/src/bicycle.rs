@@ -32,6 +32,7 @@ use lagrangian::rigid_body::{BodyError, InertiaTensor};
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     c,
     coordinates(x, y, yaw, lean, pitch, steer, rear, front),
     define(

@@ -26,6 +26,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(x, theta),
     kinetic = 0.5 * cart * dot(x).powi(2),
     body(pole = (rotation_y(theta), [x, 0.0, 0.0])),

@@ -34,6 +34,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(x, theta1, theta2),
     define(
         p1 = [x + 0.5 * l1 * sin(theta1), 0.5 * l1 * cos(theta1)],

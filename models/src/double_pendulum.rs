@@ -21,6 +21,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(theta[2]),
     define(
         p1 = l1 * [sin(theta[0]), -cos(theta[0])],

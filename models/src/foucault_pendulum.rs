@@ -33,6 +33,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(x, y),
     define(
         position = [x, y, -sqrt(l.powi(2) - x.powi(2) - y.powi(2))],

@@ -32,6 +32,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(x: Vector3, phi, theta, psi),
     body(body = (rotation_zxz(phi, theta, psi), x)),
     gravity = gravity,

@@ -34,6 +34,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     c,
     coordinates(alpha, theta),
     define(turned = rotation_z(alpha)),

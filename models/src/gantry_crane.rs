@@ -22,6 +22,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(x, l, theta),
     define(position = [x + l * sin(theta), -l * cos(theta)]),
     kinetic = 0.5 * trolley * dot(x).powi(2) + 0.5 * load * dot(position).norm_squared(),

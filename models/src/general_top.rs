@@ -35,6 +35,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     c,
     coordinates(phi, theta, psi),
     define(r = rotation_zxz(phi, theta, psi)),

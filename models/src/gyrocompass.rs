@@ -23,6 +23,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(alpha, psi),
     define(
         w1 = -rate * cos(latitude) * sin(alpha),

@@ -35,6 +35,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(phi, theta, psi),
     define(
         outer_axes = rotation_z(phi),

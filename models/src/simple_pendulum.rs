@@ -22,6 +22,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(theta),
     kinetic = 0.5 * m * (l * dot(theta)).powi(2),
     potential = -m * g * l * cos(theta),

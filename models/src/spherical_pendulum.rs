@@ -19,6 +19,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(theta, phi),
     define(p = l * [sin(theta) * cos(phi), sin(theta) * sin(phi), -cos(theta)]),
     kinetic = 0.5 * m * dot(p).norm_squared(),

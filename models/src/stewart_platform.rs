@@ -44,6 +44,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     c,
     coordinates(p: Vector3, yaw, pitch, roll, a[6], b[6], s[6]),
     define(

@@ -29,6 +29,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(phi, theta, psi),
     define(r = rotation_zxz(phi, theta, psi)),
     body(body = (r, [0.0, 0.0, 0.0])),
