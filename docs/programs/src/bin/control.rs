@@ -90,7 +90,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         })
         .lagged([LAG])
         .save(Every(0.01))
-        .solve(8.0, Taylor::new())?;
+        .solve(8.0, Taylor::order_12())?;
     let [one, other] = [continuous.last.q, sampled.last.q].map(|q| (q[0], q[1].to_degrees()));
     println!(
         "Continuous: after 8 s x = {:.4} m, tilt {:.3}°",

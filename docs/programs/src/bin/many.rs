@@ -32,7 +32,7 @@ struct Parcel {
 // ANCHOR: program
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let drops = Sample::new(
-        4096,
+        1024,
         [
             Parameter::normal("delay", 3.0, 0.2).unit("s"),
             Parameter::normal("speed", 60.0, 2.0).unit("m/s"),
@@ -63,8 +63,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let study = Study::new(drops, problem, 200.0, Taylor::new());
     let columns = [
-        Column::new("x").unit("m").histogram(-150.0, 250.0, 80),
-        Column::new("y").unit("m").histogram(-150.0, 250.0, 80),
+        Column::new("x").unit("m").histogram(-150.0, 250.0, 40),
+        Column::new("y").unit("m").histogram(-150.0, 250.0, 40),
         Column::new("impact").unit("m/s"),
     ];
     let summary = study.summary(columns, |motion| {
@@ -90,7 +90,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let histogram = summary.column(name)?.histogram()?;
         let edges = histogram.edges();
         let bars = edges.windows(2).zip(histogram.counts());
-        #[allow(clippy::cast_precision_loss)] // There are 4096 members.
+        #[allow(clippy::cast_precision_loss)] // There are 1024 members.
         let points = bars.flat_map(|(edge, count)| [edge[0], edge[1]].map(|x| [x, *count as f64]));
         Some(Curve {
             name,
@@ -101,7 +101,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Figure {
         file: "many",
         x: "place of landing in m",
-        y: "parcels in 5 m",
+        y: "parcels in 10 m",
     }
     .draw(&curves)
 }

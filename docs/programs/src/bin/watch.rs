@@ -78,7 +78,7 @@ fn run(degrees: f64) -> Result<Vec<[f64; 2]>, IntegrationError> {
         .iter()
         .filter(|event| event.is(Runner::APEX));
     for apex in apices {
-        let (t, height, speed) = (apex.t, apex.x.q[Runner::Y], apex.x.v[Runner::X]);
+        let (t, height, speed) = (apex.t, apex.q[Runner::Y], apex.v[Runner::X]);
         println!("   apex after {t:.3} s: {height:.4} m at {speed:.4} m/s");
     }
     Ok(motion.samples().iter().map(|x| x.q.into()).collect())
