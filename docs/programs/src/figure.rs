@@ -26,6 +26,22 @@ pub struct Figure<'a> {
     pub y: &'a str,
 }
 
+impl<'a> Curve<'a> {
+    /// A curve with this name through points (x, y).
+    #[must_use]
+    pub fn new(name: &'a str, points: Vec<[f64; 2]>) -> Self {
+        Self { name, points }
+    }
+}
+
+impl<'a> Figure<'a> {
+    /// A figure in the file `NAME.svg` with the labels of its axes.
+    #[must_use]
+    pub fn new(file: &'a str, x: &'a str, y: &'a str) -> Self {
+        Self { file, x, y }
+    }
+}
+
 impl Figure<'_> {
     /// Draws curves into the file `NAME.svg` of the folder that is the first argument of the program; without arguments,
     /// nothing is drawn.

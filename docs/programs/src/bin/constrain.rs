@@ -1,11 +1,11 @@
 //! A slider-crank at a constant speed: what its bearings and the wall of its cylinder carry.
 
+// ANCHOR: model
 use std::f64::consts::{PI, TAU};
 
 use lagrangian::prelude::*;
 use lagrangian_guide::{Curve, Figure};
 
-// ANCHOR: model
 /// A crank, a connecting rod and a piston that moves along x. The piston is free, and three
 /// constraints put the parts together.
 #[derive(Lagrangian)]
@@ -46,7 +46,7 @@ struct SliderCrank {
 }
 // ANCHOR_END: model
 
-// ANCHOR: program
+// ANCHOR: start
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let machine = SliderCrank {
         r: 0.04,
@@ -69,6 +69,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("Degrees of freedom: {}", free.velocities);
     println!("The piston starts at x = {:.4} m.", start.q[2]);
 
+    // ANCHOR_END: start
+
+    // ANCHOR: motion
     let turn = TAU / machine.speed;
     let motion = Problem::new(&machine, start)
         .save(Every(turn / 720.0))
@@ -94,6 +97,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         largest(|x| x.torque)
     );
 
+    // ANCHOR_END: motion
+
+    // ANCHOR: checks
     // What checks it: the closed form, the constraints, and a motor that does no work in a turn.
     for x in motion.samples() {
         let (sin, cos) = x.q[SliderCrank::CRANK].sin_cos();
@@ -106,22 +112,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     assert!(mean.abs() < 1e-10);
     println!("The piston agrees with its closed form; the mean torque is below 1e-10 N m.");
 
+    // ANCHOR_END: checks
+
+    // ANCHOR: figure
     let curve = |name, force: fn(&SliderCrankOutputs<f64>) -> f64| {
         let points = outputs.iter().zip(motion.samples());
         let points = points.map(|(y, x)| [x.q[0] * 180.0 / PI, 1e-3 * force(y)]);
-        Curve {
-            name,
-            points: points.collect(),
-        }
+        Curve::new(name, points.collect())
     };
-    Figure {
-        file: "constrain",
-        x: "angle of the crank in degrees",
-        y: "force in kN",
-    }
-    .draw(&[
+    Figure::new("constrain", "angle of the crank in degrees", "force in kN").draw(&[
         curve("bearing, along x", |x| x.force.x),
         curve("wall", |x| x.side),
     ])
 }
-// ANCHOR_END: program
+// ANCHOR_END: figure

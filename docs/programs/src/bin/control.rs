@@ -1,11 +1,11 @@
 //! A robot that balances on two wheels: a regulator in continuous time, and as its processor runs it.
 
+// ANCHOR: model
 use lagrangian::analysis::StateSpace;
 use lagrangian::nalgebra::{Matrix1, RowSVector};
 use lagrangian::prelude::*;
 use lagrangian_guide::{Curve, Figure};
 
-// ANCHOR: model
 /// A body on two wheels, on ground that may slope upwards. Its motors turn the wheels against it.
 #[derive(Lagrangian)]
 #[lagrangian(
@@ -38,7 +38,7 @@ struct Robot {
 }
 // ANCHOR_END: model
 
-// ANCHOR: program
+// ANCHOR: design
 /// The period of the controller, and the time constant of the motors, in s.
 const PERIOD: f64 = 1e-3;
 const LAG: f64 = 5e-3;
@@ -66,6 +66,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let regulator = plant.regulator(&SMatrix::from_diagonal(&weights), &effort)?;
     println!("Gain for (x, tilt, ẋ, tilt˙): {}", digits(regulator.gain));
 
+    // ANCHOR_END: design
+
+    // ANCHOR: sampled
     // As the processor runs it: sampled, and with the integral of x as a fifth state.
     let mut a = plant.a.fixed_resize::<5, 5>(0.0);
     a[(4, Robot::X)] = 1.0;
@@ -74,6 +77,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let gain = sampled.regulator(&weights, &effort)?.gain;
     println!("Sampled, and the integral:    {}", digits(gain));
 
+    // ANCHOR_END: sampled
+
+    // ANCHOR: loop
     // It starts tilted, on a slope of 3° of which neither knows.
     let slope = 3_f64.to_radians();
     let real = Robot { slope, ..robot };
@@ -106,20 +112,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         commanded, sampled.last.z.1[0]
     );
 
-    Figure {
-        file: "control",
-        x: "t in s",
-        y: "x in m",
-    }
-    .draw(&[
-        Curve {
-            name: "continuous, without integral",
-            points: continuous.samples().iter().map(|s| [s.t, s.q[0]]).collect(),
-        },
-        Curve {
-            name: "1 kHz, integral, lag of 5 ms",
-            points: sampled.samples().iter().map(|s| [s.t, s.q[0]]).collect(),
-        },
+    Figure::new("control", "t in s", "x in m").draw(&[
+        Curve::new(
+            "continuous, without integral",
+            continuous.samples().iter().map(|s| [s.t, s.q[0]]).collect(),
+        ),
+        Curve::new(
+            "1 kHz, integral, lag of 5 ms",
+            sampled.samples().iter().map(|s| [s.t, s.q[0]]).collect(),
+        ),
     ])
 }
 
@@ -128,4 +129,4 @@ fn digits<const N: usize>(row: RowSVector<f64, N>) -> String {
     let digits: Vec<_> = row.iter().map(|x| format!("{x:.3}")).collect();
     digits.join(", ")
 }
-// ANCHOR_END: program
+// ANCHOR_END: loop

@@ -1,5 +1,6 @@
 //! A robot arm: the torques that its motors need along a move.
 
+// ANCHOR: model
 use std::f64::consts::FRAC_PI_2;
 
 use lagrangian::nalgebra::Rotation3;
@@ -8,13 +9,12 @@ use lagrangian::rigid_body::Solid;
 use lagrangian_guide::{Curve, Figure};
 
 /// An arm of two links in a vertical plane, each turned by a geared motor.
-// ANCHOR: model
 #[derive(Lagrangian)]
 #[lagrangian(
     // The angle of the upper arm from the horizontal, and of the forearm from the upper arm.
     coordinates(shoulder, elbow),
     define(
-        // Rotations from the axes of the links to the axes of space: x along the link, z upwards.
+        // Rotations from the axes of the links to the axes of space: x along it, z up.
         upper_axes = rotation_y(-shoulder),
         lower_axes = upper_axes * rotation_y(-elbow),
         joint = upper_axes * [length, 0.0, 0.0],
@@ -102,20 +102,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("The hand ends at x = {:.3} m, z = {:.3} m.", hand.x, hand.z);
 
     let [shoulder, elbow] = torques;
-    Figure {
-        file: "declare",
-        x: "t in s",
-        y: "torque in N m",
-    }
-    .draw(&[
-        Curve {
-            name: "shoulder",
-            points: shoulder,
-        },
-        Curve {
-            name: "elbow",
-            points: elbow,
-        },
-    ])
+    Figure::new("declare", "t in s", "torque in N m")
+        .draw(&[Curve::new("shoulder", shoulder), Curve::new("elbow", elbow)])
 }
 // ANCHOR_END: program

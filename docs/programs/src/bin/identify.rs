@@ -1,13 +1,13 @@
 //! A pan-tilt head: what its motors tell of its masses and frictions.
 
+// ANCHOR: model
 use lagrangian::identification::Identification;
 use lagrangian::prelude::*;
 use lagrangian_ensembles::{Parameter, Points, Sample};
 use lagrangian_guide::{Curve, Figure};
 
-// ANCHOR: model
 /// A camera that turns about the vertical (pan) and about a horizontal axis (tilt), which meet.
-#[derive(Lagrangian)]
+#[derive(Lagrangian, Default)]
 #[lagrangian(
     coordinates(pan, tilt),
     define(
@@ -47,7 +47,7 @@ struct Head {
 }
 // ANCHOR_END: model
 
-// ANCHOR: program
+// ANCHOR: measure
 /// The standard deviation of a measured torque in N m.
 const NOISE: f64 = 0.02;
 
@@ -84,15 +84,23 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let deviations = ["pan", "tilt"].map(|name| Parameter::normal(name, 0.0, NOISE));
     let noise = Sample::new(motion.samples().len(), deviations);
 
+    // ANCHOR_END: measure
+
+    // ANCHOR: identify
+    // Of the model only what is known enters: g and the smoothing.
+    let model = Head {
+        smooth: real.smooth,
+        g: real.g,
+        ..Head::default()
+    };
     let mut identification = Identification::new(Head::BASE_PARAMETERS);
     let mut measured = Vec::new();
     for (k, x) in motion.samples().iter().enumerate() {
         let torque = law(x);
         let accelerations = real.with_inputs(torque).accelerations(x);
         let torque = torque + Vector2::from(noise.point(k));
-        // Of the model enter g and the smoothing; torques are given beside it.
         let deviations = Vector2::repeat(NOISE);
-        identification.add_weighted(&real, x, &accelerations, &torque, &deviations);
+        identification.add_weighted(&model, x, &accelerations, &torque, &deviations);
         measured.push((x, accelerations, torque));
     }
     let found = identification.solve()?;
@@ -111,24 +119,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let [mut dots, mut line] = [Vec::new(), Vec::new()];
     for (x, accelerations, torque) in measured.into_iter().take(300) {
-        let predicted = real.regressor(x, &accelerations) * found.parameters;
+        let predicted = model.regressor(x, &accelerations) * found.parameters;
         dots.push([x.t, torque[1]]);
         line.push([x.t, predicted[1]]);
     }
-    Figure {
-        file: "identify",
-        x: "t in s",
-        y: "torque of tilt in N m",
-    }
-    .draw(&[
-        Curve {
-            name: "measured",
-            points: dots,
-        },
-        Curve {
-            name: "identified",
-            points: line,
-        },
-    ])
+    Figure::new("identify", "t in s", "torque of tilt in N m")
+        .draw(&[Curve::new("measured", dots), Curve::new("identified", line)])
 }
-// ANCHOR_END: program
+// ANCHOR_END: identify

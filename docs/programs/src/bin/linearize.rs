@@ -1,5 +1,6 @@
 //! Half a car on its springs: sag, modes, linear model, and what a damper does to them.
 
+// ANCHOR: model
 use std::f64::consts::TAU;
 
 use lagrangian::analysis::{EquilibriumSearch, SmallOscillations, StateSpace};
@@ -7,7 +8,6 @@ use lagrangian::nalgebra::Complex;
 use lagrangian::prelude::*;
 use lagrangian_guide::{Curve, Figure};
 
-// ANCHOR: model
 /// A body on two axles, seen from the side; heights are above their places with springs at rest.
 #[derive(Lagrangian, Clone)]
 #[lagrangian(
@@ -43,7 +43,7 @@ struct HalfCar {
 }
 // ANCHOR_END: model
 
-// ANCHOR: program
+// ANCHOR: rest
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let car = HalfCar {
         m: 650.0,
@@ -70,7 +70,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("Stability: {:?}\n", oscillations.stability()?.verdict());
     println!("f [Hz]   damping ratio   largest in");
     for mode in oscillations.damped_modes()?.iter() {
-        let largest = mode.shape.map(|x| x.norm()).imax();
+        let largest = mode.shape.map(Complex::norm).imax();
         let (frequency, name) = (
             mode.natural_frequency() / TAU,
             HalfCar::COORDINATES[largest],
@@ -78,6 +78,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         println!("{frequency:6.2}   {:13.3}   {name}", mode.damping_ratio());
     }
 
+    // ANCHOR_END: rest
+
+    // ANCHOR: plant
     let plant = Linear::of(&car, &rest);
     assert!(plant.is_at_equilibrium(1e-10));
     let row = plant.a.fixed_view::<1, 4>(4 + HalfCar::HEAVE, 0);
@@ -92,35 +95,27 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     );
     println!("Controllable states: {} of 8", plant.controllability().rank);
 
+    // ANCHOR_END: plant
+
+    // ANCHOR: response
     let [soft, normal, hard] = [400.0, 1600.0, 5000.0].map(|damper| {
-        let plant = Linear::of(
-            &HalfCar {
-                damper,
-                ..car.clone()
-            },
-            &rest,
-        );
+        let car = HalfCar {
+            damper,
+            ..car.clone()
+        };
+        let plant = Linear::of(&car, &rest);
         let frequencies = (10..=1500).map(|i| 0.01 * f64::from(i));
         frequencies.map(|f| [f, gain(&plant, f)]).collect()
     });
-    Figure {
-        file: "linearize",
-        x: "frequency in Hz",
-        y: "heave per height of the road",
-    }
+    Figure::new(
+        "linearize",
+        "frequency in Hz",
+        "heave per height of the road",
+    )
     .draw(&[
-        Curve {
-            name: "damper of 400 N s/m",
-            points: soft,
-        },
-        Curve {
-            name: "1600 N s/m",
-            points: normal,
-        },
-        Curve {
-            name: "5000 N s/m",
-            points: hard,
-        },
+        Curve::new("damper of 400 N s/m", soft),
+        Curve::new("1600 N s/m", normal),
+        Curve::new("5000 N s/m", hard),
     ])
 }
 
@@ -144,4 +139,4 @@ fn digits<'a>(numbers: impl Iterator<Item = &'a f64>) -> String {
     let digits: Vec<_> = numbers.map(|x| format!("{x:.4}")).collect();
     digits.join(", ")
 }
-// ANCHOR_END: program
+// ANCHOR_END: response

@@ -1,10 +1,10 @@
 //! Parcels that are dropped by parachute: where they land.
 
+// ANCHOR: model
 use lagrangian::prelude::*;
 use lagrangian_ensembles::{Column, Parameter, Sample, Study};
 use lagrangian_guide::{Curve, Figure};
 
-// ANCHOR: model
 /// A parcel with air drag, in a wind; x is the direction of the flight.
 #[derive(Lagrangian)]
 #[lagrangian(
@@ -29,7 +29,7 @@ struct Parcel {
 }
 // ANCHOR_END: model
 
-// ANCHOR: program
+// ANCHOR: study
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let drops = Sample::new(
         1024,
@@ -62,6 +62,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .stop()
     };
     let study = Study::new(drops, problem, 200.0, Taylor::new());
+    // ANCHOR_END: study
+
+    // ANCHOR: results
     let columns = [
         Column::new("x").unit("m").histogram(-150.0, 250.0, 40),
         Column::new("y").unit("m").histogram(-150.0, 250.0, 40),
@@ -92,17 +95,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let bars = edges.windows(2).zip(histogram.counts());
         #[allow(clippy::cast_precision_loss)] // There are 1024 members.
         let points = bars.flat_map(|(edge, count)| [edge[0], edge[1]].map(|x| [x, *count as f64]));
-        Some(Curve {
-            name,
-            points: points.collect(),
-        })
+        Some(Curve::new(name, points.collect()))
     };
     let curves: Vec<_> = ["x", "y"].into_iter().filter_map(outline).collect();
-    Figure {
-        file: "many",
-        x: "place of landing in m",
-        y: "parcels in 10 m",
-    }
-    .draw(&curves)
+    Figure::new("many", "place of landing in m", "parcels in 10 m").draw(&curves)
 }
-// ANCHOR_END: program
+// ANCHOR_END: results

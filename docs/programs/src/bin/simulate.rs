@@ -1,10 +1,10 @@
 //! A double pendulum by three methods, and what each of them keeps of its energy.
 
+// ANCHOR: model
 use lagrangian::DoubleDouble;
 use lagrangian::prelude::*;
 use lagrangian_guide::{Curve, Figure};
 
-// ANCHOR: model
 /// Two masses on rods without mass, with angles from the vertical.
 #[derive(Lagrangian)]
 #[lagrangian(
@@ -67,15 +67,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for t in (0..=2000).map(|i| 0.005 * f64::from(i)) {
         path.push(PENDULUM.outputs(&motion.at(t)?).tip.into());
     }
-    Figure {
-        file: "simulate",
-        x: "x in m",
-        y: "y in m",
-    }
-    .draw(&[Curve {
-        name: "",
-        points: path,
-    }])
+    Figure::new("simulate", "x in m", "y in m").draw(&[Curve::new("", path)])
 }
 
 /// The end of the motion with 32 digits, rounded.
@@ -83,7 +75,7 @@ fn precise(start: &State<f64, 2>) -> Result<State<f64, 2>, Box<dyn std::error::E
     let [q, v] = [start.q, start.v].map(|x| x.map(DoubleDouble::from_f64));
     let start = State::new(DoubleDouble::from_f64(start.t), q, v);
     let end = Problem::new(&PENDULUM, start).solve(10.0, Taylor::order_40())?;
-    let [q, v] = [end.q, end.v].map(|x| x.map(|x| x.to_f64()));
+    let [q, v] = [end.q, end.v].map(|x| x.map(DoubleDouble::to_f64));
     Ok(State::new(10.0, q, v))
 }
 // ANCHOR_END: program

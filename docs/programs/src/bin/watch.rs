@@ -1,9 +1,9 @@
-//! A runner on a springy leg: events that change the model, and a gait that finds itself.
+//! A runner on a springy leg: events that change the model, and a gait that settles by itself.
 
+// ANCHOR: model
 use lagrangian::prelude::*;
 use lagrangian_guide::{Curve, Figure};
 
-// ANCHOR: model
 /// A body that bounces on a leg without mass (R. Blickhan, The spring-mass model for running and
 /// hopping, 1989). The leg touches down at a fixed angle, and leaves the ground when it is as long
 /// as at rest.
@@ -85,20 +85,9 @@ fn run(degrees: f64) -> Result<Vec<[f64; 2]>, IntegrationError> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    Figure {
-        file: "watch",
-        x: "x in m",
-        y: "height of the body in m",
-    }
-    .draw(&[
-        Curve {
-            name: "leg at 68°",
-            points: run(68.0)?,
-        },
-        Curve {
-            name: "leg at 72°",
-            points: run(72.0)?,
-        },
+    Figure::new("watch", "x in m", "height of the body in m").draw(&[
+        Curve::new("leg at 68°", run(68.0)?),
+        Curve::new("leg at 72°", run(72.0)?),
     ])
 }
 // ANCHOR_END: program
