@@ -115,7 +115,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         assert!((found - true_value).abs() < 4.0 * deviations[i]);
     }
     println!("Condition number {:.0}", found.condition_number);
-    println!("Residuals: {:.2} of the expected noise", found.variance.sqrt());
+    println!(
+        "Residuals: {:.2} of the expected noise",
+        found.variance.sqrt()
+    );
 
     let [mut dots, mut line] = [Vec::new(), Vec::new()];
     for (x, accelerations, torque) in measured.into_iter().take(300) {
