@@ -85,12 +85,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     assert!(plant.is_at_equilibrium(1e-10));
     let row = plant.a.fixed_view::<1, 4>(4 + HalfCar::HEAVE, 0);
     println!(
-        "\nHeave˙˙ by heave, pitch, front, rear: {}",
+        "\nHeave in A, by heave, pitch, front, rear: {}",
         digits(row.iter())
     );
     let column = plant.b.fixed_view::<4, 1>(4, 0);
     println!(
-        "Accelerations by the road in front: {}",
+        "Road in B, for their accelerations: {}",
         digits(column.iter())
     );
     println!("Controllable states: {} of 8", plant.controllability().rank);
