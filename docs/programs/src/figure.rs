@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::path::PathBuf;
 
+use plotters::coord::Shift;
 use plotters::prelude::*;
 
 /// A curve of a figure: its name and its points.
@@ -25,6 +26,22 @@ pub struct Figure<'a> {
     pub y: &'a str,
 }
 
+impl<'a> Curve<'a> {
+    /// A curve with this name through points (x, y).
+    #[must_use]
+    pub fn new(name: &'a str, points: Vec<[f64; 2]>) -> Self {
+        Self { name, points }
+    }
+}
+
+impl<'a> Figure<'a> {
+    /// A figure in the file `NAME.svg` with the labels of its axes.
+    #[must_use]
+    pub fn new(file: &'a str, x: &'a str, y: &'a str) -> Self {
+        Self { file, x, y }
+    }
+}
+
 impl Figure<'_> {
     /// Draws curves into the file `NAME.svg` of the folder that is the first argument of the program; without arguments,
     /// nothing is drawn.
@@ -45,6 +62,11 @@ impl Figure<'_> {
         );
         let mut chart = ChartBuilder::on(&area)
             .margin(12)
+            .margin_top(if curves.iter().all(|curve| curve.name.is_empty()) {
+                12
+            } else {
+                28
+            })
             .x_label_area_size(44)
             .y_label_area_size(64)
             .build_cartesian_2d(x[0]..x[1], y[0]..y[1])?;
@@ -62,25 +84,36 @@ impl Figure<'_> {
                 curve.points.iter().map(|&[x, y]| (x, y)),
                 color.stroke_width(2),
             );
-            let drawn = chart.draw_series(series)?;
-            if !curve.name.is_empty() {
-                drawn.label(curve.name).legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 18, y)], color.stroke_width(2))
-                });
-            }
+            chart.draw_series(series)?;
         }
-        if curves.iter().any(|curve| !curve.name.is_empty()) {
-            chart
-                .configure_series_labels()
-                .label_font(("sans-serif", 14))
-                .border_style(TRANSPARENT)
-                .background_style(WHITE.mix(0.8))
-                .draw()?;
-        }
+        legend(&area, curves)?;
         area.present()?;
         Ok(())
     }
 }
+
+/// Draws the names of curves in a line above the axes.
+fn legend<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    curves: &[Curve<'_>],
+) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
+    let mut x = 76;
+    for (index, curve) in curves.iter().enumerate() {
+        if curve.name.is_empty() {
+            continue;
+        }
+        let color = COLORS[index % COLORS.len()].stroke_width(2);
+        area.draw(&PathElement::new([(x, LEGEND), (x + 18, LEGEND)], color))?;
+        let font = ("sans-serif", 14).into_font().color(&BLACK);
+        area.draw(&Text::new(curve.name, (x + 24, LEGEND - 7), font))?;
+        // A letter is about 8 wide.
+        x += 48 + 8 * i32::try_from(curve.name.chars().count()).unwrap_or(0);
+    }
+    Ok(())
+}
+
+/// The height of the legend.
+const LEGEND: i32 = 14;
 
 /// Blue, vermilion, green, purple: told apart by most readers (M. Okabe, K. Ito, Color universal design, 2008).
 const COLORS: [RGBColor; 4] = [

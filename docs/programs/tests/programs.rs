@@ -71,5 +71,14 @@ macro_rules! programs {
 }
 
 programs! {
+    introduction,
+    declare,
+    page,
     simulate,
+    watch,
+    control,
+    constrain,
+    linearize,
+    identify,
+    many,
 }
