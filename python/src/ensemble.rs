@@ -61,6 +61,7 @@ impl Ensemble {
     }
 
     /// The initial state of a member.
+    #[must_use]
     pub fn start<const N: usize>(&self, member: usize) -> State<f64, N> {
         let missing = || State::new(f64::NAN, [f64::NAN; N], [f64::NAN; N]);
         self.starts

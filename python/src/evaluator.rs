@@ -111,7 +111,7 @@ where
         match quantity {
             Quantity::Accelerations => rows(&model.accelerations(&state), numbers),
             Quantity::InverseDynamics => {
-                rows(&model.inverse_dynamics(&state, &vector(given)), numbers)
+                rows(&model.inverse_dynamics(&state, &vector(given)), numbers);
             }
             Quantity::MassMatrix => rows(&model.mass_matrix(&state), numbers),
             Quantity::Forcing => rows(&model.forcing(&state), numbers),
@@ -120,7 +120,7 @@ where
             Quantity::Energy => numbers.push(model.energy(&state)),
             Quantity::Outputs => model.output_numbers(&state, &mut |number| numbers.push(number)),
             Quantity::Multipliers => {
-                model.multiplier_numbers(&state, &mut |number| numbers.push(number))
+                model.multiplier_numbers(&state, &mut |number| numbers.push(number));
             }
             Quantity::KineticEnergy | Quantity::PotentialEnergy => {
                 let Some(energies) = abilities.energies else {

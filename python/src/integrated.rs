@@ -62,9 +62,12 @@ pub struct Integrated {
     pub error: Option<IntegrationError>,
 }
 
+/// A solution with samples.
+type Sampled<const N: usize, Z> = Solution<f64, Phase<f64, N, Z>, Vec<At<f64, Phase<f64, N, Z>>>>;
+
 impl Integrated {
     pub(crate) fn of<Z, const N: usize>(
-        solution: &Solution<f64, Phase<f64, N, Z>, Vec<At<f64, Phase<f64, N, Z>>>>,
+        solution: &Sampled<N, Z>,
         watch: &Watch,
         error: Option<IntegrationError>,
     ) -> Self {

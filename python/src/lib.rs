@@ -53,6 +53,8 @@ mod members;
 mod model;
 mod motion;
 mod motions;
+mod parameters;
+mod quantities;
 mod request;
 mod settings;
 mod states;

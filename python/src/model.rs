@@ -16,6 +16,7 @@ use crate::fields;
 use crate::members::Members;
 use crate::motion::Motion;
 use crate::motions::Motions;
+use crate::parameters;
 use crate::request::{Law, Request};
 use crate::settings;
 use crate::states::States;
@@ -27,16 +28,16 @@ use crate::states::States;
 /// shape (k,). Results have the index of the state first.
 #[pyclass(subclass, frozen, module = "lagrangian", name = "Model")]
 pub struct Model {
-    description: &'static Description,
-    numbers: Vec<f64>,
-    evaluator: Box<dyn Evaluator>,
+    pub(crate) description: &'static Description,
+    pub(crate) numbers: Vec<f64>,
+    pub(crate) evaluator: Box<dyn Evaluator>,
 }
 
 /// An argument.
-type Any<'a, 'py> = &'a Bound<'py, PyAny>;
+pub(crate) type Any<'a, 'py> = &'a Bound<'py, PyAny>;
 
 /// An argument that may be left out.
-type Maybe<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
+pub(crate) type Maybe<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
 
 impl Model {
     fn build(description: &'static Description, numbers: Vec<f64>) -> PyResult<Self> {
@@ -49,121 +50,8 @@ impl Model {
         })
     }
 
-    /// The numbers of a quantity at all states, one state after the other; `None` if the model does not have it.
-    fn evaluate(
-        &self,
-        quantity: Quantity,
-        states: &States,
-        given: impl Fn(usize) -> Vec<f64>,
-    ) -> PyResult<Option<Vec<f64>>> {
-        let mut numbers = Vec::new();
-        for index in 0..states.len() {
-            let instant = states.instant(index);
-            let found = match states.inputs(index) {
-                None => self
-                    .evaluator
-                    .evaluate(quantity, instant, &given(index), &mut numbers),
-                Some(inputs) => {
-                    let under = self.under(inputs);
-                    let under = (self.description.build)(&under);
-                    let under = under.map_err(|error| value_error(format!("{error:?}")))?;
-                    under.evaluate(quantity, instant, &given(index), &mut numbers)
-                }
-            };
-            if !found {
-                return Ok(None);
-            }
-        }
-        Ok(Some(numbers))
-    }
-
-    /// The numbers of the fields under other inputs.
-    fn under(&self, inputs: &[f64]) -> Vec<f64> {
-        let mut numbers = self.numbers.clone();
-        let mut inputs = inputs.iter();
-        let mut first = 0;
-        for field in self.description.fields {
-            let behind = first + field.count();
-            if field.is_input
-                && let Some(part) = numbers.get_mut(first..behind)
-            {
-                for (number, input) in part.iter_mut().zip(&mut inputs) {
-                    *number = *input;
-                }
-            }
-            first = behind;
-        }
-        numbers
-    }
-
-    /// A quantity of this shape at each state.
-    fn quantity<'py>(
-        &self,
-        (quantity, of_one): (Quantity, &[usize]),
-        state: [Any<'_, 'py>; 2],
-        t: Maybe<'_, 'py>,
-        u: Maybe<'_, 'py>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let py = state[0].py();
-        let states = States::read(self.description, state, t, u)?;
-        let numbers = self.evaluate(quantity, &states, |_| Vec::new())?;
-        let numbers = numbers.ok_or_else(|| self.has_no(quantity))?;
-        fields::number_or_array(py, &numbers, &states.shape(of_one))
-    }
-
-    /// Several quantities with names, which stand one after the other in the numbers of each state.
-    fn named<'py>(
-        &self,
-        quantity: Quantity,
-        parts: &[(&'static str, &[usize])],
-        state: [Any<'_, 'py>; 2],
-        t: Maybe<'_, 'py>,
-        u: Maybe<'_, 'py>,
-    ) -> PyResult<Bound<'py, PyDict>> {
-        let py = state[0].py();
-        let states = States::read(self.description, state, t, u)?;
-        let numbers = self.evaluate(quantity, &states, |_| Vec::new())?;
-        let numbers = numbers.ok_or_else(|| self.has_no(quantity))?;
-        let length: usize = parts
-            .iter()
-            .map(|(_, shape)| shape.iter().product::<usize>())
-            .sum();
-        let named = PyDict::new(py);
-        let mut first = 0;
-        for (name, shape) in parts {
-            let behind = first + shape.iter().product::<usize>();
-            let of_states = numbers.chunks(length.max(1));
-            let part: Vec<f64> = of_states
-                .flat_map(|of_one| of_one.get(first..behind).unwrap_or_default())
-                .copied()
-                .collect();
-            named.set_item(
-                name,
-                fields::number_or_array(py, &part, &states.shape(shape))?,
-            )?;
-            first = behind;
-        }
-        Ok(named)
-    }
-
-    fn dimension(&self) -> usize {
+    pub(crate) fn dimension(&self) -> usize {
         self.description.coordinates.len()
-    }
-
-    fn has_no(&self, quantity: Quantity) -> PyErr {
-        let name = self.description.name;
-        value_error(match quantity {
-            Quantity::KineticEnergy | Quantity::PotentialEnergy => {
-                format!(
-                    "{name} is declared by its Lagrangian, without a kinetic and a potential energy"
-                )
-            }
-            Quantity::StateMatrix => format!(
-                "{name} has constraints, so that its coordinates and velocities do not change independently"
-            ),
-            Quantity::InputMatrix => format!("{name} has no inputs"),
-            _ => format!("{name} has no events"),
-        })
     }
 
     /// The parameters by their names.
@@ -190,43 +78,7 @@ impl Model {
                 "Model is the base class of the models of this module: create one of them",
             )
         })?;
-        let name = description.name;
-        let mut numbers = vec![f64::NAN; description.numbers()];
-        let mut given = Vec::new();
-        for (key, value) in parameters.into_iter().flatten() {
-            let key: String = key.extract()?;
-            let Some((field, first)) = description.field(&key) else {
-                let names: Vec<_> = description.fields.iter().map(|field| field.name).collect();
-                return Err(PyTypeError::new_err(format!(
-                    "{name} has no parameter {key}: its parameters are {}",
-                    Description::listed(&names)
-                )));
-            };
-            let values = fields::read(field, &value)?;
-            if let Some(place) = numbers.get_mut(first..first + values.len()) {
-                place.copy_from_slice(&values);
-            }
-            given.push(field.name);
-        }
-        for field in description
-            .fields
-            .iter()
-            .filter(|field| !given.contains(&field.name))
-        {
-            let place = description.field(field.name).map_or(0, |(_, first)| first);
-            match numbers.get_mut(place..place + field.count()) {
-                Some(place) if field.is_input => place.fill(0.0),
-                _ => {
-                    let documentation = field.documentation.lines().next().unwrap_or_default();
-                    let separator = if documentation.is_empty() { "" } else { ": " };
-                    return Err(PyTypeError::new_err(format!(
-                        "{name} needs the parameter {}{separator}{documentation}",
-                        field.name
-                    )));
-                }
-            }
-        }
-        Self::build(description, numbers)
+        Self::build(description, parameters::numbers(description, parameters)?)
     }
 
     /// The parameters and the inputs, by their names.
@@ -502,12 +354,12 @@ impl Model {
     ///     The final time, which may be before `t`.
     /// samples : int or array of times
     ///     A number of equally spaced times with both ends, or the times; by default both ends.
-    /// method : "taylor", "dop853" or "runge_kutta"
-    ///     By default Taylor series if the model has them, else "dop853".
+    /// method : `"taylor"`, `"dop853"` or `"runge_kutta"`
+    ///     By default Taylor series if the model has them, else `"dop853"`.
     /// tolerance : float
     ///     Relative and absolute tolerance.
     /// step : float
-    ///     The step of "runge_kutta", or the largest step.
+    ///     The step of `"runge_kutta"`, or the largest step.
     /// record, stop : name, list of names, or dict of names and directions
     ///     Events that are recorded, and events at which the motion ends; the directions are "rising", "falling" and "either".
     /// feedback : function of t, q, v

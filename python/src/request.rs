@@ -179,7 +179,7 @@ impl Request {
             ObservationKind::Step => {
                 *steps += 1;
                 if steps.is_multiple_of(STEPS_BETWEEN_SIGNALS)
-                    && let Err(exception) = Python::attach(|py| py.check_signals())
+                    && let Err(exception) = Python::attach(signals)
                 {
                     self.keep(exception);
                     return ControlFlow::Break(());
@@ -218,6 +218,11 @@ impl Request {
             }
         }
     }
+}
+
+/// The exception of a signal, such as an interrupt from the keyboard.
+fn signals(py: Python<'_>) -> PyResult<()> {
+    py.check_signals()
 }
 
 /// After so many steps, Python is asked for signals.
