@@ -71,5 +71,8 @@ macro_rules! programs {
 }
 
 programs! {
+    encoder,
+    equations,
+    furuta,
     simulate,
 }
