@@ -75,4 +75,5 @@ programs! {
     equations,
     furuta,
     simulate,
+    single_precision,
 }

@@ -25,13 +25,32 @@ fn difference(ours: &[f64], theirs: &[f64]) -> f64 {
     largest(&mut ours.iter().zip(theirs).map(|(x, y)| (x - y).abs())) / scale
 }
 
+/// The numbers of a vector.
+fn line<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> String {
+    let words: Vec<String> = numbers.into_iter().map(|x| format!("{x:14.9}")).collect();
+    words.join(" ")
+}
+
+/// The least of some bounds.
+fn bound(difference: f64) -> &'static str {
+    match difference {
+        d if d < 1e-12 => "<1e-12",
+        d if d < 1e-9 => "<1e-9",
+        d if d < 1e-6 => "<1e-6",
+        _ => "large",
+    }
+}
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let found = results()?;
     println!("motor off at   {:.9} s", found.switch);
-    println!("state at 10 s  {:.9}", found.end.transpose());
-    println!("A  {:.6}", found.a);
-    println!("B  {:.6}", found.b.transpose());
-    println!("K  {:.6}", found.k);
+    println!("state at 10 s  {}", line(&found.end));
+    for row in found.a.row_iter() {
+        println!("A              {}", line(row.iter()));
+    }
+    println!("B              {}", line(&found.b));
+    println!("K              {}", line(&found.k));
+    println!();
     let a = found.a.transpose();
     let values = [
         ("switch", &[found.switch][..]),
@@ -40,10 +59,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ("b", found.b.as_slice()),
         ("k", found.k.as_slice()),
     ];
+    println!("difference     motor off  state at 10 s  A       B       K");
     for (peer, text) in PEERS {
-        for (name, ours) in values {
-            println!("{peer} {name} {:.1e}", difference(ours, &numbers(text, name)));
-        }
+        let bounds = values.map(|(name, ours)| bound(difference(ours, &numbers(text, name))));
+        let [switch, end, a, b, k] = bounds;
+        println!("{peer:14} {switch:10} {end:14} {a:7} {b:7} {k}");
     }
     Ok(())
 }
