@@ -72,7 +72,8 @@ macro_rules! functions {
                     black_box(inverse_dynamics(&model, black_box(&x)));
                 });
                 if let Ok(mut stepper) = RungeKutta::classical(1e-3).start(&equations, 0.0, x.x) {
-                    counts[4].1 = counter.count(1000, || runge_kutta_step(&mut stepper, &equations));
+                    counts[4].1 =
+                        counter.count(1000, || runge_kutta_step(&mut stepper, &equations));
                 }
                 if let Ok(mut stepper) = Taylor::order_12().start(&equations, 0.0, x.x) {
                     counts[5].1 = counter.count(20, || taylor_step(&mut stepper, &equations));

@@ -14,6 +14,9 @@ use panic_semihosting as _;
 #[entry]
 fn main() -> ! {
     if let Some(counter) = Counter::start() {
+        // A loop of 1001 subtractions and branches, 2002 instructions, checks the count.
+        let known = counter.count(1000, || cortex_m::asm::delay(1000));
+        hprintln!("known_loop {} {}", known, known);
         let (single, double) = (single::counts(&counter), double::counts(&counter));
         for ((name, single), (_, double)) in single.iter().zip(&double) {
             hprintln!("{} {} {}", name, single, double);

@@ -54,14 +54,20 @@ fn main() -> Result<(), IntegrationError> {
 
     // Time as a sum of milliseconds.
     let sum = (0..10_000).fold(0.0_f32, |t, _| t + 1e-3);
-    println!("10 s as a sum of 10 000 ms        {:.5} s", sum);
-    println!("spacing of f32 at 1 hour          {:.5} s", f32::EPSILON * 2048.0);
+    println!("10 s as a sum of 10 000 ms        {sum:.5} s");
+    println!(
+        "spacing of f32 at 1 hour          {:.5} s",
+        f32::EPSILON * 2048.0
+    );
 
     // An angle after many turns.
     #[allow(clippy::cast_possible_truncation)]
     let turned = |turns: f64| f64::from((TAU * turns + 0.1) as f32) - (TAU * turns + 0.1);
     for turns in [1e1, 1e3, 1e5] {
-        println!("angle after {turns:6.0} turns          {} rad", bound(turned(turns).abs()));
+        println!(
+            "angle after {turns:6.0} turns          {} rad",
+            bound(turned(turns).abs())
+        );
     }
     Ok(())
 }

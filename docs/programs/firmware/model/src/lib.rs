@@ -32,7 +32,13 @@ impl<S: Scalar> CartPole<S> {
     /// The cart and pole of the laboratory.
     pub fn new() -> Self {
         let [cart, pole, l, g, push] = [1.0, 0.2, 0.5, 9.81, 0.0].map(S::from_f64);
-        Self { cart, pole, l, g, push }
+        Self {
+            cart,
+            pole,
+            l,
+            g,
+            push,
+        }
     }
 }
 

@@ -14,6 +14,7 @@ fn stop(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {}
 }
 
+// ANCHOR: entry
 #[entry]
 fn main() -> ! {
     let model = CartPole::<f32>::new();
@@ -26,9 +27,13 @@ fn main() -> ! {
             if stepper.step(&equations, next).is_err() {
                 break;
             }
-            let predicted = State { t: 0.0, x: *stepper.state() };
+            let predicted = State {
+                t: 0.0,
+                x: *stepper.state(),
+            };
             black_box(law(&gain, &predicted));
         }
     }
     loop {}
 }
+// ANCHOR_END: entry
