@@ -11,7 +11,9 @@ use lagrangian::prelude::*;
 
 #[panic_handler]
 fn stop(_: &core::panic::PanicInfo<'_>) -> ! {
-    loop {}
+    loop {
+        cortex_m::asm::wfi();
+    }
 }
 
 // ANCHOR: entry
@@ -34,6 +36,8 @@ fn main() -> ! {
             black_box(law(&gain, &predicted));
         }
     }
-    loop {}
+    loop {
+        cortex_m::asm::wfi();
+    }
 }
 // ANCHOR_END: entry
