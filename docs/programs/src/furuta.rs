@@ -1,10 +1,11 @@
-//! Furuta's pendulum, as it is declared, simulated and regulated in the chapters for users of other tools.
+//! Furuta's pendulum, declared, simulated and regulated.
 
 use lagrangian::analysis::StateSpace;
 use lagrangian::nalgebra::{Matrix1, Matrix4, RowVector4, Vector4};
 use lagrangian::prelude::*;
 
-/// A motor turns an arm by α about the vertical; at its end a rod with a mass at its tip swings by θ about the arm.
+/// A motor turns an arm by α about the vertical; at its end a rod with a mass at
+/// its tip swings by θ about the arm.
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
@@ -43,7 +44,7 @@ pub struct Furuta {
 /// What all programs compute.
 #[derive(Clone, Copy, Debug)]
 pub struct Results {
-    /// The time at which the arm reaches 1 rad and the motor is switched off, in s.
+    /// When the arm reaches 1 rad and the motor is switched off, in s.
     pub switch: f64,
     /// The coordinates and velocities after 10 s.
     pub end: Vector4<f64>,

@@ -1,4 +1,4 @@
-//! A cart with a pole and its law, for the firmware and for the simulation of the firmware.
+//! A cart with a pole and its law, for firmware and simulation.
 #![no_std]
 
 use lagrangian::nalgebra::RowVector4;
@@ -48,14 +48,15 @@ impl<S: Scalar> Default for CartPole<S> {
     }
 }
 
-/// The law u = −K x with the gain of a regulator (`lqr` on the host prints it).
+/// The law u = −K x with the gain K of a regulator, limited to 20 N.
 pub fn law<S: Scalar>(gain: &RowVector4<S>, x: &State<S, 2>) -> S {
-    let push = gain[0] * x.q[0] + gain[1] * x.q[1] + gain[2] * x.v[0] + gain[3] * x.v[1];
+    let by_position = gain[0] * x.q[0] + gain[1] * x.q[1];
+    let push = by_position + gain[2] * x.v[0] + gain[3] * x.v[1];
     let limit = S::from_f64(20.0);
     (-push).max(-limit).min(limit)
 }
 
-/// Computed torque: the force that gives the cart a wanted acceleration, whatever the pole does.
+/// Computed torque: the force that gives the cart a wanted acceleration.
 pub fn computed_force<S: Scalar>(model: &CartPole<S>, x: &State<S, 2>, wanted: S) -> S {
     let accelerations = model.with_inputs([S::zero()]).accelerations(x);
     let by_force = model.input_jacobian::<1>(x)[0];
