@@ -27,15 +27,15 @@ use crate::request::{Law, Request};
 /// Functions of a model, some of which only some models have.
 pub struct Abilities<M, const N: usize> {
     /// The kinetic and the potential energy.
-    pub energies: Option<fn(&M, &State<f64, N>) -> [f64; 2]>,
+    pub energies: Option<BothEnergies<M, N>>,
     /// The event functions.
-    pub event_functions: Option<fn(&M, &State<f64, N>, &mut Vec<f64>)>,
+    pub event_functions: Option<Values<M, N>>,
     /// The state matrix, row by row.
-    pub state_matrix: Option<fn(&M, &State<f64, N>, &mut Vec<f64>)>,
+    pub state_matrix: Option<Values<M, N>>,
     /// The input matrix, row by row.
-    pub input_matrix: Option<fn(&M, &State<f64, N>, &mut Vec<f64>)>,
+    pub input_matrix: Option<Values<M, N>>,
     /// The coordinates and velocities that satisfy the constraints.
-    pub assemble: Option<fn(&M, State<f64, N>) -> Result<[Vec<f64>; 2], String>>,
+    pub assemble: Option<Assemble<M, N>>,
     /// A motion.
     pub integrate: fn(&M, &Request) -> Option<Integrated>,
     /// Many motions.
@@ -47,12 +47,19 @@ pub struct Probe<M, const N: usize, const U: usize, const E: usize, const C: usi
     pub PhantomData<M>,
 );
 
-type Values<M, const N: usize> = fn(&M, &State<f64, N>, &mut Vec<f64>);
+/// Numbers of a model at a state, which are appended to others.
+pub type Values<M, const N: usize> = fn(&M, &State<f64, N>, &mut Vec<f64>);
+
+/// The kinetic and the potential energy of a model at a state.
+pub type BothEnergies<M, const N: usize> = fn(&M, &State<f64, N>) -> [f64; 2];
+
+/// The coordinates and velocities that satisfy the constraints of a model near a state, or a message.
+pub type Assemble<M, const N: usize> = fn(&M, State<f64, N>) -> Result<[Vec<f64>; 2], String>;
 
 /// The kinetic and the potential energy.
 pub trait HasEnergies<M, const N: usize> {
     /// The function, if the declaration has the clauses `kinetic` and `potential`.
-    fn energies(&self) -> Option<fn(&M, &State<f64, N>) -> [f64; 2]>;
+    fn energies(&self) -> Option<BothEnergies<M, N>>;
 }
 
 impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasEnergies<M, N>
@@ -60,7 +67,7 @@ impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasEnerg
 where
     M: Reflect<N, Model: Energies<N>>,
 {
-    fn energies(&self) -> Option<fn(&M, &State<f64, N>) -> [f64; 2]> {
+    fn energies(&self) -> Option<BothEnergies<M, N>> {
         Some(|model, state| [model.kinetic_energy(state), model.potential_energy(state)])
     }
 }
@@ -68,7 +75,7 @@ where
 /// No energies.
 pub trait HasNoEnergies<M, const N: usize> {
     /// Nothing.
-    fn energies(&self) -> Option<fn(&M, &State<f64, N>) -> [f64; 2]> {
+    fn energies(&self) -> Option<BothEnergies<M, N>> {
         None
     }
 }
@@ -285,8 +292,7 @@ impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoEve
 /// Constraints.
 pub trait HasConstraints<M, const N: usize> {
     /// The function that finds a state which satisfies them.
-    #[allow(clippy::type_complexity)] // A state or a message.
-    fn assemble(&self) -> Option<fn(&M, State<f64, N>) -> Result<[Vec<f64>; 2], String>>;
+    fn assemble(&self) -> Option<Assemble<M, N>>;
 }
 
 impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasConstraints<M, N>
@@ -294,7 +300,7 @@ impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasConst
 where
     M: Reflect<N, Model: Constraints<N, C>>,
 {
-    fn assemble(&self) -> Option<fn(&M, State<f64, N>) -> Result<[Vec<f64>; 2], String>> {
+    fn assemble(&self) -> Option<Assemble<M, N>> {
         Some(|model, guess| {
             let assembled = model.assemble(guess).solve();
             let state = assembled.map_err(|error| error.to_string())?.state;
@@ -306,8 +312,7 @@ where
 /// No constraints.
 pub trait HasNoConstraints<M, const N: usize> {
     /// Nothing.
-    #[allow(clippy::type_complexity)] // A state or a message.
-    fn assemble(&self) -> Option<fn(&M, State<f64, N>) -> Result<[Vec<f64>; 2], String>> {
+    fn assemble(&self) -> Option<Assemble<M, N>> {
         None
     }
 }

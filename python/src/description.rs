@@ -30,8 +30,11 @@ pub struct Description {
     /// Whether there are Taylor series.
     pub has_taylor: bool,
     /// Creates a model from the numbers of its fields.
-    pub build: fn(&[f64]) -> Result<Box<dyn Evaluator>, InvalidNumbers>,
+    pub build: Build,
 }
+
+/// Creates a model from the numbers of its fields.
+pub(crate) type Build = fn(&[f64]) -> Result<Box<dyn Evaluator>, InvalidNumbers>;
 
 impl Description {
     /// The text that `help` shows, in the sections of numpy's docstrings.
@@ -40,7 +43,7 @@ impl Description {
         let mut section = |title: &str, lines: &[String]| {
             if !lines.is_empty() {
                 let line = "-".repeat(title.len());
-                text.push_str(&format!("\n\n{title}\n{line}\n{}", lines.join("\n")));
+                text += &["\n\n", title, "\n", &line, "\n", &lines.join("\n")].concat();
             }
         };
         let fields: Vec<_> = self.fields.iter().map(described).collect();
@@ -112,7 +115,8 @@ fn described(field: &FieldDescription) -> String {
     };
     let mut text = format!("{name} : {ty}");
     for line in documentation.trim().lines() {
-        text.push_str(&format!("\n    {line}"));
+        text += "\n    ";
+        text += line;
     }
     text
 }

@@ -81,4 +81,8 @@ programs! {
     linearize,
     identify,
     many,
+    encoder,
+    equations,
+    furuta,
+    single_precision,
 }

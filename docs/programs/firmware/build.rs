@@ -1,0 +1,6 @@
+//! The linker finds `memory.x` beside this file.
+
+fn main() {
+    println!("cargo:rustc-link-search={}", env!("CARGO_MANIFEST_DIR"));
+    println!("cargo:rerun-if-changed=memory.x");
+}
