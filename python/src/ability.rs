@@ -4,25 +4,21 @@
 //! `(&&probe).ability()` takes the first if there is one, since a method is looked for on a type before it is looked for on what the
 //! type refers to.
 
+mod laws;
+mod series;
+
 use std::marker::PhantomData;
 
-use lagrangian::laws::{Feedback, SampledFeedback};
-use lagrangian::nalgebra::SVector;
-use lagrangian::problem::{
-    DeclaredBy, End, EnsembleIntegrator, Keep, Observer, Reactions, Watched,
-};
-use lagrangian::quantities::{
-    Constraints, Energies, Events, Inputs, MotionSeries, Reflect, StateJacobian,
-};
-use lagrangian::{
-    At, DeclaredEvent, Dynamics, EquationsOfMotion, EventDynamics, Integrator, Lagrangian, Phase,
-    Problem, State, Taylor,
-};
+use lagrangian::problem::{DeclaredBy, End};
+use lagrangian::quantities::{Constraints, Energies, Events, Reflect, StateJacobian};
+use lagrangian::{DeclaredEvent, Dynamics, EventDynamics, Lagrangian, Problem, State};
 
 use crate::ensemble::{Ensemble, EnsembleMotions};
-use crate::evaluator::rows;
 use crate::integrated::Integrated;
-use crate::request::{Law, Request};
+use crate::request::Request;
+
+pub use laws::{HasInputs, HasNoInputs, PythonLaw, SampledPythonLaw, Under};
+pub use series::{HasNoTaylorSeries, HasTaylorSeries};
 
 /// Functions of a model, some of which only some models have.
 pub struct Abilities<M, const N: usize> {
@@ -126,111 +122,6 @@ impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoSta
 {
 }
 
-/// A law that is a function of Python.
-pub type PythonLaw<'a, const N: usize, const U: usize> =
-    Box<dyn Fn(&State<f64, N>) -> SVector<f64, U> + 'a>;
-
-/// A law that is a function of Python and called once per period.
-pub type SampledPythonLaw<'a, const N: usize, const U: usize> =
-    Box<dyn Fn(&State<f64, N>, &mut SVector<f64, 0>) -> SVector<f64, U> + 'a>;
-
-/// The equations of motion of a model under a law.
-pub type Under<'a, M, const N: usize, L> = EquationsOfMotion<&'a M, f64, N, L>;
-
-/// Inputs.
-pub trait HasInputs<M, const N: usize, const U: usize> {
-    /// The input matrix.
-    fn input_matrix(&self) -> Option<Values<M, N>>;
-
-    /// The problem under feedback.
-    fn feedback<'a>(
-        &self,
-        problem: Problem<f64, EquationsOfMotion<&'a M, f64, N>>,
-        request: &'a Request,
-    ) -> Option<Problem<f64, Under<'a, M, N, Feedback<PythonLaw<'a, N, U>, U>>>>
-    where
-        M: Lagrangian<N, Model: Inputs<N, U>>;
-
-    /// The problem under sampled feedback.
-    #[allow(clippy::type_complexity)] // The law is in the type of the problem.
-    fn sampled_feedback<'a>(
-        &self,
-        problem: Problem<f64, EquationsOfMotion<&'a M, f64, N>>,
-        request: &'a Request,
-    ) -> Option<Problem<f64, Under<'a, M, N, SampledFeedback<SampledPythonLaw<'a, N, U>, U, 0>>>>
-    where
-        M: Lagrangian<N, Model: Inputs<N, U>>;
-}
-
-impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasInputs<M, N, U>
-    for &Probe<M, N, U, E, C>
-where
-    M: Reflect<N, Model: Inputs<N, U>>,
-{
-    fn input_matrix(&self) -> Option<Values<M, N>> {
-        Some(|model, state, numbers| {
-            numbers.extend(core::iter::repeat_n(0.0, N * U));
-            rows(&model.input_jacobian(state), numbers);
-        })
-    }
-
-    fn feedback<'a>(
-        &self,
-        problem: Problem<f64, EquationsOfMotion<&'a M, f64, N>>,
-        request: &'a Request,
-    ) -> Option<Problem<f64, Under<'a, M, N, Feedback<PythonLaw<'a, N, U>, U>>>> {
-        let Law::Feedback(function) = &request.law else {
-            return None;
-        };
-        let law: PythonLaw<'a, N, U> = Box::new(|state| request.inputs(function, state));
-        Some(problem.feedback(law))
-    }
-
-    fn sampled_feedback<'a>(
-        &self,
-        problem: Problem<f64, EquationsOfMotion<&'a M, f64, N>>,
-        request: &'a Request,
-    ) -> Option<Problem<f64, Under<'a, M, N, SampledFeedback<SampledPythonLaw<'a, N, U>, U, 0>>>>
-    {
-        let Law::Sampled(function, period) = &request.law else {
-            return None;
-        };
-        let law: SampledPythonLaw<'a, N, U> = Box::new(|state, _| request.inputs(function, state));
-        Some(problem.sampled_feedback(*period, SVector::zeros(), law))
-    }
-}
-
-/// No inputs.
-pub trait HasNoInputs<M, const N: usize> {
-    /// Nothing.
-    fn input_matrix(&self) -> Option<Values<M, N>> {
-        None
-    }
-
-    /// Nothing.
-    fn feedback<D: Dynamics<f64>>(
-        &self,
-        _: Problem<f64, D>,
-        _: &Request,
-    ) -> Option<Problem<f64, D>> {
-        None
-    }
-
-    /// Nothing.
-    fn sampled_feedback<D: Dynamics<f64>>(
-        &self,
-        _: Problem<f64, D>,
-        _: &Request,
-    ) -> Option<Problem<f64, D>> {
-        None
-    }
-}
-
-impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoInputs<M, N>
-    for Probe<M, N, U, E, C>
-{
-}
-
 /// The declared events, where their functions rise and where they fall.
 type RisingAndFalling<M, const E: usize> = (
     ((), <[DeclaredEvent<M>; E] as DeclaredBy<M>>::Events),
@@ -318,113 +209,6 @@ pub trait HasNoConstraints<M, const N: usize> {
 }
 
 impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoConstraints<M, N>
-    for Probe<M, N, U, E, C>
-{
-}
-
-/// The clause `taylor`.
-pub trait HasTaylorSeries {
-    /// Whether the model has it.
-    fn has_taylor(&self) -> bool;
-
-    /// Integrates a problem by Taylor series.
-    fn by_taylor<D, C, R, O, Z, const N: usize>(
-        &self,
-        problem: Problem<f64, D, End, C, R, O>,
-        request: &Request,
-    ) -> Option<Integrated>
-    where
-        D: Dynamics<f64, State = Phase<f64, N, Z>>,
-        Z: Clone,
-        Taylor: Integrator<f64, D>,
-        C: Watched<f64, D>,
-        R: Reactions<f64, D>,
-        O: Observer<D::State>,
-        Vec<f64>:
-            Keep<f64, D, <Taylor as Integrator<f64, D>>::Stepper, Kept = Vec<At<f64, D::State>>>;
-
-    /// Integrates an ensemble by Taylor series in lanes.
-    fn ensemble_by_taylor<D, C, R, O, Z, const N: usize>(
-        &self,
-        problem: impl Fn(usize) -> Problem<f64, D, Vec<f64>, C, R, O> + Sync,
-        ensemble: &Ensemble,
-    ) -> Option<Result<EnsembleMotions, String>>
-    where
-        D: Dynamics<f64, State = Phase<f64, N, Z>>,
-        Z: Send,
-        Taylor: EnsembleIntegrator<f64, D, 4>,
-        C: Watched<f64, D>,
-        R: Reactions<f64, D>,
-        O: Observer<D::State>,
-        Vec<f64>:
-            Keep<f64, D, <Taylor as Integrator<f64, D>>::Stepper, Kept = Vec<At<f64, D::State>>>;
-}
-
-impl<M, const DEGREES: usize, const U: usize, const E: usize, const K: usize> HasTaylorSeries
-    for &Probe<M, DEGREES, U, E, K>
-where
-    M: MotionSeries<DEGREES>,
-{
-    fn has_taylor(&self) -> bool {
-        true
-    }
-
-    fn by_taylor<D, C, R, O, Z, const N: usize>(
-        &self,
-        problem: Problem<f64, D, End, C, R, O>,
-        request: &Request,
-    ) -> Option<Integrated>
-    where
-        D: Dynamics<f64, State = Phase<f64, N, Z>>,
-        Z: Clone,
-        Taylor: Integrator<f64, D>,
-        C: Watched<f64, D>,
-        R: Reactions<f64, D>,
-        O: Observer<D::State>,
-        Vec<f64>:
-            Keep<f64, D, <Taylor as Integrator<f64, D>>::Stepper, Kept = Vec<At<f64, D::State>>>,
-    {
-        Some(request.solve(problem, request.settings.taylor()))
-    }
-
-    fn ensemble_by_taylor<D, C, R, O, Z, const N: usize>(
-        &self,
-        problem: impl Fn(usize) -> Problem<f64, D, Vec<f64>, C, R, O> + Sync,
-        ensemble: &Ensemble,
-    ) -> Option<Result<EnsembleMotions, String>>
-    where
-        D: Dynamics<f64, State = Phase<f64, N, Z>>,
-        Z: Send,
-        Taylor: EnsembleIntegrator<f64, D, 4>,
-        C: Watched<f64, D>,
-        R: Reactions<f64, D>,
-        O: Observer<D::State>,
-        Vec<f64>:
-            Keep<f64, D, <Taylor as Integrator<f64, D>>::Stepper, Kept = Vec<At<f64, D::State>>>,
-    {
-        Some(ensemble.solve(problem, ensemble.settings.taylor()))
-    }
-}
-
-/// No clause `taylor`.
-pub trait HasNoTaylorSeries {
-    /// It does not.
-    fn has_taylor(&self) -> bool {
-        false
-    }
-
-    /// Nothing.
-    fn by_taylor<P>(&self, _: P, _: &Request) -> Option<Integrated> {
-        None
-    }
-
-    /// Nothing.
-    fn ensemble_by_taylor<P>(&self, _: P, _: &Ensemble) -> Option<Result<EnsembleMotions, String>> {
-        None
-    }
-}
-
-impl<M, const N: usize, const U: usize, const E: usize, const C: usize> HasNoTaylorSeries
     for Probe<M, N, U, E, C>
 {
 }

@@ -49,6 +49,7 @@ mod errors;
 mod evaluator;
 mod fields;
 mod integrated;
+mod integration;
 mod members;
 mod model;
 mod motion;

@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::arrays::{Numbers, array};
 use crate::errors::value_error;
 use crate::evaluator::Quantity;
 use crate::fields;
@@ -121,5 +122,206 @@ impl Model {
             Quantity::InputMatrix => format!("{name} has no inputs"),
             _ => format!("{name} has no events"),
         })
+    }
+}
+
+#[pymethods]
+impl Model {
+    /// The accelerations, of shape (n,).
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
+    fn accelerations<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.quantity((Quantity::Accelerations, &[self.dimension()]), [q, v], t, u)
+    }
+
+    /// The mass matrix, of shape (n, n).
+    #[pyo3(signature = (q, v, t=None))]
+    fn mass_matrix<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.quantity(
+            (Quantity::MassMatrix, &[self.dimension(); 2]),
+            [q, v],
+            t,
+            None,
+        )
+    }
+
+    /// The forcing f in M q̈ = f, of shape (n,).
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
+    fn forcing<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.quantity((Quantity::Forcing, &[self.dimension()]), [q, v], t, u)
+    }
+
+    /// The generalized forces of forces and dissipation, of shape (n,).
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
+    fn generalized_forces<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.quantity(
+            (Quantity::GeneralizedForces, &[self.dimension()]),
+            [q, v],
+            t,
+            u,
+        )
+    }
+
+    /// The generalized momenta, of shape (n,).
+    #[pyo3(signature = (q, v, t=None))]
+    fn momenta<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.quantity((Quantity::Momenta, &[self.dimension()]), [q, v], t, None)
+    }
+
+    /// The energy function Σ p q̇ − L.
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
+    fn energy<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.quantity((Quantity::Energy, &[]), [q, v], t, u)
+    }
+
+    /// The kinetic energy.
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
+    fn kinetic_energy<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.quantity((Quantity::KineticEnergy, &[]), [q, v], t, u)
+    }
+
+    /// The potential energy.
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
+    fn potential_energy<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.quantity((Quantity::PotentialEnergy, &[]), [q, v], t, u)
+    }
+
+    /// The generalized forces M q̈ − f that accelerations `a` of the shape of q need in addition, of shape (n,).
+    #[pyo3(signature = (q, v, a, t=None, *, u=None))]
+    fn inverse_dynamics<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        a: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let states = States::read(self.description, [q, v], t, u)?;
+        let (n, all) = (self.dimension(), states.shape(&[self.dimension()]));
+        let accelerations = Numbers::read("a", a)?.of_shape("a", &all)?;
+        let of_one = |index: usize| {
+            accelerations
+                .iter()
+                .skip(index * n)
+                .take(n)
+                .copied()
+                .collect()
+        };
+        let forces = self.evaluate(Quantity::InverseDynamics, &states, of_one)?;
+        array(q.py(), forces.unwrap_or_default(), &all)
+    }
+
+    /// The outputs by their names, each with its shape.
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
+    fn outputs<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let outputs = self.description.outputs.iter();
+        let parts: Vec<_> = outputs
+            .map(|output| (output.name, output.lengths))
+            .collect();
+        self.named(Quantity::Outputs, &parts, [q, v], t, u)
+    }
+
+    /// The values of the event functions by the names of the events.
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
+    fn event_functions<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let parts: Vec<_> = self
+            .description
+            .events
+            .iter()
+            .map(|name| (*name, &[][..]))
+            .collect();
+        self.named(Quantity::EventFunctions, &parts, [q, v], t, u)
+    }
+
+    /// The multipliers of the constraints, of shape (constraints,).
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
+    fn multipliers<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let count = self.description.constraints.len();
+        self.quantity((Quantity::Multipliers, &[count]), [q, v], t, u)
+    }
+
+    /// The matrices A, of shape (2n, 2n), and B, of shape (2n, inputs), of ẋ = A x + B u for deviations x = (q, v) and u. Without
+    /// inputs B has no columns.
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
+    fn linearize<'py>(
+        &self,
+        q: Any<'_, 'py>,
+        v: Any<'_, 'py>,
+        t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
+    ) -> PyResult<[Bound<'py, PyAny>; 2]> {
+        let (rows, inputs) = (2 * self.dimension(), self.description.inputs.len());
+        let a = self.quantity((Quantity::StateMatrix, &[rows, rows]), [q, v], t, u)?;
+        if inputs == 0 {
+            let states = States::read(self.description, [q, v], t, u)?;
+            return Ok([a, array(q.py(), Vec::new(), &states.shape(&[rows, 0]))?]);
+        }
+        Ok([
+            a,
+            self.quantity((Quantity::InputMatrix, &[rows, inputs]), [q, v], t, u)?,
+        ])
     }
 }
