@@ -22,6 +22,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    energy_balance,
     coordinates(theta),
     define(position = [l * sin(theta), l * cos(theta) + a * cos(omega * t)]),
     kinetic = 0.5 * m * dot(position).norm_squared(),
