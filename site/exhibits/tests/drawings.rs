@@ -40,7 +40,7 @@ fn scene(motion: &dyn Motion, (t, q, v): &(f64, Vec<f64>, Vec<f64>), later: f64)
 
 /// The kinetic energy of what is drawn: from differences of fourth order of the places and axes of its bodies.
 fn kinetic_energy(motion: &dyn Motion, state: &(f64, Vec<f64>, Vec<f64>)) -> f64 {
-    const H: f64 = 1e-3;
+    const H: f64 = 5e-5;
     let scenes = [-2.0, -1.0, 1.0, 2.0].map(|k| scene(motion, state, k * H));
     let here = scene(motion, state, 0.0);
     let mut sum = 0.0;
