@@ -20,7 +20,7 @@ class Page {
     this.plots = new Plots(element("plots"));
     this.sliders = new Sliders(element("sliders"), (group) => this.changed(group));
     this.player = null;
-    this.isPlaying = true;
+    this.play(!window.matchMedia("(prefers-reduced-motion: reduce)").matches);
     this.time = 0;
     this.last = null;
     this.frames = { since: 0, count: 0 };
@@ -113,7 +113,8 @@ class Page {
   }
 
   key(event) {
-    if (event.ctrlKey || event.altKey || event.metaKey || /^(INPUT|SELECT)$/.test(event.target.tagName)) {
+    // In a number field and in a list, letters have another meaning.
+    if (event.ctrlKey || event.altKey || event.metaKey || event.target.matches("select, [type=number]")) {
       return;
     }
     if (event.key === "p") {

@@ -17,6 +17,6 @@ mod source;
 pub use browser_package::browser_package;
 pub use equations::{EquationError, mathml};
 pub use pages::{Files, pages};
-pub use recording::{Recording, recorded};
+pub use recording::{Recording, recordings};
 pub use server::serve;
 pub use source::{Source, read};

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use lagrangian_site::{browser_package, pages, serve};
+use lagrangian_site::{browser_package, pages, recordings, serve};
 
 const HELP: &str = "\
 Writes a gallery of the ready models, and a page that integrates them in the browser, into target/site.
@@ -46,7 +46,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     let target = std::env::var_os("CARGO_TARGET_DIR")
         .map_or_else(|| workspace.join("target"), PathBuf::from);
     let folder = target.join("site");
-    let mut files = pages()?;
+    let mut files = pages(&recordings()?)?;
     if options.has_browser {
         files.extend(browser_package(&workspace, &target)?);
     }

@@ -33,7 +33,7 @@ pub(crate) fn model_page(
          <pre tabindex=\"0\"><code>{}</code></pre>\n</section>\n</div>\n",
         drawing(recording, about.title, about.view, [560.0, 460.0]),
         plot(about, recording),
-        facts(about, recording),
+        facts(exhibit, recording),
         source.words,
         values(about),
         escaped(&source.declaration),
@@ -42,15 +42,11 @@ pub(crate) fn model_page(
 }
 
 /// What the integration took and how exact it is.
-fn facts(about: &About, recording: &Recording) -> String {
-    let has_law = about
-        .quantities
-        .iter()
-        .any(|quantity| quantity.group == Group::Control);
-    let balance = if has_law {
-        "energy, less the work of the inputs,"
-    } else {
+fn facts(exhibit: &dyn Exhibit, recording: &Recording) -> String {
+    let balance = if exhibit.is_driven() {
         "energy, less the work of what drives it,"
+    } else {
+        "energy"
     };
     let error = if recording.energy_error == 0.0 {
         "0".to_string()

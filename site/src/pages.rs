@@ -10,7 +10,7 @@ use crate::equations::mathml;
 use crate::figure::{drawing, style};
 use crate::markup::{escaped, page};
 use crate::model_page::model_page;
-use crate::recording::recorded;
+use crate::recording::Recording;
 
 /// Files by their paths.
 pub type Files = BTreeMap<String, Vec<u8>>;
@@ -26,26 +26,25 @@ const PAGE: [(&str, &str); 7] = [
     ("sliders.js", include_str!("../page/sliders.js")),
 ];
 
-/// Writes the gallery and the page in the browser, without what is compiled to WebAssembly.
+/// Writes the gallery with the recorded motions, and the page in the browser without what is compiled to WebAssembly.
 ///
 /// # Errors
 ///
-/// A motion cannot be integrated, or an equation has no `MathML`.
-pub fn pages() -> Result<Files, Box<dyn Error>> {
+/// An equation has no `MathML`.
+pub fn pages(recordings: &[Recording]) -> Result<Files, Box<dyn Error>> {
     let mut files = Files::new();
     let mut cards = String::new();
-    for exhibit in exhibits() {
+    for (exhibit, recording) in exhibits().into_iter().zip(recordings) {
         let about = exhibit.about();
-        let recording = recorded(exhibit)?;
         let (slug, title, sentence) = (about.slug, escaped(about.title), escaped(about.sentence));
-        let picture = drawing(&recording, about.title, about.view, [340.0, 250.0]);
+        let picture = drawing(recording, about.title, about.view, [340.0, 250.0]);
         write!(
             cards,
             "<li><a class=\"card\" href=\"models/{slug}.html\">\n{picture}<div class=\"words\"><h2>{title}</h2><p>{sentence}</p></div></a></li>\n"
         )?;
         files.insert(
             format!("models/{slug}.html"),
-            model_page(exhibit, &recording)?.into_bytes(),
+            model_page(exhibit, recording)?.into_bytes(),
         );
         files.insert(
             format!("equations/{slug}.html"),

@@ -1,7 +1,7 @@
 //! The motion of an exhibit as the gallery shows it.
 
 use lagrangian_exhibits::scene::Scene;
-use lagrangian_exhibits::{Exhibit, Refusal, Trails};
+use lagrangian_exhibits::{Exhibit, Refusal, Trails, exhibits};
 
 /// The motion that begins with the values with which an exhibit opens.
 #[derive(Debug)]
@@ -25,12 +25,25 @@ const SAMPLES: u32 = 600;
 const DRAWN: f64 = 0.2;
 const TRAIL: usize = 110;
 
-/// Integrates the motion of an exhibit.
+/// Integrates the motions of all exhibits, in the order of [`exhibits`], each in a thread of its own.
 ///
 /// # Errors
 ///
-/// Any error of the model or its integration.
-pub fn recorded(exhibit: &dyn Exhibit) -> Result<Recording, Refusal> {
+/// Any error of a model or its integration.
+pub fn recordings() -> Result<Vec<Recording>, Refusal> {
+    std::thread::scope(|scope| {
+        let record = |exhibit| move || recorded(exhibit).map_err(|error| error.to_string());
+        let threads = exhibits().map(|exhibit| scope.spawn(record(exhibit)));
+        let ends = threads.into_iter().map(|thread| match thread.join() {
+            Ok(recording) => Ok(recording?),
+            Err(_) => Err("a motion ended in a panic".into()),
+        });
+        ends.collect()
+    })
+}
+
+/// Integrates the motion of an exhibit.
+fn recorded(exhibit: &dyn Exhibit) -> Result<Recording, Refusal> {
     let about = exhibit.about();
     let mut motion = exhibit.begin(&[])?;
     let mut trails = Trails::new(TRAIL);

@@ -4,9 +4,18 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use lagrangian_exhibits::exhibits;
-use lagrangian_site::{Files, mathml, pages, recorded};
+use lagrangian_site::{Files, Recording, mathml, pages, recordings};
 
-static PAGES: LazyLock<Files> = LazyLock::new(|| pages().expect("the site is written"));
+static RECORDINGS: LazyLock<Vec<Recording>> = LazyLock::new(recorded);
+static PAGES: LazyLock<Files> = LazyLock::new(|| written(&RECORDINGS));
+
+fn recorded() -> Vec<Recording> {
+    recordings().expect("all motions are integrated")
+}
+
+fn written(recordings: &[Recording]) -> Files {
+    pages(recordings).expect("the site is written")
+}
 
 /// What is compiled, and not in the files of the test.
 const COMPILED: [&str; 2] = ["browser.js", "browser_bg.wasm"];
@@ -93,15 +102,12 @@ fn links_lead_to_files_of_the_site() {
 
 #[test]
 fn the_site_is_written_the_same_twice() {
-    let again = pages().expect("the site is written");
-    assert!(again == *PAGES);
+    assert!(written(&recorded()) == *PAGES);
 }
 
 #[test]
 fn energy_is_kept() {
-    for exhibit in exhibits() {
-        let recording =
-            recorded(exhibit).unwrap_or_else(|error| panic!("{}: {error}", exhibit.about().slug));
+    for (exhibit, recording) in exhibits().into_iter().zip(RECORDINGS.iter()) {
         assert!(
             recording.energy_error < 1e-10,
             "{}: {:e}",

@@ -24,6 +24,9 @@ pub trait Exhibit: Sync {
     /// The names of its coordinates.
     fn coordinates(&self) -> &'static [&'static str];
 
+    /// Whether inputs, or supports that move by themselves, do work.
+    fn is_driven(&self) -> bool;
+
     /// Begins the motion with these values of the sliders.
     ///
     /// # Errors
@@ -159,6 +162,10 @@ where
 
     fn coordinates(&self) -> &'static [&'static str] {
         const { &M::COORDINATES }
+    }
+
+    fn is_driven(&self) -> bool {
+        M::IS_DRIVEN
     }
 
     fn begin(&self, values: &[f64]) -> Result<Box<dyn Motion>, Refusal> {

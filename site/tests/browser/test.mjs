@@ -95,6 +95,29 @@ async function eachModelMoves(page, models) {
   passed(`${models.length} models move; the slowest, ${slowest.slug}, shows ${slowest.rate} frames per second`);
 }
 
+/** How long it takes to compute a second of each motion, and to paint a frame, in ms. */
+async function costs(page, models) {
+  for (const [index, model] of models.entries()) {
+    const [motion, frame] = await page.evaluate(([index, seconds]) => {
+      const player = new window.lagrangian.Player(index, new Float64Array());
+      const begin = performance.now();
+      while (player.reached < seconds) {
+        player.step();
+      }
+      const middle = performance.now();
+      for (let i = 0; i < 60; i += 1) {
+        player.picture(0.01 * i, 0.3, 1, 780, 540);
+      }
+      const end = performance.now();
+      player.free();
+      return [middle - begin, (end - middle) / 60];
+    }, [index, model.pace]);
+    console.log(`    ${model.slug.padEnd(22)} ${motion.toFixed(1).padStart(6)} ms for a second, ${frame.toFixed(2)} ms for a picture`);
+    assert.ok(motion < 1000, `${model.slug} is slower than the clock`);
+  }
+  passed("all motions are computed faster than the clock");
+}
+
 /** Compares accelerations with those of native code: all bits are equal. */
 async function accelerations(page, models) {
   const native = JSON.parse(await readFile(options.native, "utf8"));
@@ -202,6 +225,7 @@ try {
   const page = await opened("play.html");
   const models = await page.evaluate(() => window.lagrangian.page.models);
   await eachModelMoves(page, models);
+  await costs(page, models);
   if (options.native) {
     await accelerations(page, models);
   }

@@ -17,7 +17,7 @@ impl Shown<2> for Acrobot {
             parameter("first length", "m", 0.5, [0.1, 1.0]),
             parameter("second length", "m", 0.6, [0.1, 1.0]),
             parameter("gravity", "m/s²", 9.81, [0.0, 25.0]),
-            start("first angle", "°", 10.0, [-180.0, 180.0]),
+            start("first angle", "°", 70.0, [-180.0, 180.0]),
             start("second angle", "°", 0.0, [-180.0, 180.0]),
             control("swing up", SWITCH, 1.0, [0.0, 1.0]),
             control("largest torque", "N m", 6.0, [0.0, 20.0]),

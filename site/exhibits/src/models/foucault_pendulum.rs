@@ -6,7 +6,7 @@ impl Shown<2> for FoucaultPendulum {
     const ABOUT: About = About {
         slug: "foucault-pendulum",
         title: "Foucault's pendulum",
-        sentence: "On a globe that turns some hundred times faster than the Earth, the plane of a pendulum turns as one watches.",
+        sentence: "On a globe that turns six hundred times faster than the Earth, the plane of a pendulum turns as one watches.",
         source: include_str!("../../../../models/src/foucault_pendulum.rs"),
         quantities: &[
             parameter("mass", "kg", 28.0, [1.0, 50.0]),
