@@ -40,7 +40,7 @@ impl Shown<5> for Rattleback {
     };
     const EQUATIONS_IN_LATEX: &'static str = Self::LATEX;
 
-    /// The numbers with which it opens are those of Kane & Levinson (1982).
+    /// The numbers with which it opens are close to those of Kane & Levinson (1982).
     fn with_values(values: &Values) -> Result<Self, Refusal> {
         let semi = Vector3::from(["length", "width", "depth"].map(|name| values.get(name)));
         let m = values.get("mass");
