@@ -23,6 +23,7 @@ use lagrangian::prelude::*;
 #[lagrangian(
     taylor,
     reflect,
+    energy_balance,
     coordinates(theta),
     define(position = [l * sin(theta), l * cos(theta) + a * cos(omega * t)]),
     kinetic = 0.5 * m * dot(position).norm_squared(),
