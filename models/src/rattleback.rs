@@ -44,6 +44,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(x, y, yaw, pitch, roll),
     define(
         r = rotation_zyx(yaw, pitch, roll),

@@ -36,6 +36,7 @@ use lagrangian::prelude::*;
 #[derive(Lagrangian, Clone, Debug)]
 #[lagrangian(
     taylor,
+    reflect,
     coordinates(p: Vector3, yaw, pitch, roll, a, b),
     define(
         axes = rotation_zyx(yaw, pitch, roll),

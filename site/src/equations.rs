@@ -45,29 +45,12 @@ pub fn mathml(latex: &str) -> Result<String, EquationError> {
         let end = display
             .find(DISPLAY[1])
             .map_or(display.len(), |end| end + DISPLAY[1].len());
-        html.push_str(&formula(&flushed(&display[..end]), DisplayMode::Block)?);
+        html.push_str(&formula(&display[..end], DisplayMode::Block)?);
         html.push('\n');
         rest = &display[end..];
     }
     words(&mut html, rest)?;
     Ok(html)
-}
-
-/// Sets all rows of a display flush left if one of them is: next to the left side of a long equation it would stand far to the right.
-fn flushed(display: &str) -> String {
-    let is_flush = |row: &str| row.starts_with('&') && !row.starts_with("&\\quad");
-    let rows = || display.lines();
-    if !rows().any(is_flush) {
-        return display.to_string();
-    }
-    let moved = rows().map(|row| {
-        if row.starts_with('&') || row.starts_with("\\begin") || row.starts_with("\\end") {
-            row.to_string()
-        } else {
-            format!("&{}", row.replacen('&', "", 1))
-        }
-    });
-    moved.collect::<Vec<_>>().join("\n")
 }
 
 /// Adds lines of words, each a paragraph.

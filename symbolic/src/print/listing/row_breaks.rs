@@ -16,9 +16,21 @@ struct Bracket {
     close: usize,
 }
 
+/// The equations as rows of a display: aligned at the equals signs, or all at their beginnings if the left side of one is
+/// long, beside which the others would stand far to the right.
+pub(crate) fn rows(equations: &[String]) -> Vec<String> {
+    let mut rows: Vec<_> = equations.iter().map(|equation| row(equation)).collect();
+    if rows.iter().any(|row| row.starts_with('&')) {
+        for row in rows.iter_mut().filter(|row| !row.starts_with('&')) {
+            *row = format!("&{}", row.replacen("&= ", "= ", 1));
+        }
+    }
+    rows
+}
+
 /// The equation of two sides as a row of a display, aligned at the equals sign, or at its beginning where the left side
 /// is long.
-pub(crate) fn row(equation: &str) -> String {
+fn row(equation: &str) -> String {
     let (left, right) = equation.split_once(" = ").unwrap_or((equation, ""));
     if visible(left) + visible(right) <= MAX_ROW_LENGTH {
         return format!("{left} &= {right}");
@@ -165,6 +177,16 @@ mod tests {
     #[test]
     fn short_rows_are_aligned_at_the_equals_sign() {
         assert_eq!(row("a + b = c"), "a + b &= c");
+    }
+
+    #[test]
+    fn rows_begin_together_beside_a_long_left_side() {
+        let equations = ["a = b".to_owned(), "c = d + e".to_owned()];
+        assert_eq!(rows(&equations), ["a &= b", "c &= d + e"]);
+        let long = format!("{} = 0", ["l_{1} \\theta"; 60].join(" + "));
+        let rows = rows(&[equations.as_slice(), &[long]].concat());
+        assert_eq!(rows[..2], ["&a = b", "&c = d + e"]);
+        assert!(rows[2].starts_with("&l_{1} \\theta + "));
     }
 
     #[test]

@@ -9,7 +9,7 @@ use crate::limits::{
 use crate::print::folding::token::{Line, MARKS, tokens, written};
 use crate::print::folding::{Folded, families};
 use crate::print::listing::Listing;
-use crate::print::listing::row_breaks::row;
+use crate::print::listing::row_breaks::rows;
 use crate::print::names::Letters;
 use crate::print::notation::Notation;
 use crate::{Expression, Graph};
@@ -137,9 +137,9 @@ impl Section {
             }
             room -= length;
             displayed.push(text);
-            displays.push(row(&latex.written(Notation::Latex, indices)));
+            displays.push(latex.written(Notation::Latex, indices));
         }
-        ([displayed, displays], left_out)
+        ([displayed, rows(&displays)], left_out)
     }
 
     /// How long the lines are that were pushed, in characters of Unicode; none for those that are left out. Nothing is folded
