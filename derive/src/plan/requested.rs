@@ -22,6 +22,8 @@ pub(crate) struct Requested {
     /// The parameters by which is differentiated.
     sensitivities: Option<Vec<Symbol>>,
     regressor: Option<Regressor>,
+    /// Whether the model is written in C.
+    pub(super) in_c: bool,
     /// The compliances of the constraints, component by component.
     pub(super) compliances: Option<Vec<Expression>>,
     /// Whether the model is one on every scalar, so also on dual numbers.
@@ -58,6 +60,7 @@ impl Requested {
             sensitivities: sensitivities
                 .map(|list| named(list).unwrap_or_else(|| quantities.parameter_symbols())),
             regressor: regressor.transpose()?,
+            in_c: clauses.c.is_some(),
             compliances: lowered.constraints.compliances.clone(),
             is_on_every_scalar: Scalar::of(declaration).is_generic(),
             limits,

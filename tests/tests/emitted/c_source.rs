@@ -1,11 +1,15 @@
 //! Models in C against the same models in Rust: their source is compiled by the system's `cc`, without warnings, and evaluated at
 //! random points.
 
+mod agreement;
+mod checks;
 mod models;
+mod point;
 mod program;
 mod ready_models;
 
-use program::{Case, Point};
+use point::Point;
+use program::Case;
 
 /// How many points are compared, and how many of all models.
 const POINTS: usize = 40;
@@ -26,6 +30,11 @@ fn what_cannot_be_solved_symbolically_has_the_bits_of_rust() {
 fn a_chain_and_a_reduced_model_have_the_bits_of_rust() {
     models::chain(0.5).agrees_at_random_points(POINTS);
     models::radial().agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn derivatives_column_by_column_agree() {
+    models::long_chain().agrees_at_random_points(4);
 }
 
 #[test]
