@@ -35,7 +35,8 @@ impl Export<'_> {
             by_parameters += &sensitivities.replace("@PLACES", &places(&known));
         }
         if !differenced.is_empty() {
-            by_parameters += &differences.replace("@PLACES", &places(&differenced));
+            let differences = differences.replace("@PLACES", &places(&differenced));
+            by_parameters += &differences.replace("@ARRAYS", &arrays(&differenced));
         }
         by_parameters += end;
         let text = format!("{DYNAMICS}{LINEAR_MODEL}{by_parameters}{JACOBIAN}")
@@ -68,12 +69,23 @@ impl Export<'_> {
     }
 }
 
-/// The places of members in the struct of parameters, in lines.
+/// The places of members in the struct of parameters.
 fn places(members: &[&str]) -> String {
+    let places = members.iter();
+    in_lines(places.map(|member| format!("offsetof($_parameters, {member}) / sizeof(double),")))
+}
+
+/// A number for each member, which elements of one array have in common.
+fn arrays(members: &[&str]) -> String {
+    let array = |member: &&str| member.split('[').next().map(str::to_owned);
+    let runs = members.chunk_by(|x, y| array(x) == array(y)).enumerate();
+    in_lines(runs.flat_map(|(number, run)| run.iter().map(move |_| format!("{number},"))))
+}
+
+fn in_lines(elements: impl Iterator<Item = String>) -> String {
     let mut text = String::new();
     let mut length = 0;
-    for member in members {
-        let place = format!("offsetof($_parameters, {member}) / sizeof(double),");
+    for place in elements {
         if length + place.len() > WIDTH - 20 {
             text.push_str("\n        ");
             length = 0;

@@ -10,6 +10,18 @@ pub(super) enum Agreement {
 }
 
 impl Agreement {
+    /// By how many units in the last place of the largest expected result others differ.
+    pub(super) fn units(found: &[f64], expected: &[f64]) -> f64 {
+        let largest = expected.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+        let differences = found.iter().zip(expected).map(|(x, y)| (x - y).abs());
+        let most = differences.fold(0.0, f64::max);
+        if most == 0.0 {
+            0.0
+        } else {
+            most / (f64::EPSILON * largest)
+        }
+    }
+
     pub(super) fn holds(self, found: &[f64], expected: &[f64]) -> bool {
         let mut pairs = found.iter().zip(expected);
         match self {

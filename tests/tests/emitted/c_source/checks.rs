@@ -160,6 +160,19 @@ macro_rules! input_matrix {
     }};
 }
 
+/// The derivatives by `$p` parameters.
+macro_rules! sensitivities {
+    ($n:literal, $p:literal, $model:expr) => {{
+        use lagrangian::prelude::*;
+        let model = $model;
+        let call = "$_sensitivities(POINT, y);";
+        $crate::c_source::checks::check("sensitivities", $n * $p, call, move |point| {
+            let found = model(&point.u).sensitivities::<$p>(&point.state::<$n>());
+            Some(found.transpose().as_slice().to_vec())
+        })
+    }};
+}
+
 /// Projects the state until it meets constraints.
 pub(super) const PROJECTIONS: &str = "for (int k = 0; k < 8; ++k) $_project(MOVED);";
 
@@ -230,7 +243,7 @@ macro_rules! body {
 
 pub(super) use {
     body, constrained, constrained_state_matrix, free, functions, input_matrix, on_constraints,
-    state_matrix,
+    sensitivities, state_matrix,
 };
 
 /// A function in C and in Rust.

@@ -66,18 +66,21 @@ impl Case {
         }
         let results = self.run(&self.compile(), points);
         let mut compared = vec![0; self.checks.len()];
+        let mut units = vec![0.0; self.checks.len()];
         for (point, line) in points.iter().zip(results.lines()) {
             let mut numbers = line.split_whitespace().map(|word| {
                 let bits = u64::from_str_radix(word, 16).expect("a number");
                 f64::from_bits(bits)
             });
-            for (check, compared) in self.checks.iter().zip(&mut compared) {
+            let counts = compared.iter_mut().zip(&mut units);
+            for (check, (compared, units)) in self.checks.iter().zip(counts) {
                 let found: Vec<f64> = numbers.by_ref().take(check.count).collect();
                 let Some(expected) = (check.expected)(point) else {
                     continue;
                 };
                 assert_eq!(found.len(), expected.len(), "{}", check.name);
                 *compared += 1;
+                *units = f64::max(*units, Agreement::units(&found, &expected));
                 let agreement = check.agreement.unwrap_or(self.agreement);
                 let agree = agreement.holds(&found, &expected);
                 let name = check.name;
@@ -88,8 +91,14 @@ impl Case {
                 );
             }
         }
-        for (check, compared) in self.checks.iter().zip(compared) {
+        for ((check, compared), units) in self.checks.iter().zip(compared).zip(units) {
             let name = check.name;
+            if check.agreement.is_some() {
+                println!(
+                    "{}: {name}: {units:.1} units in the last place",
+                    self.prefix
+                );
+            }
             assert!(
                 2 * compared > points.len(),
                 "{}: {name}: {compared}",
@@ -99,7 +108,7 @@ impl Case {
     }
 
     /// The path of the compiled program.
-    fn compile(&self) -> PathBuf {
+    pub(super) fn compile(&self) -> PathBuf {
         // Tests compile the same models at the same time.
         static PROGRAMS: AtomicUsize = AtomicUsize::new(0);
         let number = PROGRAMS.fetch_add(1, Ordering::Relaxed);

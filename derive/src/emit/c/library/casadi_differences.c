@@ -1,14 +1,24 @@
     {
-        /* Central differences. */
+        /* Central differences, with steps in proportion to a number, or to the largest one of its array if that is much larger. */
         static const size_t places[@D] = {
             @PLACES
+        };
+        static const int arrays[@D] = {
+            @ARRAYS
         };
         int i, j;
         for (j = 0; j < @D; ++j) {
             double *const number = at.p + places[j];
-            const double at_center = *number, h = cbrt(DBL_EPSILON) * (at_center == 0.0 ? 1.0 : fabs(at_center));
-            const double least = at_center - h, most = at_center + h;
-            double below[@N], above[@N];
+            const double at_center = *number;
+            double below[@N], above[@N], size = fabs(at_center), least, most;
+            for (i = 0; i < @D; ++i) {
+                if (arrays[i] == arrays[j]) {
+                    size = fmax(size, 1e-2 * fabs(at.p[places[i]]));
+                }
+            }
+            size = cbrt(DBL_EPSILON) * (size == 0.0 ? 1.0 : size);
+            least = at_center - size;
+            most = at_center + size;
             *number = least;
             $_accelerations(@POINT, below@MULTIPLIERS);
             *number = most;

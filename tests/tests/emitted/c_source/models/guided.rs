@@ -9,7 +9,7 @@ use crate::c_source::checks::{
 use crate::c_source::program::Case;
 
 /// How nearly derivatives under constraints agree.
-const UNITS: f64 = 1.0;
+const UNITS: f64 = 64.0;
 
 /// Constraints that depend on each other where they hold, with compliances, beside one that does not.
 #[derive(Lagrangian)]
