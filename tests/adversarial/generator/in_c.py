@@ -75,7 +75,8 @@ def compared(models, folder):
     count, wrong, nearest = 0, 0, dict.fromkeys(QUANTITIES, 0.0)
     for model in models:
         place = folder / model["id"]
-        if not (place / "model.c").exists():
+        source = place / "model.c"
+        if not source.exists() or not source.read_text().strip():
             continue
         count += 1
         problems = of_model(model, place, nearest)

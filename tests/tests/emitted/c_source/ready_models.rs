@@ -13,7 +13,7 @@ use super::point::Point;
 use super::program::Case;
 
 /// How nearly derivatives under constraints agree.
-const UNITS: f64 = 1024.0;
+const UNITS: f64 = 64.0;
 
 /// A body without symmetry.
 fn rigid_body() -> RigidBody {

@@ -7,7 +7,7 @@ use crate::c_source::checks::{free, input_matrix, state_matrix};
 use crate::c_source::program::Case;
 
 /// How nearly derivatives column by column agree.
-const UNITS: f64 = 256.0;
+const UNITS: f64 = 64.0;
 
 /// A chain of joints in a plane, whose accelerations are found along the links.
 #[derive(Lagrangian)]
