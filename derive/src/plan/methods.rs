@@ -7,7 +7,7 @@ use super::constraint_methods::ConstraintMethods;
 use super::derivatives::Derivatives;
 use super::method::Method;
 use super::outputs::{MethodOutputs, PivotOutputs, ProgramLayout};
-use super::requested::{Requested, RequestedMethods};
+use super::requested::{Languages, Requested, RequestedMethods};
 use super::table::EmittedMethod;
 use super::variation::VariationMethods;
 use crate::limits::{MAX_PIVOTS, in_range};
@@ -140,7 +140,8 @@ impl Methods {
             .flatten();
         let stays_regular = stays_regular(model, &kinetics);
         let compliances = requested.compliances.as_deref();
-        let by_duals_in_c = requested.in_c && (by_columns.derivatives || !is_free);
+        let by_duals_in_c =
+            requested.languages == Languages::RustAndC && (by_columns.derivatives || !is_free);
         let variation = by_duals_in_c.then(|| VariationMethods::schedule(model, &kinetics));
         let requested = RequestedMethods::schedule(model, equations, &kinetics, requested);
         let energies = kinetics.energies.evaluated(model);
