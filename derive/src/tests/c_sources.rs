@@ -147,7 +147,10 @@ fn sources_of_all_declarations_compile_without_warnings() {
 #[test]
 #[ignore = "for `tests/adversarial/generator c`, which sets LAGRANGIAN_C_FOLDER"]
 fn sources_of_a_folder() {
-    let folder = env::var_os("LAGRANGIAN_C_FOLDER").expect("LAGRANGIAN_C_FOLDER names a folder");
+    let Some(folder) = env::var_os("LAGRANGIAN_C_FOLDER") else {
+        println!("skipped: LAGRANGIAN_C_FOLDER names no folder");
+        return;
+    };
     for entry in fs::read_dir(folder).expect("a folder") {
         let folder = entry.expect("a folder").path();
         let text = fs::read_to_string(folder.join("model.rs")).expect("a declaration");
