@@ -6,6 +6,7 @@ mod constraint_methods;
 mod derivatives;
 mod outputs;
 mod by_columns;
+mod variation;
 mod requested;
 mod table;
 mod taylor_method;

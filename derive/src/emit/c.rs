@@ -11,10 +11,13 @@ mod body;
 mod library;
 mod methods;
 mod derivatives;
+mod columns;
+mod variation;
 mod interface;
 mod casadi;
 mod header;
 
+use lagrangian_symbolic::Symbol;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -82,10 +85,16 @@ impl<'a> Export<'a> {
         }
     }
 
-    /// Whether a method has a function in C: not those that are computed by dual numbers.
+    /// Whether the model has a method.
     fn has(&self, method: EmittedMethod) -> bool {
-        let method = self.emitter.methods.get(method);
-        method.is_some_and(|method| !matches!(method.outputs, MethodOutputs::ByColumns(_)))
+        self.emitter.methods.get(method).is_some()
+    }
+
+    /// The parameters by which the clause `sensitivities` differentiates.
+    fn sensitive_parameters(&self) -> &[Symbol] {
+        let requested = &self.emitter.methods.requested;
+        let sensitivities = requested.sensitivities.as_ref();
+        sensitivities.map_or(&[], |found| &found.parameters)
     }
 
     /// A text with the names and numbers of the model.
@@ -123,6 +132,7 @@ impl<'a> Export<'a> {
                     | EmittedMethod::InverseDynamics
                     | EmittedMethod::Linearize
                     | EmittedMethod::InputJacobian
+                    | EmittedMethod::Sensitivities
                     | EmittedMethod::Energy
                     | EmittedMethod::KineticEnergy
                     | EmittedMethod::PotentialEnergy

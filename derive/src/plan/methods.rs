@@ -7,8 +7,9 @@ use super::constraint_methods::ConstraintMethods;
 use super::derivatives::Derivatives;
 use super::method::Method;
 use super::outputs::{MethodOutputs, PivotOutputs, ProgramLayout};
-use super::requested::{Requested, RequestedMethods};
+use super::requested::{Languages, Requested, RequestedMethods};
 use super::table::EmittedMethod;
+use super::variation::VariationMethods;
 use crate::limits::{MAX_PIVOTS, in_range};
 use crate::syntax::shape::Shape;
 
@@ -44,6 +45,8 @@ pub(crate) struct Methods {
     pub(crate) functions: Vec<FunctionDerivative>,
     /// What clauses ask for.
     pub(crate) requested: RequestedMethods,
+    /// For the model in C, where the model in Rust differentiates the accelerations on dual numbers.
+    pub(crate) variation: Option<VariationMethods>,
     /// From which they were made.
     pub(super) kinetics: Kinetics,
 }
@@ -137,6 +140,9 @@ impl Methods {
             .flatten();
         let stays_regular = stays_regular(model, &kinetics);
         let compliances = requested.compliances.as_deref();
+        let by_duals_in_c =
+            requested.languages == Languages::RustAndC && (by_columns.derivatives || !is_free);
+        let variation = by_duals_in_c.then(|| VariationMethods::schedule(model, &kinetics));
         let requested = RequestedMethods::schedule(model, equations, &kinetics, requested);
         let energies = kinetics.energies.evaluated(model);
         let event_gradients = (!is_free)
@@ -188,6 +194,7 @@ impl Methods {
             event_gradients,
             functions: function_derivatives(model),
             requested,
+            variation,
             kinetics,
         }
     }

@@ -22,11 +22,19 @@ pub(crate) struct Requested {
     /// The parameters by which is differentiated.
     sensitivities: Option<Vec<Symbol>>,
     regressor: Option<Regressor>,
+    pub(super) languages: Languages,
     /// The compliances of the constraints, component by component.
     pub(super) compliances: Option<Vec<Expression>>,
     /// Whether the model is one on every scalar, so also on dual numbers.
     pub(super) is_on_every_scalar: bool,
     pub(super) limits: MethodLimits,
+}
+
+/// The languages that a model is written in.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Languages {
+    Rust,
+    RustAndC,
 }
 
 impl Requested {
@@ -58,6 +66,10 @@ impl Requested {
             sensitivities: sensitivities
                 .map(|list| named(list).unwrap_or_else(|| quantities.parameter_symbols())),
             regressor: regressor.transpose()?,
+            languages: match clauses.c {
+                Some(_) => Languages::RustAndC,
+                None => Languages::Rust,
+            },
             compliances: lowered.constraints.compliances.clone(),
             is_on_every_scalar: Scalar::of(declaration).is_generic(),
             limits,

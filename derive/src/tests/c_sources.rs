@@ -143,6 +143,34 @@ fn sources_of_all_declarations_compile_without_warnings() {
     assert_eq!(failed, 0);
 }
 
+/// In each folder within the one that the variable names is a declaration, `model.rs`, beside which its source is written.
+#[test]
+#[ignore = "for `tests/adversarial/generator c`, which sets LAGRANGIAN_C_FOLDER"]
+fn sources_of_a_folder() {
+    let Some(folder) = env::var_os("LAGRANGIAN_C_FOLDER") else {
+        println!("skipped: LAGRANGIAN_C_FOLDER names no folder");
+        return;
+    };
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let folder = entry.expect("a folder").path();
+        let text = fs::read_to_string(folder.join("model.rs")).expect("a declaration");
+        let items = syn::parse_file(&text).expect("Rust").items;
+        for item in items {
+            let Item::Struct(declaration) = item else {
+                continue;
+            };
+            let found = sources(with_clause(declaration), LIMITS);
+            // The reduced model comes behind the full one.
+            if let Some(files) = found.first() {
+                let names = ["model.c", "model.h", "model_casadi.c"];
+                for (name, text) in names.into_iter().zip(files) {
+                    fs::write(folder.join(name), text).expect("a file");
+                }
+            }
+        }
+    }
+}
+
 /// A declaration with the clause `c`.
 fn with_clause(mut declaration: ItemStruct) -> TokenStream {
     let has_it = declaration.attrs.iter().any(|attribute| {

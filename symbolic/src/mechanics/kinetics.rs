@@ -261,11 +261,18 @@ impl Kinetics {
         let positions = (0..coordinates).map(Symbol::Coordinate);
         let velocities = (0..coordinates).map(Symbol::Velocity);
         let state = positions.chain(velocities).chain([Symbol::Time]);
+        Some(self.residuals_along(graph, &state.collect::<Vec<_>>()))
+    }
+
+    /// δ(M q̈ − f) along a [variation](Symbol::Variation) of some symbols, with the accelerations as symbols; with constraints,
+    /// that of the residuals of the saddle point problem, with the multipliers as symbols, too.
+    pub fn residuals_along(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Expression> {
+        let (residuals, _) = self.residuals_and_links();
         let variation = (0..).map(Symbol::Variation);
-        let direction = state.zip(variation);
-        let direction = direction.map(|(symbol, change)| (symbol, graph.symbol(change)));
+        let direction = symbols.iter().zip(variation);
+        let direction = direction.map(|(symbol, change)| (*symbol, graph.symbol(change)));
         let direction = direction.collect();
-        Some(graph.directional_derivatives(&self.inverse_dynamics, &direction))
+        graph.directional_derivatives(residuals, &direction)
     }
 
     /// The same of the [`system`](Self::system) for numerical solution.

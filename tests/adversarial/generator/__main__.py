@@ -4,6 +4,7 @@
     python3 tests/adversarial/generator run --file tests/adversarial/models/passing.json
     python3 tests/adversarial/generator select --seed 1 --each 3
     python3 tests/adversarial/generator minimize --id soup_4_8 --state 0
+    python3 tests/adversarial/generator c --seed 1 --count 200
     python3 tests/adversarial/generator show --seed 1 --kinds jumps --count 3
 
 Needs Python 3.11 and mpmath 1.3. `README.md` beside this folder says what is compared, and how.
@@ -20,6 +21,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import document
+import in_c
 from building import OPTIMIZATION, built
 from kinds import KINDS
 from minimization import minimized
@@ -31,7 +33,7 @@ MODELS = Path(__file__).resolve().parents[1] / "models"
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("command", choices=("run", "select", "show", "minimize"))
+    parser.add_argument("command", choices=("run", "select", "show", "minimize", "c"))
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=120, help="how many models")
     parser.add_argument("--kinds", type=lambda text: text.split(","), help="which, apart by commas; all if absent")
@@ -87,6 +89,14 @@ def run(given):
     for name, (_, message) in report.refused.items():
         print(f"refused: {name}: {message.strip().splitlines()[0]}")
     return 1 if report.wrong or report.refused else 0
+
+
+def in_c_source(given):
+    """Compares models in C."""
+    models = document.read(given.file) if given.file else document.all_generated(given.seed, given.count, given.kinds, given.jobs)
+    count, wrong = in_c.compared(models, given.folder)
+    print(f"{count} models in C, {wrong} wrong")
+    return 1 if wrong else 0
 
 
 def select(given):
@@ -173,4 +183,4 @@ def show(given):
 
 if __name__ == "__main__":
     given = arguments()
-    sys.exit({"run": run, "select": select, "show": show, "minimize": minimize}[given.command](given))
+    sys.exit({"run": run, "select": select, "show": show, "minimize": minimize, "c": in_c_source}[given.command](given))

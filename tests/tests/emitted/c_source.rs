@@ -1,11 +1,17 @@
 //! Models in C against the same models in Rust: their source is compiled by the system's `cc`, without warnings, and evaluated at
 //! random points.
 
+mod agreement;
+mod checks;
+mod jacobians;
 mod models;
+mod point;
 mod program;
 mod ready_models;
 
-use program::{Case, Point};
+use lagrangian_tests::Random;
+use point::Point;
+use program::Case;
 
 /// How many points are compared, and how many of all models.
 const POINTS: usize = 40;
@@ -29,8 +35,19 @@ fn a_chain_and_a_reduced_model_have_the_bits_of_rust() {
 }
 
 #[test]
+fn derivatives_column_by_column_agree() {
+    models::long_chain().agrees_at_random_points(4);
+}
+
+#[test]
 fn bodies_families_and_vectors_have_the_bits_of_rust() {
     models::arm().agrees_at_random_points(POINTS);
+}
+
+#[test]
+fn motions_under_constraints_have_the_bits_of_rust() {
+    models::four_bar().agrees(&models::points_of_four_bar(POINTS));
+    models::rolling_disc().agrees(&models::points_of_disc(POINTS));
 }
 
 #[test]
@@ -98,7 +115,19 @@ fn a_ready_model_with_constraints_has_the_bits_of_rust() {
 }
 
 #[test]
-#[ignore = "a thousand states of thirteen models; run with `--include-ignored`"]
+fn jacobians_in_casadi_are_those_of_differences() {
+    let mut random = Random::default();
+    let free = [models::cart_pole(0.25), models::arm(), models::oscillator()];
+    for case in free {
+        let point = Point::random(&mut random, case.coordinates, case.inputs);
+        case.has_jacobians_in_casadi(&point);
+    }
+    models::four_bar().has_jacobians_in_casadi(&models::points_of_four_bar(1)[0]);
+    models::rolling_disc().has_jacobians_in_casadi(&models::points_of_disc(1)[0]);
+}
+
+#[test]
+#[ignore = "a thousand states of sixteen models; run with `--include-ignored`"]
 fn a_thousand_states_of_all_models_agree() {
     let cases = [
         models::cart_pole(0.25),
@@ -117,6 +146,8 @@ fn a_thousand_states_of_all_models_agree() {
     for case in cases {
         case.agrees_at_random_points(MANY_POINTS);
     }
+    models::four_bar().agrees(&models::points_of_four_bar(MANY_POINTS));
+    models::rolling_disc().agrees(&models::points_of_disc(MANY_POINTS));
     ready_models::bicycle().agrees(&ready_models::points_of_bicycle(MANY_POINTS));
     ready_models::stewart_platform().agrees(&ready_models::points_of_platform(MANY_POINTS));
 }

@@ -28,6 +28,8 @@ pub(super) struct Body<'a> {
     is_needed: Vec<bool>,
     /// How many groups are written.
     written: usize,
+    /// The values that are written before their group.
+    hoisted: BTreeSet<usize>,
     /// What the statements read of the point at which the function is evaluated.
     reads: BTreeSet<&'static str>,
     text: String,
@@ -95,7 +97,7 @@ impl<'a> Body<'a> {
         program: &'a Program,
         (passes, locals): (Passes, &Locals<'_>),
         parameters: &'a [String],
-        unneeded: Option<Unneeded<'_>>,
+        unneeded: &[Unneeded<'_>],
     ) -> Self {
         let products = Products::of(program, passes, locals);
         let (mut fusions, mut fused) = (BTreeMap::new(), BTreeSet::new());
@@ -115,6 +117,7 @@ impl<'a> Body<'a> {
             fused,
             is_needed: needed(program, unneeded),
             written: 0,
+            hoisted: BTreeSet::new(),
             reads: BTreeSet::new(),
             text: String::new(),
             depth: 1,
@@ -131,6 +134,26 @@ impl<'a> Body<'a> {
         self.text.push('\n');
         if line.ends_with('{') {
             self.depth += 1;
+        }
+    }
+
+    /// Writes the statements before those of a variation, which do not depend on it.
+    pub(super) fn compute_without_variation(&mut self) {
+        let program = self.program;
+        let mut varies = BTreeSet::new();
+        for instruction in program.instructions() {
+            let is_varied = |operand: &Operand| match operand {
+                Operand::Symbol(Symbol::Variation(_)) => true,
+                Operand::Value(value) => varies.contains(value),
+                _ => false,
+            };
+            let value = instruction.value;
+            if instruction.operation.operands().any(is_varied) {
+                varies.extend(value..value + instruction.operation.results());
+            } else {
+                self.needed_instruction(instruction);
+                self.hoisted.insert(value);
+            }
         }
     }
 
@@ -167,6 +190,11 @@ impl<'a> Body<'a> {
         let symbols = self.program.symbols().into_iter();
         let mut symbols = symbols.filter(|symbol| matches!(symbol, Symbol::Acceleration(_)));
         symbols.next().is_some()
+    }
+
+    /// Whether what is written reads the variation.
+    pub(super) fn reads_variation(&self) -> bool {
+        self.reads.contains("delta")
     }
 
     /// Assigns values to the elements of an array.
@@ -212,11 +240,18 @@ impl<'a> Body<'a> {
 
     fn group(&mut self, group: &OutputGroup) {
         for instruction in &group.instructions {
-            let results = instruction.value..instruction.value + instruction.operation.results();
-            let mut results = results.map(|value| self.is_needed[value]);
-            if results.any(|needed| needed) && !self.fused.contains(&instruction.value) {
-                self.instruction(instruction);
+            if !self.hoisted.contains(&instruction.value) {
+                self.needed_instruction(instruction);
             }
+        }
+    }
+
+    /// Writes an instruction, if it is needed and not part of another one.
+    fn needed_instruction(&mut self, instruction: &Instruction) {
+        let results = instruction.value..instruction.value + instruction.operation.results();
+        let mut results = results.map(|value| self.is_needed[value]);
+        if results.any(|needed| needed) && !self.fused.contains(&instruction.value) {
+            self.instruction(instruction);
         }
     }
 
@@ -309,13 +344,13 @@ pub(super) fn mentions(text: &str, name: &str) -> bool {
 }
 
 /// The values that outputs depend on, without some of them.
-fn needed(program: &Program, unneeded: Option<Unneeded<'_>>) -> Vec<bool> {
+fn needed(program: &Program, unneeded: &[Unneeded<'_>]) -> Vec<bool> {
     let last = program.instructions().last();
     let count = last.map_or(0, |last| last.value + last.operation.results());
     let mut needed = vec![false; count];
     for (index, group) in program.groups.iter().enumerate() {
         for (position, output) in group.outputs.iter().enumerate() {
-            let is_left_out = unneeded.is_some_and(|(slice, is_left_out)| {
+            let is_left_out = unneeded.iter().any(|(slice, is_left_out)| {
                 slice.index_of(index, position).is_some_and(is_left_out)
             });
             if let (Some(value), false) = (output.value(), is_left_out) {

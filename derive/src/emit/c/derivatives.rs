@@ -1,4 +1,4 @@
-//! The functions that differentiate the accelerations by the state and by the inputs.
+//! The function that differentiates the accelerations by the state.
 
 use lagrangian_symbolic::{Operand, Rational};
 
@@ -6,8 +6,7 @@ use super::Export;
 use super::body::{Body, Unneeded};
 use super::methods::are_positive;
 use crate::plan::{
-    DerivativeOutputs, InputJacobianOutputs, Method, OutputSlice, ParameterSource, Residuals,
-    StateJacobian,
+    DerivativeOutputs, Method, OutputSlice, ParameterSource, Residuals, StateJacobian,
 };
 
 /// The matrices of the derivatives by q and by q̇, and the vector of those by t.
@@ -20,7 +19,7 @@ impl Export<'_> {
         method: &Method,
         outputs: &DerivativeOutputs<StateJacobian>,
     ) -> String {
-        let reads = self.body(method, None).reads_accelerations();
+        let reads = self.body(method, &[]).reads_accelerations();
         let body = match outputs {
             DerivativeOutputs::Symbolic {
                 pivots,
@@ -28,7 +27,7 @@ impl Export<'_> {
                 derivatives,
                 residuals,
             } => {
-                let mut body = self.body(method, unless(reads, accelerations));
+                let mut body = self.body(method, unless(reads, accelerations).as_slice());
                 let pivots = body.compute(pivots);
                 if reads {
                     let accelerations = body.compute(accelerations);
@@ -45,7 +44,7 @@ impl Export<'_> {
                 forcing,
                 residuals,
             } => {
-                let mut body = self.body(method, unless(reads, forcing));
+                let mut body = self.body(method, unless(reads, forcing).as_slice());
                 self.factors(&mut body, mass, ParameterSource::Fields);
                 if reads {
                     let forcing = body.compute(forcing);
@@ -123,13 +122,13 @@ impl Export<'_> {
         }
     }
 
-    fn solved_column(&self, body: &mut Body<'_>, column: &[String], place: &str) {
+    pub(super) fn solved_column(&self, body: &mut Body<'_>, column: &[String], place: &str) {
         body.assign("column", column.iter().cloned().enumerate());
         body.line("$_solve(&factors, column);");
         self.each_row(body, &format!("{place} = -column[i];"));
     }
 
-    fn each_row(&self, body: &mut Body<'_>, statement: &str) {
+    pub(super) fn each_row(&self, body: &mut Body<'_>, statement: &str) {
         body.line(&format!(
             "for (i = 0; i < {}; ++i) {{",
             self.emitter.coordinates()
@@ -160,72 +159,20 @@ impl Export<'_> {
         let column = body.compute(variation);
         body.assign("column", column.into_iter().enumerate());
         body.line("$_solve(&factors, column);");
-        self.each_row(
-            body,
-            &format!("*(j < {n} ? &position[i * {n} + j] : j < {} ? &velocity[i * {n} + j - {n}] : &time[i]) = -column[i];", 2 * n),
-        );
+        self.each_row(body, &format!("{} = -column[i];", place_of_state(n)));
         body.line("}");
-    }
-
-    /// The function for the derivatives by the inputs.
-    pub(super) fn input_jacobian(&self, method: &Method, outputs: &InputJacobianOutputs) -> String {
-        let inputs = self.emitter.model.inputs as usize;
-        if inputs == 0 {
-            return String::new();
-        }
-        let (k, n) = (self.emitter.unknowns(), self.emitter.coordinates());
-        // The rows of multipliers are left out.
-        let of_multipliers = |i: usize| i % k >= n;
-        let mut body = match outputs {
-            InputJacobianOutputs::Symbolic { derivatives, .. } => {
-                self.body(method, Some((derivatives, &of_multipliers)))
-            }
-            InputJacobianOutputs::Numerical { .. } => self.body(method, None),
-        };
-        match outputs {
-            InputJacobianOutputs::Symbolic {
-                pivots,
-                derivatives,
-                residuals,
-            } => {
-                let pivots = body.compute(pivots);
-                let elements = body.compute_some(derivatives, |i| !of_multipliers(i));
-                let elements = elements.into_iter().enumerate();
-                if !pivots.is_empty() {
-                    body.line(&format!("if ({}) {{", are_positive(&pivots)));
-                }
-                let rows = elements.filter(|(i, _)| !of_multipliers(*i));
-                let rows = rows.map(|(i, value)| ((i % k) * inputs + i / k, value));
-                body.assign("x", rows.collect::<Vec<_>>());
-                if !pivots.is_empty() {
-                    body.line("} else {");
-                    if let Some(residuals) = residuals {
-                        self.factors_by_methods(&mut body, ParameterSource::Fields);
-                        self.solved_inputs(&mut body, residuals);
-                    }
-                    body.line("}");
-                }
-            }
-            InputJacobianOutputs::Numerical { mass, residuals } => {
-                self.factors(&mut body, mass, ParameterSource::Fields);
-                self.solved_inputs(&mut body, residuals);
-            }
-        }
-        body.into_function("static void $_input_jacobian_at(const $_point *at, double *x)")
-    }
-
-    fn solved_inputs(&self, body: &mut Body<'_>, residuals: &OutputSlice) {
-        let (k, inputs) = (self.emitter.unknowns(), self.emitter.model.inputs);
-        let elements = body.compute(residuals);
-        body.line(&format!("double column[{k}];"));
-        body.line("int i;");
-        for (j, column) in elements.chunks(k).enumerate() {
-            self.solved_column(body, column, &format!("x[i * {inputs} + {j}]"));
-        }
     }
 }
 
+/// The element in row i of the column with the number j: of q, of the velocities, or of the time.
+pub(super) fn place_of_state(n: usize) -> String {
+    let of_time = 2 * n;
+    format!(
+        "*(j < {n} ? &position[i * {n} + j] : j < {of_time} ? &velocity[i * {n} + j - {n}] : &time[i])"
+    )
+}
+
 /// Outputs that are not needed, unless accelerations are read.
-fn unless(reads: bool, slice: &OutputSlice) -> Option<Unneeded<'_>> {
+pub(super) fn unless(reads: bool, slice: &OutputSlice) -> Option<Unneeded<'_>> {
     (!reads).then_some((slice, &|_| true))
 }

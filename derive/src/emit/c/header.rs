@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use lagrangian_symbolic::Symbol;
+
 use super::structs::Field;
 use super::{Export, WIDTH};
 use crate::emit::events::names;
@@ -59,7 +61,7 @@ impl Export<'_> {
         );
         let constraints = &self.emitter.lowered.constraints;
         let events = &self.emitter.lowered.events;
-        let lists: [(&str, Vec<String>); 4] = [
+        let lists: [(&str, Vec<String>); 5] = [
             (
                 "q[i], coordinates, and v[i], their velocities",
                 printed(&quantities.coordinates),
@@ -68,6 +70,10 @@ impl Export<'_> {
             (
                 "multipliers[i], of the constraints",
                 printed(&constraints.labels()),
+            ),
+            (
+                "sensitivities[j], of a coordinate, by parameters",
+                self.names_of_sensitive_parameters(),
             ),
             (
                 "values[i], event functions",
@@ -82,14 +88,6 @@ impl Export<'_> {
                 }
                 about.push('\n');
             }
-        }
-        if !self.has(crate::plan::EmittedMethod::Linearize) {
-            let reason = if self.is_constrained() {
-                "its motions are differentiated along the constraints by dual numbers"
-            } else {
-                "of so many coordinates it is computed by dual numbers"
-            };
-            let _ = writeln!(about, "The linear model is not here: {reason}.\n");
         }
         about.push_str("Equations of motion:\n\n");
         about.push_str(&self.emitter.listing.unicode);
@@ -110,6 +108,18 @@ impl Export<'_> {
             }
         });
         inputs.collect()
+    }
+
+    fn names_of_sensitive_parameters(&self) -> Vec<String> {
+        let components = &self.emitter.lowered.quantities.parameters;
+        let parameters = self.sensitive_parameters().iter();
+        let parameters = parameters.filter_map(|symbol| match symbol {
+            Symbol::Parameter(i) => components.get(*i as usize),
+            _ => None,
+        });
+        parameters
+            .map(|component| component.label.to_string())
+            .collect()
     }
 
     /// The numbers of coordinates, inputs and constraints.

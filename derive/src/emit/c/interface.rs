@@ -52,7 +52,8 @@ impl Export<'_> {
              M a - f.",
             &["$_inverse_dynamics_at(&at, accelerations, forces);"],
         ));
-        functions.extend(self.linearization_of_header());
+        functions.push(self.linearization_of_header());
+        functions.extend(self.sensitivities_of_header());
         if self.is_constrained() {
             functions.push(Function::new(
                 "constraint_residuals",
@@ -146,47 +147,55 @@ impl Export<'_> {
         )
     }
 
-    /// The functions for linear models: of constrained ones the input matrix alone.
-    fn linearization_of_header(&self) -> Option<Function> {
+    /// The function for linear models.
+    fn linearization_of_header(&self) -> Function {
         let (n, m) = (
             self.emitter.coordinates(),
             self.emitter.model.inputs as usize,
         );
-        let has_inputs = m > 0 && self.has(EmittedMethod::InputJacobian);
-        let in_words = format!(
-            "B = d(v, a)/du, with {} rows and {m} columns, row by row: element (i, j) is input_matrix[i * {m} + j]",
-            2 * n
-        );
-        let of_inputs = "$_input_matrix_at(&at, input_matrix);";
-        if !self.has(EmittedMethod::Linearize) {
-            return has_inputs.then(|| {
-                let in_words = format!("Computes the input matrix {in_words}.");
-                Function::new(
-                    "input_matrix",
-                    "double *input_matrix",
-                    &in_words,
-                    &[of_inputs],
-                )
-            });
-        }
         let d = 2 * n;
+        let (mut argument, mut inputs) = ("", String::new());
         let mut lines = vec!["$_state_matrix_at(&at, state_matrix, time_derivative);"];
-        lines.extend(has_inputs.then_some(of_inputs));
-        let (argument, in_words) = if has_inputs {
-            ("double *input_matrix, ", format!(" and {in_words};"))
+        if m > 0 {
+            lines.push("$_input_matrix_at(&at, input_matrix);");
+            argument = "double *input_matrix, ";
+            inputs = format!(
+                " the input matrix B = d(v, a)/du, with {d} rows and {m} columns, row by row: element (i, j) is input_matrix[i * {m} + \
+                 j];"
+            );
+        }
+        let constraints = if self.is_constrained() {
+            " The accelerations are those under the constraints, as functions of all coordinates and velocities; along directions that \
+             the constraints do not allow, derivatives describe no motions."
         } else {
-            ("", String::new())
+            ""
         };
-        Some(Function::new(
+        Function::new(
             "linearize",
             &format!("double *state_matrix, {argument}double *time_derivative"),
             &format!(
                 "Computes the linear model of the first-order system x = (q, v), dx/dt = (v, a): the state matrix A = d(v, a)/dx, with \
-                 {d} rows and columns, row by row: element (i, j) is state_matrix[i * {d} + j];{in_words} and the derivatives of the \
-                 accelerations by the time, unless these are NULL."
+                 {d} rows and columns, row by row: element (i, j) is state_matrix[i * {d} + j];{inputs} and the derivatives of the \
+                 accelerations by the time. What is NULL is not computed.{constraints}"
             ),
             &lines,
-        ))
+        )
+    }
+
+    /// The function for the derivatives by parameters, with the clause `sensitivities`.
+    fn sensitivities_of_header(&self) -> Option<Function> {
+        let count = self.sensitive_parameters().len();
+        (count > 0).then(|| {
+            Function::new(
+                "sensitivities",
+                "double *sensitivities",
+                &format!(
+                    "Computes the derivatives of the accelerations by {count} parameters, row by row: element (i, j) is \
+                     sensitivities[i * {count} + j].",
+                ),
+                &["$_sensitivities_at(&at, sensitivities);"],
+            )
+        })
     }
 
     /// One step of the classical method of Runge and Kutta.

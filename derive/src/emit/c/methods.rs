@@ -12,7 +12,7 @@ use crate::syntax::shape::Shape;
 
 impl Export<'_> {
     /// The methods that have a function, each behind those that it calls.
-    pub(super) const METHODS: [EmittedMethod; 17] = [
+    pub(super) const METHODS: [EmittedMethod; 18] = [
         EmittedMethod::Momenta,
         EmittedMethod::MassMatrix,
         EmittedMethod::Forcing,
@@ -25,6 +25,7 @@ impl Export<'_> {
         EmittedMethod::InverseDynamics,
         EmittedMethod::Linearize,
         EmittedMethod::InputJacobian,
+        EmittedMethod::Sensitivities,
         EmittedMethod::Energy,
         EmittedMethod::KineticEnergy,
         EmittedMethod::PotentialEnergy,
@@ -38,7 +39,7 @@ impl Export<'_> {
         let MethodOutputs::Invariants(invariants) = &method.outputs else {
             return String::new();
         };
-        let mut body = self.body(method, None);
+        let mut body = self.body(method, &[]);
         let values = body.compute(invariants);
         body.assign("x", values.into_iter().enumerate());
         let parameters = if self.parameters.is_empty() {
@@ -51,11 +52,14 @@ impl Export<'_> {
 
     /// The function of a method, if the model has it.
     pub(super) fn method(&self, emitted: EmittedMethod) -> Option<String> {
+        if let Some(function) = self.along_variation(emitted) {
+            return Some(function);
+        }
         let method = self.emitter.methods.get(emitted)?;
         let name = emitted.row().name;
         let function = match &method.outputs {
             MethodOutputs::Scalar(value) => {
-                let mut body = self.body(method, None);
+                let mut body = self.body(method, &[]);
                 self.find_accelerations(&mut body);
                 let value = body.compute(value).concat();
                 body.line(&format!("return {value};"));
@@ -71,6 +75,7 @@ impl Export<'_> {
             MethodOutputs::Declared(outputs) => self.declared(method, outputs),
             MethodOutputs::Linearization(outputs) => self.linearization(method, outputs),
             MethodOutputs::InputJacobian(outputs) => self.input_jacobian(method, outputs),
+            MethodOutputs::Sensitivities(outputs) => self.sensitivities(method, outputs),
             MethodOutputs::ByColumns(Columns::MassMatrix) => self.mass_matrix_by_columns(),
             _ => return None,
         };
@@ -78,11 +83,7 @@ impl Export<'_> {
     }
 
     /// The function of a program, of which some outputs may not be needed.
-    pub(super) fn body<'b>(
-        &'b self,
-        method: &'b Method,
-        unneeded: Option<Unneeded<'_>>,
-    ) -> Body<'b> {
+    pub(super) fn body<'b>(&'b self, method: &'b Method, unneeded: &[Unneeded<'_>]) -> Body<'b> {
         let graph = &self.emitter.model.graph;
         let lowered = self.emitter.lowered;
         let locals = Locals::new(graph, &lowered.scope, &lowered.quantities);
@@ -97,7 +98,7 @@ impl Export<'_> {
         method: &Method,
         (slice, columns): (&OutputSlice, usize),
     ) -> String {
-        let mut body = self.body(method, None);
+        let mut body = self.body(method, &[]);
         let takes_accelerations = emitted == EmittedMethod::InverseDynamics;
         if !takes_accelerations {
             self.find_accelerations(&mut body);
@@ -127,7 +128,7 @@ impl Export<'_> {
     }
 
     fn accelerations(&self, method: &Method, outputs: &AccelerationOutputs) -> String {
-        let mut body = self.body(method, None);
+        let mut body = self.body(method, &[]);
         match outputs {
             AccelerationOutputs::Symbolic {
                 pivots,
@@ -292,7 +293,7 @@ impl Export<'_> {
         if outputs.is_empty() {
             return String::new();
         }
-        let mut body = self.body(method, None);
+        let mut body = self.body(method, &[]);
         self.find_accelerations(&mut body);
         let fields = Field::of_outputs(self.emitter);
         for (field, (shape, slice)) in fields.iter().zip(outputs) {

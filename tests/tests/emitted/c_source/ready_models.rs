@@ -4,10 +4,16 @@ use lagrangian::prelude::*;
 use lagrangian_models::{Bicycle, FurutaPendulum, GeneralTop, StewartPlatform};
 use lagrangian_tests::Random;
 
-use super::program::{
-    Agreement, Case, PROJECTIONS, Point, body, check, constrained, free, input_matrix,
+use super::agreement::Agreement;
+use super::checks::{
+    PROJECTIONS, body, check, constrained, constrained_state_matrix, free, input_matrix,
     on_constraints, state_matrix,
 };
+use super::point::Point;
+use super::program::Case;
+
+/// How nearly derivatives under constraints agree.
+const UNITS: f64 = 64.0;
 
 /// A body without symmetry.
 fn rigid_body() -> RigidBody {
@@ -70,7 +76,13 @@ pub(super) fn bicycle() -> Case {
         ..own.clone()
     };
     let mut checks = constrained!(8, 5, model);
-    checks.push(input_matrix!(8, 3, model, "$_input_matrix(POINT, y);"));
+    checks.push(constrained_state_matrix!(8, 5, model, "b, ").within(UNITS));
+    checks.push(input_matrix!(
+        8,
+        3,
+        model,
+        "$_linearize(POINT, NULL, y, NULL);"
+    ));
     let parameters = [
         body!(own.rear_frame),
         body!(own.front_frame),
@@ -129,6 +141,7 @@ pub(super) fn stewart_platform() -> Case {
     let own: &'static StewartPlatform = Box::leak(Box::new(stewart()));
     let model = move |_: &[f64]| own.clone();
     let mut checks = constrained!(24, 24, model);
+    checks.push(constrained_state_matrix!(24, 24, model, "").within(UNITS));
     let call = format!(
         "{PROJECTIONS} $_outputs o; {} memcpy(y, &o, sizeof o);",
         "$_compute_outputs(MOVED, &o);"

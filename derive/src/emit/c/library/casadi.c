@@ -3,12 +3,15 @@
  *
  *     cc -std=c99 -O2 -ffp-contract=off -fPIC -shared -o $.so $.c $_casadi.c -lm
  *
- * it is read by casadi.external("$_dynamics", "./$.so", {"enable_fd": True}). Both functions take the time t, the state x = (q, v),
- * the inputs u and the parameters p, the numbers of their struct in order. $_dynamics returns dx = (v, a); $_linear_model, if there
- * is one, A = d(dx)/dx and B = d(dx)/du.
+ * it is read by casadi.external("$_dynamics", "./$.so"). The functions take the time t, the state x = (q, v), the inputs u and the
+ * parameters p, the numbers of their struct in order. $_dynamics returns dx = (v, a), and jac_$_dynamics its derivatives, which CasADi
+ * finds by its name; $_linear_model returns A = d(dx)/dx and B = d(dx)/du.
  */
 #include "$.h"
 
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #ifndef casadi_real
@@ -60,10 +63,21 @@ static const char *$_argument(casadi_int i)
     return i >= 0 && i < 4 ? names[i] : NULL;
 }
 
+/* Writes a matrix, which is stored row by row, column by column, unless it is not asked for. */
+static void $_by_columns(casadi_real *to, const double *from, int rows, int columns)
+{
+    int i, j;
+    for (i = 0; to && i < rows; ++i) {
+        for (j = 0; j < columns; ++j) {
+            to[j * rows + i] = from[i * columns + j];
+        }
+    }
+}
+
 static int $_sizes(casadi_int *arg, casadi_int *res, casadi_int *iw, casadi_int *w)
 {
-    if (arg) *arg = 4;
-    if (res) *res = 2;
+    if (arg) *arg = 5;
+    if (res) *res = 4;
     if (iw) *iw = 0;
     if (w) *w = 0;
     return 0;

@@ -17,23 +17,14 @@ $_EXPORT int $_linear_model_work(casadi_int *arg, casadi_int *res, casadi_int *i
 
 $_EXPORT int $_linear_model(const casadi_real **arg, casadi_real **res, casadi_int *iw, casadi_real *w, int mem)
 {
-    double a[4 * @N * @N], b[2 * @N * @M + 1];
+    double a[4 * @N * @N], b[2 * @N * @M + 1] = {0.0};
     $_arguments at;
-    int i, j;
     (void)iw;
     (void)w;
     (void)mem;
-    (void)b;
     $_read(&at, arg);
     $_linearize(@POINT, a, @INPUTSNULL);
-    /* CasADi stores matrices column by column. */
-    for (i = 0; i < 2 * @N; ++i) {
-        for (j = 0; res[0] && j < 2 * @N; ++j) {
-            res[0][j * 2 * @N + i] = a[i * 2 * @N + j];
-        }
-        for (j = 0; res[1] && j < @M; ++j) {
-            res[1][j * 2 * @N + i] = b[i * @M + j];
-        }
-    }
+    $_by_columns(res[0], a, 2 * @N, 2 * @N);
+    $_by_columns(res[1], b, 2 * @N, @M);
     return 0;
 }

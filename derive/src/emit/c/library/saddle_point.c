@@ -181,8 +181,8 @@ static void $_least_norm(const $_factors *f, double *multipliers)
     }
 }
 
-/* Solves for one right-hand side, which is overwritten. */
-static void $_solve(const $_factors *f, double *x)
+/* Solves for one right-hand side, which is overwritten; the multipliers of dependent constraints are zero. */
+static void $_solve_independent(const $_factors *f, double *x)
 {
     double residuals[@K] = {0.0};
     int i, j;
@@ -191,9 +191,6 @@ static void $_solve(const $_factors *f, double *x)
             x[@N + j] = f->dependent[j] != 0.0 ? 0.0 : x[@N + j];
         }
         $_substitute(&f->elimination, @K, 0, x);
-        if (f->is_redundant) {
-            $_least_norm(f, x + @N);
-        }
         return;
     }
     for (j = 0; j < @C; ++j) {
@@ -209,5 +206,14 @@ static void $_solve(const $_factors *f, double *x)
     $_substitute(&f->elimination, @K, @N, residuals);
     for (i = 0; i < @K; ++i) {
         x[i] += residuals[i];
+    }
+}
+
+/* Solves for one right-hand side, which is overwritten. */
+static void $_solve(const $_factors *f, double *x)
+{
+    $_solve_independent(f, x);
+    if (f->elimination.is_pivoted && f->is_redundant) {
+        $_least_norm(f, x + @N);
     }
 }
