@@ -9,6 +9,7 @@ mod inputs;
 mod on_another_scalar;
 mod outputs;
 mod events;
+mod impacts;
 mod constraints;
 mod requested;
 mod reflect;

@@ -34,9 +34,11 @@ impl Members {
         for (name, value) in parameters.into_iter().flatten() {
             let name: String = name.extract()?;
             let Some((field, first)) = description.field(&name) else {
+                let names: Vec<_> = description.fields.iter().map(|field| field.name).collect();
                 return Err(value_error(format!(
-                    "parameters: {} has no parameter {name}",
-                    description.name
+                    "parameters: {} has no parameter {name}; its parameters are {}",
+                    description.name,
+                    Description::listed(&names)
                 )));
             };
             let values: Vec<Bound<'_, PyAny>> = value.try_iter()?.collect::<PyResult<_>>()?;

@@ -80,14 +80,6 @@ impl Emitter<'_> {
         }
     }
 
-    /// The impl of `Impacts`, for a model that declares constraints and events.
-    pub(super) fn impacts(&self) -> TokenStream {
-        if !self.is_constrained() || self.methods.event_functions.is_none() {
-            return TokenStream::new();
-        }
-        self.interface(Interface::Impacts, TokenStream::new())
-    }
-
     /// The impl of `DirectionalDerivatives`, for a model with constraints that is one on dual numbers, or is with them in place of
     /// its type parameter. External functions have derivatives on dual numbers that may not be the declared ones.
     pub(super) fn directional_derivatives(&self) -> TokenStream {

@@ -159,7 +159,7 @@ impl Signatures<'_> {
             Interface::Quantities => ("Quantities", quote!(#n)),
             Interface::StateJacobian => ("StateJacobian", quote!(#n)),
             Interface::Constraints => ("Constraints", quote!(#n, #c)),
-            Interface::Impacts => ("Impacts", quote!(#n, #c)),
+            Interface::Impacts => ("Impacts", quote!(#n)),
             Interface::Energies => ("Energies", quote!(#n)),
             Interface::Inputs => ("Inputs", quote!(#n, #u)),
             Interface::Outputs => ("Outputs", quote!(#n)),

@@ -145,9 +145,7 @@ impl Methods {
         let variation = by_duals_in_c.then(|| VariationMethods::schedule(model, &kinetics));
         let requested = RequestedMethods::schedule(model, equations, &kinetics, requested);
         let energies = kinetics.energies.evaluated(model);
-        let event_gradients = (!is_free)
-            .then(|| Method::event_gradients(model, shapes))
-            .flatten();
+        let event_gradients = Method::event_gradients(model, shapes);
         let model = &*model;
         let scalar = |expression| Method::single(model, &[expression], MethodOutputs::Scalar);
         let vector = |components: &[_]| Method::single(model, components, MethodOutputs::Vector);
@@ -308,7 +306,8 @@ impl Method {
         Self::schedule(model, &layout, MethodOutputs::Declared(outputs))
     }
 
-    /// The derivatives of the event functions by coordinates and time.
+    /// The derivatives of the event functions by coordinates and time, unless they need one of an external function that is not
+    /// declared.
     fn event_gradients(model: &mut Model, shapes: &[Shape]) -> Option<Self> {
         let before = shapes.iter().map(|shape| shape.count()).sum();
         let events = model.outputs.get(before..)?.to_vec();
@@ -317,7 +316,12 @@ impl Method {
         let columns = model.graph.jacobian(&events, &symbols);
         let gradients = (0..events.len()).flat_map(|i| columns.iter().map(move |column| column[i]));
         let gradients: Vec<_> = gradients.collect();
-        (!events.is_empty()).then(|| Self::single(model, &gradients, MethodOutputs::EventGradients))
+        let gradients = Self::single(model, &gradients, MethodOutputs::EventGradients);
+        let functions = gradients.program.functions();
+        let is_known = functions
+            .into_iter()
+            .all(|function| model.graph.undeclared(function).is_none());
+        (!events.is_empty() && is_known).then_some(gradients)
     }
 
     /// What is behind the outputs of these shapes.

@@ -74,7 +74,7 @@ fn every_method_of_the_table_is_emitted_once() {
 fn is_of_free_models(row: MethodRow) -> bool {
     !matches!(
         row.interface,
-        Interface::Constraints | Interface::Impacts | Interface::MultiplierSensitivities
+        Interface::Constraints | Interface::MultiplierSensitivities
     )
 }
 

@@ -8,6 +8,7 @@ pub use super::by_columns::{
     mass_matrix_by_columns,
 };
 pub use super::directional_derivatives::{derivatives_along, derivatives_by_input};
+pub use super::impacts::constrained_impulse_response;
 pub use super::operations::operations;
 pub use super::saddle_point::{
     SaddlePoint, constrained_pivots, constrained_response, constraint_sine, fix_rank,

@@ -1,12 +1,14 @@
-//! Impacts of constrained models.
+//! Impacts.
 
 use nalgebra::SVector;
 
 use super::constraints::Constraints;
+use super::quantities::Quantities;
 use super::state::State;
+use crate::linalg::Factorization;
 use crate::scalar::Scalar;
 
-/// A constrained model that declares events: where the function of an event vanishes, two bodies may touch, and
+/// A model that declares events: where the function of an event vanishes, two bodies may touch, and
 /// [`Lagrangian::impact`](crate::Lagrangian::impact) has the state after the impact.
 ///
 /// ```
@@ -36,10 +38,10 @@ use crate::scalar::Scalar;
 /// # Ok::<(), IntegrationError>(())
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no impacts: it declares no constraints, or no events",
-    note = "a model without constraints changes its velocities by itself: write `.then(|x| x.v[0] *= -0.8)`"
+    message = "`{Self}` has no impacts: it declares no events, or one that depends on an external function without a derivative",
+    note = "write the clause `event(name = expression)` with the distance of the two bodies in its declaration"
 )]
-pub trait Impacts<const N: usize, const C: usize, S: Scalar = f64>: Constraints<N, C, S> {
+pub trait Impacts<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     /// The gradient ∂φ/∂q of an event function, and ∂φ/∂t.
     fn event_gradient(
         &self,
@@ -48,26 +50,51 @@ pub trait Impacts<const N: usize, const C: usize, S: Scalar = f64>: Constraints<
         event: &usize,
         prepared: &Self::Prepared,
     ) -> (SVector<S, N>, S);
+
+    /// The change δ of the velocities by a generalized impulse p: M δ = p, or with constraints M δ = p + Gᵀ λ and G δ = 0. By
+    /// default there are no constraints.
+    fn impulse_response(
+        &self,
+        state: &State<S, N>,
+        prepared: &Self::Prepared,
+        impulse: &SVector<S, N>,
+    ) -> SVector<S, N> {
+        Factorization::new(self.mass_matrix(state, prepared)).solve(impulse)
+    }
+}
+
+/// The change of the velocities of a model with constraints by an impulse, for emitted code.
+pub fn constrained_impulse_response<M, S, const N: usize, const C: usize>(
+    model: &M,
+    state: &State<S, N>,
+    prepared: &M::Prepared,
+    impulse: &SVector<S, N>,
+) -> SVector<S, N>
+where
+    M: Constraints<N, C, S>,
+    S: Scalar,
+{
+    let residuals = SVector::from_element(S::zero());
+    model.constrained_response(state, prepared, (impulse, &residuals), &[false; N], C)
 }
 
 /// Returns the state after an impact at which the function of an event has this gradient, by Newton's law of restitution.
 ///
 /// The impulse is j ∂φ/∂q, with the impulses Gᵀ p of the constraints: M (v⁺ − v⁻) = j ∂φ/∂q + Gᵀ p and G v⁺ = G v⁻, with j
 /// such that φ̇⁺ = −e φ̇⁻ (F. Pfeiffer & C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), 8.2).
-pub(super) fn impact<M, S, const N: usize, const C: usize>(
+pub(super) fn impact<M, S, const N: usize>(
     model: &M,
     state: &State<S, N>,
     event: usize,
     restitution: S,
 ) -> State<S, N>
 where
-    M: Impacts<N, C, S> + ?Sized,
+    M: Impacts<N, S> + ?Sized,
     S: Scalar,
 {
     let prepared = model.prepare();
     let (gradient, rate) = model.event_gradient(state, &model.inputs(), &event, &prepared);
-    let rest = SVector::from_element(S::zero());
-    let response = model.constrained_response(state, &prepared, (&gradient, &rest), &[false; N], C);
+    let response = model.impulse_response(state, &prepared, &gradient);
     let dot = |x: &SVector<S, N>| (0..N).fold(S::zero(), |sum, i| sum + gradient[i] * x[i]);
     let approach = dot(&state.v) + rate;
     let impulse = -(S::one() + restitution) * approach / dot(&response);

@@ -75,7 +75,7 @@ impl<S: Scalar, const N: usize> Linearization<S, N> {
             assert!(
                 D == 2 * N,
                 "the state matrix has twice as many rows and columns as there are coordinates: `D` is 2 `N`, \
-                 as in `state_matrix::<4>()` for two"
+                 as in `state_matrix::<4>()` and `StateSpace::<f64, 4, U, Y>` for two"
             );
         }
         SMatrix::from_fn(|i, j| match (i.checked_sub(N), j.checked_sub(N)) {

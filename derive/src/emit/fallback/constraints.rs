@@ -55,10 +55,6 @@ impl Fallback<'_> {
             let interface = quote::quote!(#root::quantities::DirectionalDerivatives::<#dimension, #count, #scalar>);
             constraints.extend(self.implement(&interface, Some(scalar), &methods));
         }
-        if self.lowered.events.is_empty() {
-            return constraints;
-        }
-        let impacts = self.interface(Interface::Impacts, &TokenStream::new());
-        quote::quote!(#constraints #impacts)
+        constraints
     }
 }

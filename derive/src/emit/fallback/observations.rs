@@ -53,6 +53,8 @@ impl Fallback<'_> {
             const EVENTS: &'static [&'static str] = &[""; #count];
             type EventValues = [#scalar; #count];
         };
-        self.interface(Interface::Events, &items)
+        let events = self.interface(Interface::Events, &items);
+        let impacts = self.interface(Interface::Impacts, &TokenStream::new());
+        quote!(#events #impacts)
     }
 }
