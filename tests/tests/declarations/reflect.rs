@@ -119,11 +119,11 @@ fn too_few_and_too_many_numbers_are_errors() {
 #[derive(Lagrangian)]
 #[lagrangian(
     reflect,
-    coordinates(x, y),
-    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
+    coordinates(x, y, theta),
+    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2) + dot(theta).powi(2)),
     potential = m * y,
     constraint(rod = x.powi(2) + y.powi(2) - 1),
-    nonholonomic(skate = dot(x) - dot(y)),
+    nonholonomic(skate = dot(x) * sin(theta) - dot(y) * cos(theta)),
 )]
 struct OnScalar<T: Scalar, U>
 where
