@@ -115,15 +115,16 @@ fn too_few_and_too_many_numbers_are_errors() {
     }
 }
 
-/// On a scalar of its own.
+/// On a scalar of its own. The second constraint is of velocities, so that there are both kinds.
 #[derive(Lagrangian)]
+#[allow(deprecated)]
 #[lagrangian(
     reflect,
-    coordinates(x, y, theta),
-    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2) + dot(theta).powi(2)),
+    coordinates(x, y),
+    kinetic = 0.5 * m * (dot(x).powi(2) + dot(y).powi(2)),
     potential = m * y,
     constraint(rod = x.powi(2) + y.powi(2) - 1),
-    nonholonomic(skate = dot(x) * sin(theta) - dot(y) * cos(theta)),
+    nonholonomic(skate = dot(x) - dot(y)),
 )]
 struct OnScalar<T: Scalar, U>
 where
