@@ -4,7 +4,6 @@ use numpy::{PyArrayDyn, PyArrayMethods as _, PyReadonlyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::IntoPyDict as _;
 
-use crate::description::shape;
 use crate::errors::value_error;
 
 /// The numbers of an array, row by row, and its shape.
@@ -73,4 +72,15 @@ pub(crate) fn array<'py>(
     let array = numpy::PyArray1::from_vec(py, numbers);
     let array: Bound<'py, PyArrayDyn<f64>> = array.reshape(shape.to_vec())?;
     Ok(array.into_any())
+}
+
+/// A shape as Python writes it.
+pub(crate) fn shape(lengths: &[usize]) -> String {
+    match lengths {
+        [one] => format!("({one},)"),
+        several => {
+            let several: Vec<_> = several.iter().map(ToString::to_string).collect();
+            format!("({})", several.join(", "))
+        }
+    }
 }

@@ -1,7 +1,5 @@
 //! The classes of a module.
 
-use std::sync::{Mutex, PoisonError};
-
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 
@@ -10,12 +8,7 @@ use crate::errors::IntegrationError;
 use crate::model::Model;
 use crate::motion::{Event, Motion, Point};
 use crate::motions::Motions;
-
-/// The descriptions of all classes; a class has its index as an attribute.
-static DESCRIPTIONS: Mutex<Vec<&'static Description>> = Mutex::new(Vec::new());
-
-/// The attribute of a class with the index of its description.
-const INDEX: &str = "_index";
+use crate::registry;
 
 /// Adds what all modules have.
 ///
@@ -42,11 +35,7 @@ pub fn add_shared(module: &Bound<'_, PyModule>) -> PyResult<()> {
 pub fn add(module: &Bound<'_, PyModule>, description: &Description) -> PyResult<()> {
     let py = module.py();
     let description: &'static Description = Box::leak(Box::new(*description));
-    let index = {
-        let mut all = DESCRIPTIONS.lock().unwrap_or_else(PoisonError::into_inner);
-        all.push(description);
-        all.len() - 1
-    };
+    let index = registry::register(description);
     let attributes = PyDict::new(py);
     attributes.set_item("__doc__", description.docstring())?;
     attributes.set_item("__module__", module.name()?)?;
@@ -64,19 +53,12 @@ pub fn add(module: &Bound<'_, PyModule>, description: &Description) -> PyResult<
     )?;
     attributes.set_item("EQUATIONS", description.equations)?;
     attributes.set_item("LATEX", description.latex)?;
-    attributes.set_item(INDEX, index)?;
+    attributes.set_item(registry::INDEX, index)?;
     let bases = (py.get_type::<Model>(),);
     let class = py
         .get_type::<PyType>()
         .call1((description.name, bases, attributes))?;
     module.add(description.name, class)
-}
-
-/// The description of a class, or of the class that it is derived from; `None` for `Model` itself.
-pub(crate) fn description(class: &Bound<'_, PyType>) -> Option<&'static Description> {
-    let index: usize = class.getattr(INDEX).ok()?.extract().ok()?;
-    let all = DESCRIPTIONS.lock().unwrap_or_else(PoisonError::into_inner);
-    all.get(index).copied()
 }
 
 /// The signature that `help` shows: all fields by keyword, inputs with 0.

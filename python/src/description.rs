@@ -2,6 +2,7 @@
 
 use lagrangian::quantities::{FieldDescription, FieldElement, InvalidNumbers};
 
+use crate::arrays::shape;
 use crate::evaluator::Evaluator;
 
 /// A model as a class.
@@ -119,15 +120,4 @@ fn described(field: &FieldDescription) -> String {
         text += line;
     }
     text
-}
-
-/// A shape as Python writes it.
-pub(crate) fn shape(lengths: &[usize]) -> String {
-    match lengths {
-        [one] => format!("({one},)"),
-        several => {
-            let several: Vec<_> = several.iter().map(ToString::to_string).collect();
-            format!("({})", several.join(", "))
-        }
-    }
 }

@@ -11,7 +11,8 @@ pub use crate::description::Description;
 pub use crate::ensemble::{Ensemble, EnsembleMotions};
 pub use crate::evaluator::{Evaluator, Of};
 pub use crate::integrated::Integrated;
-pub use crate::request::{Law, Method, Request};
+pub use crate::method::Method;
+pub use crate::request::{Law, Request};
 
 /// The description of a model, with the functions that create and integrate it.
 #[doc(hidden)]

@@ -9,7 +9,8 @@ use lagrangian::{At, Dynamics, ObservationKind, Phase, Problem, Progress, State}
 use lagrangian_ensembles::Study;
 
 use crate::integrated::{Found, Reached, found};
-use crate::request::{Settings, Watch};
+use crate::method::Settings;
+use crate::watch::Watch;
 
 /// What is asked of many motions.
 #[derive(Debug)]

@@ -1,37 +1,13 @@
 //! Models whose number of coordinates is not part of their type.
 
-use lagrangian::State;
-use lagrangian::nalgebra::{Dim, Matrix, RawStorage, SVector};
 use lagrangian::quantities::Reflect;
 
 use crate::ability::Abilities;
 use crate::ensemble::{Ensemble, EnsembleMotions};
+use crate::instant::Instant;
 use crate::integrated::Integrated;
+use crate::numbers::{rows, vector};
 use crate::request::Request;
-
-/// A time with coordinates and velocities.
-#[derive(Clone, Copy, Debug)]
-pub struct Instant<'a> {
-    /// The time.
-    pub t: f64,
-    /// The coordinates.
-    pub q: &'a [f64],
-    /// The velocities.
-    pub v: &'a [f64],
-}
-
-impl Instant<'_> {
-    /// The state. Components that are missing are NaN.
-    #[must_use]
-    pub fn state<const N: usize>(&self) -> State<f64, N> {
-        State::new(self.t, vector(self.q), vector(self.v))
-    }
-}
-
-/// A vector of the first components. Components that are missing are NaN.
-pub(crate) fn vector<const N: usize>(components: &[f64]) -> SVector<f64, N> {
-    SVector::from_fn(|i, _| components.get(i).copied().unwrap_or(f64::NAN))
-}
 
 /// A quantity of a model at a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,15 +142,5 @@ where
 
     fn ensemble(&self, ensemble: &Ensemble) -> Option<Result<EnsembleMotions, String>> {
         (self.abilities.ensemble)(ensemble)
-    }
-}
-
-/// Appends the elements of a matrix, row by row.
-pub(crate) fn rows<R: Dim, C: Dim>(
-    matrix: &Matrix<f64, R, C, impl RawStorage<f64, R, C>>,
-    numbers: &mut Vec<f64>,
-) {
-    for row in matrix.row_iter() {
-        numbers.extend(row.iter());
     }
 }

@@ -2,8 +2,8 @@
 
 use lagrangian::{At, IntegrationError, Occurrence, Phase, Solution, StopReason};
 
-use crate::evaluator::Instant;
-use crate::request::Watch;
+use crate::instant::Instant;
+use crate::watch::Watch;
 
 /// A time, coordinates and velocities.
 #[derive(Clone, Debug, PartialEq)]

@@ -48,17 +48,22 @@ mod ensemble;
 mod errors;
 mod evaluator;
 mod fields;
+mod instant;
 mod integrated;
 mod integration;
 mod members;
+mod method;
 mod model;
 mod motion;
 mod motions;
+mod numbers;
 mod parameters;
 mod quantities;
+mod registry;
 mod request;
 mod settings;
 mod states;
+mod watch;
 
 #[doc(hidden)]
 pub mod emitted;

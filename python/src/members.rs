@@ -3,8 +3,8 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arrays::Numbers;
-use crate::description::{Description, shape};
+use crate::arrays::{Numbers, shape};
+use crate::description::Description;
 use crate::errors::value_error;
 use crate::fields;
 use crate::integrated::Reached;

@@ -4,12 +4,12 @@ use pyo3::exceptions::{PyAttributeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 
-use crate::class;
 use crate::description::Description;
 use crate::errors::value_error;
 use crate::evaluator::Evaluator;
 use crate::fields;
 use crate::parameters;
+use crate::registry;
 
 /// A mechanical system at its parameters. Each model of the module is a class of its own, whose help lists its parameters;
 /// objects do not change.
@@ -63,7 +63,7 @@ impl Model {
     #[classmethod]
     #[pyo3(signature = (**parameters))]
     fn new(cls: &Bound<'_, PyType>, parameters: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        let description = class::description(cls).ok_or_else(|| {
+        let description = registry::description(cls).ok_or_else(|| {
             PyTypeError::new_err(
                 "Model is the base class of the models of this module: create one of them",
             )

@@ -5,35 +5,14 @@ use std::sync::{Mutex, PoisonError};
 
 use lagrangian::nalgebra::SVector;
 use lagrangian::problem::{End, Keep, Observer, Reactions, Watched};
-use lagrangian::{
-    At, Dop853, Dynamics, Integrator, ObservationKind, Phase, Problem, Progress, RungeKutta, Taylor,
-};
+use lagrangian::{At, Dynamics, Integrator, ObservationKind, Phase, Problem, Progress};
 use pyo3::prelude::*;
 
-use crate::evaluator::Instant;
+use crate::instant::Instant;
 use crate::integrated::{Integrated, Reached};
-
-/// The method of an integration.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Taylor series.
-    Taylor,
-    /// Dormand–Prince 8(5,3).
-    Dop853,
-    /// The classical method of fixed step.
-    RungeKutta,
-}
-
-/// The settings of a method.
-#[derive(Clone, Copy, Debug)]
-pub struct Settings {
-    /// The method.
-    pub method: Method,
-    /// The relative tolerance, if it is set.
-    pub tolerance: Option<f64>,
-    /// The step of a method of fixed step, or the largest one.
-    pub step: Option<f64>,
-}
+use crate::method::Settings;
+use crate::numbers::vector;
+use crate::watch::Watch;
 
 /// How the inputs are set.
 #[derive(Debug)]
@@ -44,67 +23,6 @@ pub enum Law {
     Feedback(Py<PyAny>),
     /// A function that is called once per period; its result is held.
     Sampled(Py<PyAny>, f64),
-}
-
-/// Which events are recorded, and which stop the motion: for each event where it rises, then for each where it falls.
-#[derive(Clone, Debug, Default)]
-pub struct Watch {
-    /// Whether the event is kept.
-    pub recorded: Vec<bool>,
-    /// Whether the motion ends there.
-    pub stops: Vec<bool>,
-}
-
-impl Watch {
-    /// Whether an event is kept.
-    #[must_use]
-    pub fn records(&self, event: usize) -> bool {
-        self.recorded.get(event).copied().unwrap_or(false)
-    }
-
-    /// Whether the motion ends at an event.
-    #[must_use]
-    pub fn stops_at(&self, event: usize) -> bool {
-        self.stops.get(event).copied().unwrap_or(false)
-    }
-}
-
-impl Settings {
-    /// The Taylor method.
-    #[must_use]
-    pub fn taylor(&self) -> Taylor {
-        let mut method = Taylor::new();
-        if let Some(tolerance) = self.tolerance {
-            method = method
-                .relative_tolerance(tolerance)
-                .absolute_tolerance(tolerance);
-        }
-        if let Some(step) = self.step {
-            method = method.max_step(step);
-        }
-        method
-    }
-
-    /// The method of Dormand and Prince.
-    #[must_use]
-    pub fn dop853(&self) -> Dop853 {
-        let mut method = Dop853::new();
-        if let Some(tolerance) = self.tolerance {
-            method = method
-                .relative_tolerance(tolerance)
-                .absolute_tolerance(tolerance);
-        }
-        if let Some(step) = self.step {
-            method = method.max_step(step);
-        }
-        method
-    }
-
-    /// The classical Runge–Kutta method; without a step its step is NaN, which is an error.
-    #[must_use]
-    pub fn runge_kutta(&self) -> RungeKutta<4> {
-        RungeKutta::classical(self.step.unwrap_or(f64::NAN))
-    }
 }
 
 /// What is asked of an integration.
@@ -154,7 +72,7 @@ impl Request {
             crate::arrays::inputs(&returned, U)
         });
         match found {
-            Ok(inputs) => crate::evaluator::vector(&inputs),
+            Ok(inputs) => vector(&inputs),
             Err(exception) => {
                 self.keep(exception);
                 SVector::repeat(f64::NAN)

@@ -7,8 +7,10 @@ use crate::arrays::Numbers;
 use crate::description::Description;
 use crate::errors::value_error;
 use crate::integrated::Reached;
-use crate::request::{Law, Method, Settings, Watch};
+use crate::method::{Method, Settings};
+use crate::request::Law;
 use crate::states::States;
+use crate::watch::Watch;
 
 /// The start of one motion.
 pub(crate) fn start(

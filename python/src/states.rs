@@ -2,10 +2,10 @@
 
 use pyo3::prelude::*;
 
-use crate::arrays::Numbers;
-use crate::description::{Description, shape};
+use crate::arrays::{Numbers, shape};
+use crate::description::Description;
 use crate::errors::value_error;
-use crate::evaluator::Instant;
+use crate::instant::Instant;
 
 /// One state, or many, at times, under inputs.
 pub(crate) struct States {

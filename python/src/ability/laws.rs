@@ -6,7 +6,7 @@ use lagrangian::quantities::{Inputs, Reflect};
 use lagrangian::{Dynamics, EquationsOfMotion, Lagrangian, Problem, State};
 
 use super::{Probe, Values};
-use crate::evaluator::rows;
+use crate::numbers::rows;
 use crate::request::{Law, Request};
 
 /// A law that is a function of Python.
