@@ -78,6 +78,12 @@ impl Description {
         None
     }
 
+    /// The names of the fields, as a sentence has them.
+    pub(crate) fn parameters(&self) -> String {
+        let names: Vec<_> = self.fields.iter().map(|field| field.name).collect();
+        Self::listed(&names)
+    }
+
     /// How many numbers all fields consist of.
     pub(crate) fn numbers(&self) -> usize {
         self.fields.iter().map(FieldDescription::count).sum()

@@ -2,6 +2,7 @@
 
 use std::fmt::Debug;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use lagrangian::problem::{EnsembleIntegrator, Keep, Observer, Reactions, Watched};
 use lagrangian::quantities::Reflect;
@@ -29,6 +30,8 @@ pub struct Ensemble {
     pub watch: Watch,
     /// The number of threads; 0 for one on each core.
     pub threads: usize,
+    /// Whether the members end as soon as possible.
+    pub cancelled: AtomicBool,
 }
 
 /// A member of an ensemble.
@@ -70,8 +73,11 @@ impl Ensemble {
             .map_or_else(missing, |start| start.instant().state())
     }
 
-    /// Ends a motion at the events that stop it.
+    /// Ends a motion at the events that stop it, or if the ensemble is cancelled.
     pub fn flow<X>(&self, progress: &Progress<'_, X>) -> ControlFlow<()> {
+        if self.cancelled.load(Ordering::Relaxed) {
+            return ControlFlow::Break(());
+        }
         match progress.kind {
             ObservationKind::Event(event) if self.watch.stops_at(event) => ControlFlow::Break(()),
             _ => ControlFlow::Continue(()),
@@ -98,7 +104,9 @@ impl Ensemble {
         Vec<f64>: Keep<f64, D, I::Stepper, Kept = Vec<At<f64, D::State>>>,
     {
         let study = Study::new(0..self.starts.len(), problem, self.until, method);
-        let motions = study.threads(self.threads).solve();
+        let motions = study
+            .threads(self.threads.min(self.starts.len()).min(MAX_THREADS))
+            .solve();
         let motions = motions.map_err(|error| error.to_string())?;
         let motions = motions.into_iter().map(|motion| {
             let (solution, error) = match &motion {
@@ -118,3 +126,6 @@ impl Ensemble {
         Ok(motions.collect())
     }
 }
+
+/// More threads than a computer has cores gain nothing.
+const MAX_THREADS: usize = 256;

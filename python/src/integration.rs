@@ -1,7 +1,10 @@
 //! The integration of motions, as Python asks for it.
 
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -12,7 +15,7 @@ use crate::members::Members;
 use crate::model::{Any, Maybe, Model};
 use crate::motion::Motion;
 use crate::motions::Motions;
-use crate::request::{Law, Request};
+use crate::request::{Law, Request, signals};
 use crate::settings;
 
 #[pymethods]
@@ -56,7 +59,7 @@ impl Model {
     /// feedback : function of t, q, v
     ///     Returns the inputs.
     /// period : float
-    ///     With it the feedback is called once per period, and its inputs are held.
+    ///     If given, the feedback is called once per period, and its inputs are held.
     ///
     /// Raises `IntegrationError`, whose `motion` is the motion up to the error.
     #[pyo3(signature = (q, v, until, *, t=0.0, samples=None, method=None, tolerance=None, step=None, record=None, stop=None,
@@ -96,7 +99,7 @@ impl Model {
             return Err(exception);
         }
         let error = integrated.error.take();
-        let motion = Motion::new(self.dimension(), description.events, integrated);
+        let motion = Motion::of(self.dimension(), description.events, integrated);
         match error {
             None => Ok(motion),
             Some(error) => Err(integration_error(py, &error.to_string(), motion)?),
@@ -143,17 +146,49 @@ impl Model {
             settings: settings::method(description, method, &Law::Held, tolerance, step)?,
             watch: settings::watch(description, record, stop)?,
             threads,
+            cancelled: AtomicBool::new(false),
         };
-        let found = py.detach(|| self.evaluator.ensemble(&ensemble));
+        let found = interruptibly(py, &ensemble.cancelled, || {
+            self.evaluator.ensemble(&ensemble)
+        })?;
         let found = found.ok_or_else(|| settings::impossible(description))?;
-        Ok(Motions {
-            dimension: self.dimension(),
-            events: description.events,
-            times: ensemble.samples,
-            members: found.map_err(value_error)?,
-        })
+        let members = found.map_err(value_error)?;
+        Ok(Motions::of(
+            self.dimension(),
+            description.events,
+            ensemble.samples,
+            &members,
+        ))
     }
 }
+
+/// Computes on another thread, and asks Python for signals meanwhile: an interrupt from the keyboard cancels the computation.
+fn interruptibly<T: Send>(
+    py: Python<'_>,
+    cancelled: &AtomicBool,
+    compute: impl FnOnce() -> T + Send,
+) -> PyResult<T> {
+    py.detach(|| {
+        std::thread::scope(|scope| {
+            let computation = scope.spawn(compute);
+            let mut interrupted = Ok(());
+            while !computation.is_finished() {
+                std::thread::park_timeout(BETWEEN_SIGNALS);
+                if interrupted.is_ok() {
+                    interrupted = Python::attach(signals);
+                    cancelled.store(interrupted.is_err(), Ordering::Relaxed);
+                }
+            }
+            let found = computation.join().map_err(|_| {
+                PyRuntimeError::new_err("a thread of the ensemble ended unexpectedly")
+            });
+            interrupted.and(found)
+        })
+    })
+}
+
+/// After this time, Python is asked for signals.
+const BETWEEN_SIGNALS: Duration = Duration::from_millis(2);
 
 /// The exception for an error, with the motion up to it.
 fn integration_error(py: Python<'_>, message: &str, motion: Motion) -> PyResult<PyErr> {

@@ -34,14 +34,18 @@ impl Members {
         for (name, value) in parameters.into_iter().flatten() {
             let name: String = name.extract()?;
             let Some((field, first)) = description.field(&name) else {
-                let names: Vec<_> = description.fields.iter().map(|field| field.name).collect();
                 return Err(value_error(format!(
                     "parameters: {} has no parameter {name}; its parameters are {}",
                     description.name,
-                    Description::listed(&names)
+                    description.parameters()
                 )));
             };
-            let values: Vec<Bound<'_, PyAny>> = value.try_iter()?.collect::<PyResult<_>>()?;
+            let values = value.try_iter().map_err(|_| {
+                value_error(format!(
+                    "parameters: {name} is an array with a value for each member"
+                ))
+            })?;
+            let values: Vec<Bound<'_, PyAny>> = values.collect::<PyResult<_>>()?;
             let values = values.iter().map(|value| fields::read(field, value));
             let values = values.collect::<PyResult<Vec<_>>>()?;
             counts.push((field.name, Some(values.len())));

@@ -1,5 +1,7 @@
 //! The base class of all models.
 
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+
 use pyo3::exceptions::{PyAttributeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
@@ -61,13 +63,24 @@ impl Model {
 impl Model {
     #[new]
     #[classmethod]
-    #[pyo3(signature = (**parameters))]
-    fn new(cls: &Bound<'_, PyType>, parameters: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+    #[pyo3(signature = (*args, **parameters))]
+    fn new(
+        cls: &Bound<'_, PyType>,
+        args: &Bound<'_, PyTuple>,
+        parameters: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
         let description = registry::description(cls).ok_or_else(|| {
             PyTypeError::new_err(
                 "Model is the base class of the models of this module: create one of them",
             )
         })?;
+        if !args.is_empty() {
+            return Err(PyTypeError::new_err(format!(
+                "{} takes its parameters by keyword: {}",
+                description.name,
+                description.parameters()
+            )));
+        }
         Self::build(description, parameters::numbers(description, parameters)?)
     }
 
@@ -90,17 +103,30 @@ impl Model {
         slf.get_type().call((), Some(&parameters))
     }
 
-    fn __getattr__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        match self.description.field(name) {
-            Some((field, first)) => {
-                let numbers = self.numbers.get(first..first + field.count());
-                fields::value(py, field, numbers.unwrap_or_default())
-            }
-            None => Err(PyAttributeError::new_err(format!(
-                "{} has no attribute {name}",
-                self.description.name
-            ))),
+    /// A parameter by its name, for the properties of the classes.
+    fn _parameter<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let (field, first) = self.description.field(name).ok_or_else(|| {
+            PyAttributeError::new_err(format!("{} has no {name}", self.description.name))
+        })?;
+        let numbers = self.numbers.get(first..first + field.count());
+        fields::value(py, field, numbers.unwrap_or_default())
+    }
+
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> bool {
+        let other = other.cast::<Self>().ok();
+        other.is_some_and(|other| {
+            slf.get_type().is(other.get_type()) && slf.get().numbers == other.get().numbers
+        })
+    }
+
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.description.name.hash(&mut hasher);
+        for number in &self.numbers {
+            // 0 and -0 are equal.
+            (number + 0.0).to_bits().hash(&mut hasher);
         }
+        hasher.finish()
     }
 
     fn __getnewargs_ex__<'py>(

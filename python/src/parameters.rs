@@ -18,10 +18,9 @@ pub(crate) fn numbers(
     for (key, value) in parameters.into_iter().flatten() {
         let key: String = key.extract()?;
         let Some((field, first)) = description.field(&key) else {
-            let names: Vec<_> = description.fields.iter().map(|field| field.name).collect();
             return Err(PyTypeError::new_err(format!(
                 "{name} has no parameter {key}: its parameters are {}",
-                Description::listed(&names)
+                description.parameters()
             )));
         };
         let values = fields::read(field, &value)?;

@@ -1,5 +1,6 @@
 //! Quantities of a model at one state or at many, as arrays.
 
+use lagrangian::quantities::InvalidNumbers;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -11,32 +12,36 @@ use crate::model::{Any, Maybe, Model};
 use crate::states::States;
 
 impl Model {
-    /// The numbers of a quantity at all states, one state after the other; `None` if the model does not have it.
+    /// The numbers of a quantity at all states, one state after the other, while other threads of Python run; `None` if the model
+    /// does not have it.
     pub(crate) fn evaluate(
         &self,
+        py: Python<'_>,
         quantity: Quantity,
         states: &States,
-        given: impl Fn(usize) -> Vec<f64>,
+        given: impl Fn(usize) -> Vec<f64> + Sync,
     ) -> PyResult<Option<Vec<f64>>> {
-        let mut numbers = Vec::new();
-        for index in 0..states.len() {
-            let instant = states.instant(index);
-            let found = match states.inputs(index) {
-                None => self
-                    .evaluator
-                    .evaluate(quantity, instant, &given(index), &mut numbers),
-                Some(inputs) => {
-                    let under = self.under(inputs);
-                    let under = (self.description.build)(&under);
-                    let under = under.map_err(|error| value_error(format!("{error:?}")))?;
-                    under.evaluate(quantity, instant, &given(index), &mut numbers)
+        let evaluated = py.detach(|| {
+            let mut numbers = Vec::new();
+            for index in 0..states.len() {
+                let instant = states.instant(index);
+                let given = given(index);
+                let found = match states.inputs(index) {
+                    None => self
+                        .evaluator
+                        .evaluate(quantity, instant, &given, &mut numbers),
+                    Some(inputs) => {
+                        let under = (self.description.build)(&self.under(inputs))?;
+                        under.evaluate(quantity, instant, &given, &mut numbers)
+                    }
+                };
+                if !found {
+                    return Ok(None);
                 }
-            };
-            if !found {
-                return Ok(None);
             }
-        }
-        Ok(Some(numbers))
+            Ok(Some(numbers))
+        });
+        evaluated.map_err(|error: InvalidNumbers| value_error(format!("{error:?}")))
     }
 
     /// The numbers of the fields under other inputs.
@@ -68,7 +73,7 @@ impl Model {
     ) -> PyResult<Bound<'py, PyAny>> {
         let py = state[0].py();
         let states = States::read(self.description, state, t, u)?;
-        let numbers = self.evaluate(quantity, &states, |_| Vec::new())?;
+        let numbers = self.evaluate(py, quantity, &states, |_| Vec::new())?;
         let numbers = numbers.ok_or_else(|| self.has_no(quantity))?;
         fields::number_or_array(py, &numbers, &states.shape(of_one))
     }
@@ -84,7 +89,7 @@ impl Model {
     ) -> PyResult<Bound<'py, PyDict>> {
         let py = state[0].py();
         let states = States::read(self.description, state, t, u)?;
-        let numbers = self.evaluate(quantity, &states, |_| Vec::new())?;
+        let numbers = self.evaluate(py, quantity, &states, |_| Vec::new())?;
         let numbers = numbers.ok_or_else(|| self.has_no(quantity))?;
         let length: usize = parts
             .iter()
@@ -140,19 +145,15 @@ impl Model {
     }
 
     /// The mass matrix, of shape (n, n).
-    #[pyo3(signature = (q, v, t=None))]
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
     fn mass_matrix<'py>(
         &self,
         q: Any<'_, 'py>,
         v: Any<'_, 'py>,
         t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.quantity(
-            (Quantity::MassMatrix, &[self.dimension(); 2]),
-            [q, v],
-            t,
-            None,
-        )
+        self.quantity((Quantity::MassMatrix, &[self.dimension(); 2]), [q, v], t, u)
     }
 
     /// The forcing f in M q̈ = f, of shape (n,).
@@ -185,14 +186,15 @@ impl Model {
     }
 
     /// The generalized momenta, of shape (n,).
-    #[pyo3(signature = (q, v, t=None))]
+    #[pyo3(signature = (q, v, t=None, *, u=None))]
     fn momenta<'py>(
         &self,
         q: Any<'_, 'py>,
         v: Any<'_, 'py>,
         t: Maybe<'_, 'py>,
+        u: Maybe<'_, 'py>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.quantity((Quantity::Momenta, &[self.dimension()]), [q, v], t, None)
+        self.quantity((Quantity::Momenta, &[self.dimension()]), [q, v], t, u)
     }
 
     /// The energy function Σ p q̇ − L.
@@ -252,7 +254,7 @@ impl Model {
                 .copied()
                 .collect()
         };
-        let forces = self.evaluate(Quantity::InverseDynamics, &states, of_one)?;
+        let forces = self.evaluate(q.py(), Quantity::InverseDynamics, &states, of_one)?;
         array(q.py(), forces.unwrap_or_default(), &all)
     }
 

@@ -63,6 +63,9 @@ impl Request {
         function: &Py<PyAny>,
         state: &At<f64, Phase<f64, N>>,
     ) -> SVector<f64, U> {
+        if self.is_broken_off() {
+            return SVector::repeat(f64::NAN);
+        }
         let found = Python::attach(|py| {
             let coordinates = numpy::PyArray1::from_slice(py, state.q.as_slice());
             let velocities = numpy::PyArray1::from_slice(py, state.v.as_slice());
@@ -80,6 +83,15 @@ impl Request {
         }
     }
 
+    /// Whether an exception was raised: the function is not called again.
+    fn is_broken_off(&self) -> bool {
+        let kept = self
+            .exception
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        kept.is_some()
+    }
+
     fn keep(&self, exception: PyErr) {
         let mut kept = self
             .exception
@@ -95,6 +107,9 @@ impl Request {
                 return ControlFlow::Break(());
             }
             ObservationKind::Step => {
+                if self.is_broken_off() {
+                    return ControlFlow::Break(());
+                }
                 *steps += 1;
                 if steps.is_multiple_of(STEPS_BETWEEN_SIGNALS)
                     && let Err(exception) = Python::attach(signals)
@@ -139,7 +154,7 @@ impl Request {
 }
 
 /// The exception of a signal, such as an interrupt from the keyboard.
-fn signals(py: Python<'_>) -> PyResult<()> {
+pub(crate) fn signals(py: Python<'_>) -> PyResult<()> {
     py.check_signals()
 }
 

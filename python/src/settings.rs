@@ -22,7 +22,7 @@ pub(crate) fn start(
     let states = States::read(description, [q, v], None, None)?;
     if states.count.is_some() {
         return Err(value_error(format!(
-            "q has more than one row: one motion starts at an array of the shape ({},), and `ensemble` integrates many",
+            "q is a list of states: one motion starts at an array of the shape ({},), and `ensemble` integrates many",
             description.coordinates.len()
         )));
     }
@@ -43,6 +43,16 @@ pub(crate) fn finite(name: &str, number: f64) -> PyResult<f64> {
     }
 }
 
+/// Refuses a setting that is not positive and finite.
+fn positive(name: &str, number: Option<f64>) -> PyResult<()> {
+    match number {
+        Some(number) if !(number > 0.0 && number.is_finite()) => {
+            Err(value_error(format!("{name} is positive, not {number}")))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// The times of samples: a number of them, a list, or both ends.
 pub(crate) fn samples(
     samples: Option<&Bound<'_, PyAny>>,
@@ -53,16 +63,35 @@ pub(crate) fn samples(
         return Ok(spaced(2, t, until));
     };
     if let Ok(count) = samples.extract::<usize>() {
-        return if count < 2 {
-            Err(value_error("samples is at least 2: both ends are sampled"))
-        } else {
+        return if (2..=MAX_SAMPLES).contains(&count) {
             Ok(spaced(count, t, until))
+        } else {
+            Err(value_error(format!(
+                "samples is a number from 2, for both ends, to {MAX_SAMPLES}, not {count}"
+            )))
         };
     }
     let read = Numbers::read("samples", samples)?;
-    let count = read.numbers.len();
-    read.of_shape("samples", &[count])
+    let [_] = *read.shape.as_slice() else {
+        return Err(value_error(
+            "samples is a number of samples, at least 2, or an array of times",
+        ));
+    };
+    let advances = |from: f64, to: f64| if until < t { to <= from } else { to >= from };
+    let mut before = t;
+    for time in &read.numbers {
+        if !advances(before, *time) || !advances(*time, until) {
+            return Err(value_error(format!(
+                "samples advance from t={t} to until={until}, but {time} comes after {before}"
+            )));
+        }
+        before = *time;
+    }
+    Ok(read.numbers)
 }
+
+/// More samples find no place in the memory of a computer.
+const MAX_SAMPLES: usize = 100_000_000;
 
 /// Equally spaced times with both ends.
 fn spaced(count: usize, t: f64, until: f64) -> Vec<f64> {
@@ -85,6 +114,8 @@ pub(crate) fn method(
     tolerance: Option<f64>,
     step: Option<f64>,
 ) -> PyResult<Settings> {
+    positive("tolerance", tolerance)?;
+    positive("step", step)?;
     let is_continuous = matches!(law, Law::Feedback(_));
     let method = match name {
         None if description.has_taylor && !is_continuous => Method::Taylor,
@@ -143,6 +174,7 @@ pub(crate) fn law(
     if !feedback.is_callable() {
         return Err(value_error("feedback is a function of t, q and v"));
     }
+    positive("period", period)?;
     let function = feedback.clone().unbind();
     Ok(match period {
         None => Law::Feedback(function),
@@ -176,18 +208,11 @@ fn mark(
     let Some(written) = written else {
         return Ok(());
     };
-    let mut names: Vec<(String, String)> = Vec::new();
-    if let Ok(directions) = written.cast::<PyDict>() {
-        for (name, direction) in directions {
-            names.push((name.extract()?, direction.extract()?));
-        }
-    } else if let Ok(name) = written.cast::<PyString>() {
-        names.push((name.extract()?, "either".to_owned()));
-    } else {
-        for name in written.try_iter()? {
-            names.push((name?.extract()?, "either".to_owned()));
-        }
-    }
+    let names = names(written).map_err(|_| {
+        value_error(format!(
+            "{setting} is the name of an event, a list of names, or a dict of names and directions"
+        ))
+    })?;
     let events = description.events;
     for (name, direction) in names {
         let Some(event) = events.iter().position(|event| *event == name) else {
@@ -214,6 +239,24 @@ fn mark(
         }
     }
     Ok(())
+}
+
+/// Names of events with their directions.
+fn names(written: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
+    let either = || "either".to_owned();
+    if let Ok(directions) = written.cast::<PyDict>() {
+        let pairs = directions.iter();
+        return pairs
+            .map(|(name, direction)| Ok((name.extract()?, direction.extract()?)))
+            .collect();
+    }
+    if let Ok(name) = written.cast::<PyString>() {
+        return Ok(vec![(name.extract()?, either())]);
+    }
+    written
+        .try_iter()?
+        .map(|name| Ok((name?.extract()?, either())))
+        .collect()
 }
 
 /// What is said if a model does not have what was checked before.

@@ -1,7 +1,12 @@
 """What a user of the module expects of it: `pip install . pytest`, then `pytest`."""
 
 import inspect
+import os
 import pickle
+import signal
+import threading
+import time
+from concurrent.futures import ProcessPoolExecutor
 
 import mechanisms
 import numpy as np
@@ -176,7 +181,7 @@ def test_mistakes_have_names():
     refuses(TypeError, "Ball has no parameter mass: its parameters are m, g", Ball, mass=1.0)
     refuses(ValueError, "m contains NaN", Ball, m=float("nan"), g=10.0)
     refuses(ValueError, r"m has the shape \(2,\), but \(\) is needed", Ball, m=[1.0, 2.0], g=10.0)
-    refuses(ValueError, "g is not an array of numbers", Ball, m=1.0, g="heavy")
+    refuses(ValueError, "g is not an array of numbers: its elements are", Ball, m=1.0, g="heavy")
     refuses(ValueError, r"q has the shape \(3,\), but Ball has the coordinates x, y", BALL.energy, [0.0] * 3, [0.0] * 3)
     refuses(ValueError, r"v has the shape \(3,\), but \(2,\) is needed", BALL.energy, [0.0] * 2, [0.0] * 3)
     refuses(ValueError, "q contains NaN", BALL.energy, [np.nan, 0.0], [0.0, 0.0])
@@ -191,18 +196,84 @@ def test_mistakes_have_names():
     refuses(ValueError, "RodPendulum has no Taylor series", RodPendulum(m=1.0, l=1.0, g=1.0).integrate, [1.0, 0.0], [0.0, 0.0], 1.0, method="taylor")
     refuses(ValueError, "a function of Python has no Taylor series", CART.integrate, **start, method="taylor", feedback=lambda t, q, v: 0.0)
     refuses(ValueError, "until is NaN", BALL.integrate, [0.0, 5.0], [0.0, 0.0], until=float("nan"))
-    refuses(ValueError, "more than one row", BALL.integrate, [[0.0, 5.0]], [[0.0, 0.0]], until=1.0)
+    refuses(ValueError, "q is a list of states", BALL.integrate, [[0.0, 5.0]], [[0.0, 0.0]], until=1.0)
     refuses(ValueError, "more than one member", BALL.ensemble, **start)
     refuses(ValueError, "q has 2 members, but m has 3", BALL.ensemble, [[0.0, 5.0]] * 2, [0.0, 0.0], 1.0, parameters={"m": [1.0, 2.0, 3.0]})
     refuses(TypeError, "Model is the base class", mechanisms.Model)
-    refuses(AttributeError, "Ball has no attribute height", getattr, BALL, "height")
+    refuses(AttributeError, "no attribute 'height'", getattr, BALL, "height")
+    refuses(TypeError, "Ball takes its parameters by keyword: m, g", Ball, 1.0, 2.0)
+    refuses(ValueError, "its elements are", Ball, m="2", g=1.0)
+    refuses(ValueError, "its elements are complex", BALL.energy, [1j, 0.0], [0.0, 0.0])
+    refuses(ValueError, "some elements are masked", BALL.energy, np.ma.array([1.0, 2.0], mask=[True, False]), [0.0, 0.0])
+    refuses(ValueError, "it is None", CART.integrate, [0.0, 0.1], [0.0, 0.0], 1.0, feedback=lambda t, q, v: None)
+    refuses(ValueError, "samples is a number from 2", BALL.integrate, **start, samples=10**12)
+    refuses(ValueError, "2 comes after 0.5", BALL.ensemble, [[0.0, 5.0]] * 2, [0.0, 0.0], 1.0, samples=[0.5, 2.0])
+    refuses(ValueError, "0.2 comes after 0.5", BALL.integrate, **start, samples=[0.5, 0.2])
+    refuses(ValueError, "tolerance is positive, not -1", BALL.ensemble, [[0.0, 5.0]] * 2, [0.0, 0.0], 1.0, tolerance=-1.0)
+    refuses(ValueError, "parameters: m is an array with a value for each member", BALL.ensemble, **start, parameters={"m": 3.0})
+    refuses(ValueError, "parameters: Ball has no parameter mass; its parameters are m, g", BALL.ensemble, **start, parameters={"mass": [3.0]})
+    refuses(ValueError, "stop is the name of an event", BALL.integrate, **start, stop=True)
+
+
+def test_models_are_values():
+    ball = Ball(m=0.1, g=10.0)
+    assert ball == BALL and hash(ball) == hash(BALL) and ball != Ball(m=0.2, g=10.0)
+    assert {"m", "g"} <= set(dir(ball)) and Ball.m.__doc__ == "The mass in kg."
+    refuses(AttributeError, "no setter", setattr, ball, "g", 1.62)
+    refuses(AttributeError, "no attribute", setattr, ball, "gravity", 1.62)
+    motion = ball.integrate([0.0, 5.0], [0.0, 0.0], 1.0)
+    assert motion.q is motion.q
+    refuses(ValueError, "read-only", motion.q.__setitem__, 0, 0.0)
+
+
+def fall(height):
+    return BALL.integrate([0.0, height], [0.0, 0.0], 9.0, samples=4, stop="floor")
+
+
+def break_down(_):
+    CART.integrate([0.0, 0.1], [0.0, 0.0], 1.0, feedback=lambda t, q, v: np.inf)
+
+
+def test_motions_and_errors_leave_a_process():
+    with ProcessPoolExecutor(2) as pool:
+        for height, motion in zip([1.25, 5.0], pool.map(fall, [1.25, 5.0])):
+            here = fall(height)
+            np.testing.assert_array_equal(motion.q, here.q)
+            np.testing.assert_array_equal(motion.t, here.t)
+            assert motion.end.t == here.end.t and motion.reason == "event"
+            assert repr(motion.events) == repr(here.events)
+        with pytest.raises(IntegrationError, match="velocity of x is inf at t = 0"):
+            list(pool.map(break_down, [0]))
+    motions = BALL.ensemble([[0.0, 5.0], [0.0, 6.0]], [0.0, 0.0], 1.0, samples=3, record="floor")
+    again = pickle.loads(pickle.dumps(motions))
+    np.testing.assert_array_equal(again.q, motions.q)
+    np.testing.assert_array_equal(again.end_v, motions.end_v)
+
+
+def test_an_ensemble_is_interrupted():
+    def interrupt():
+        time.sleep(0.3)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    starts = np.tile([0.0, 2.5], (4000, 1))
+    began = time.monotonic()
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        CART.ensemble(starts, [0.0, 0.0], until=1e5)
+    thread.join()
+    assert time.monotonic() - began < 60.0
 
 
 def test_an_exception_of_the_feedback_is_raised():
+    calls = []
+
     def broken(t, q, v):
+        calls.append(t)
         raise KeyError("gain")
 
     refuses(KeyError, "gain", CART.integrate, [0.0, 0.1], [0.0, 0.0], 1.0, feedback=broken)
+    assert len(calls) == 1
     refuses(ValueError, "the value of the feedback has the shape", CART.integrate, [0.0, 0.1], [0.0, 0.0], 1.0, feedback=lambda t, q, v: [1.0, 2.0])
 
 
