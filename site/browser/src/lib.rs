@@ -12,7 +12,7 @@ pub fn description() -> String {
     lagrangian_exhibits::description(&exhibits())
 }
 
-/// Returns the colours of the drawing, by tone and brightness, and their number for each tone behind them.
+/// Returns the colours of the drawing: those of the first tone by brightness, then those of the next one, and so on.
 #[wasm_bindgen]
 #[must_use]
 pub fn colors(dark: bool) -> Vec<String> {

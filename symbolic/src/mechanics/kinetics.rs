@@ -275,7 +275,7 @@ impl Kinetics {
         graph.directional_derivatives(residuals, &direction)
     }
 
-    /// The same of the [`system`](Self::system) for numerical solution.
+    /// The derivatives of the [`system`](Self::system) for numerical solution by some symbols.
     pub fn system_derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Expression> {
         let system = &self.system;
         let (_, links) = self.residuals_and_links();
