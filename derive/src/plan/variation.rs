@@ -2,7 +2,7 @@
 //! that the model in Rust computes on dual numbers.
 //!
 //! At fixed accelerations and multipliers x, the derivatives δx along a variation solve A δx = −δ(A x − b), where A x = b are the
-//! equations of motion, with those of the constraints (J. Carpentier and N. Mansard, Analytical derivatives of rigid body dynamics
+//! equations of motion and of the constraints (J. Carpentier and N. Mansard, Analytical derivatives of rigid body dynamics
 //! algorithms, RSS 2018).
 
 use lagrangian_symbolic::{Kinetics, Model, Symbol};

@@ -14,6 +14,32 @@ use crate::scalar::Scalar;
 /// ```
 /// use lagrangian::prelude::*;
 ///
+/// /// A trolley with a hanging load runs against a bumper.
+/// #[derive(Lagrangian)]
+/// #[lagrangian(
+///     coordinates(x, theta),
+///     define(load = [x + l * sin(theta), -l * cos(theta)]),
+///     kinetic = 0.5 * trolley * dot(x).powi(2) + 0.5 * m * dot(load).norm_squared(),
+///     potential = m * g * load.y,
+///     event(bumper = end - x),
+/// )]
+/// struct Crane { trolley: f64, m: f64, l: f64, g: f64, end: f64 }
+///
+/// let crane = Crane { trolley: 2.0, m: 1.0, l: 0.5, g: 9.81, end: 1.0 };
+/// let before = State::new(0.0, [1.0, 0.3], [2.0, 0.1]);
+/// let after = crane.impact(&before, Crane::BUMPER, 1.0);
+/// // The trolley returns, and the load is thrown up. The momentum of θ and the energy are kept.
+/// assert_eq!(after.v[0], -2.0);
+/// assert!(after.v[1] > 7.0);
+/// assert!((crane.momenta(&after)[1] - crane.momenta(&before)[1]).abs() < 1e-15);
+/// assert!((crane.energy(&after) - crane.energy(&before)).abs() < 1e-14);
+/// ```
+///
+/// With constraints:
+///
+/// ```
+/// use lagrangian::prelude::*;
+///
 /// /// A ball on a rod falls onto a table beside the pivot.
 /// #[derive(Lagrangian)]
 /// #[lagrangian(

@@ -137,7 +137,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Writes the statements before those of a variation, which do not depend on it.
+    /// Writes the statements that do not depend on the variation, in front of the loop over its directions.
     pub(super) fn compute_without_variation(&mut self) {
         let program = self.program;
         let mut varies = BTreeSet::new();

@@ -62,8 +62,8 @@ impl Export<'_> {
         body.into_function(signature)
     }
 
-    /// Computes the factors, and the accelerations and multipliers. Those of dependent constraints are zero, as where the model in
-    /// Rust is evaluated on dual numbers: their derivatives would follow from those of the others.
+    /// Computes the factors, and the accelerations and multipliers. The multipliers of dependent constraints are zero, as on dual
+    /// numbers in Rust.
     fn unknowns_along(&self, body: &mut Body<'_>) {
         let (n, k) = (self.emitter.coordinates(), self.emitter.unknowns());
         let reads = body.reads_accelerations();

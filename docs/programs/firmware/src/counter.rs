@@ -26,7 +26,7 @@ impl Counter {
         Some(Self(()))
     }
 
-    /// Returns the instructions of a call, as the mean of `calls`, less those of the loop.
+    /// Returns the instructions of a call, as the mean of `calls`, less the instructions of the loop.
     pub(crate) fn count(&self, calls: u32, mut function: impl FnMut()) -> u32 {
         let mut run = |calls: u32| {
             let start = SYST::get_current();
