@@ -4,8 +4,10 @@ use core::fmt;
 use std::borrow::Cow;
 
 use crate::limits::MAX_FORMULA_LENGTH;
-use crate::print::layout::{Layout, Piece};
+use crate::print::layout::Layout;
 use crate::print::notation::Notation;
+use crate::print::printed::{Part, Printed};
+use crate::print::writer::{Piece, Writer};
 use crate::{Expression, Graph, Letters, Names};
 
 /// An expression with the names of its symbols, ready to be printed.
@@ -84,32 +86,60 @@ impl Formula<'_> {
         self
     }
 
-    /// The number of characters, or one more than `most` if there are more.
-    pub(crate) fn length(&self, most: usize) -> usize {
-        let text = self.limit(most.saturating_add(1)).to_string();
-        if text.contains(self.notation.ellipsis()) {
-            return most.saturating_add(1);
+    fn layout(&self) -> Layout<'_> {
+        Layout {
+            graph: self.graph,
+            letters: match self.letters {
+                Source::Names(names) => Cow::Owned(Letters::new(names)),
+                Source::Letters(letters) => Cow::Borrowed(letters),
+            },
         }
-        text.chars().count().min(most.saturating_add(1))
+    }
+
+    /// The formula as a tree, unless it has more parts than its limit.
+    pub(crate) fn whole(&self) -> Option<Printed> {
+        self.layout().whole(self.root, self.limit)
+    }
+
+    /// How [long](Printed::length) it is to read, or one more than `most` if it is longer.
+    pub(crate) fn length(&self, most: usize) -> usize {
+        let mut writer = self.writer();
+        let mut length = 0;
+        while length <= most
+            && let Some(piece) = writer.next_piece()
+        {
+            if let Piece::Formula(Printed(Part::Name(name)))
+            | Piece::BeforeBar(Printed(Part::Name(name))) = &piece
+            {
+                length += name.reading_of_indices();
+            }
+            match piece.text() {
+                Some(text) => length += text.chars().count(),
+                None => writer.expand(piece),
+            }
+        }
+        length.min(most.saturating_add(1))
+    }
+
+    fn writer(&self) -> Writer<'_> {
+        let layout = self.layout();
+        let root = layout.body(self.root);
+        Writer::new(self.notation, Some(layout), root)
     }
 }
 
 impl fmt::Display for Formula<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let letters = match self.letters {
-            Source::Names(names) => Cow::Owned(Letters::new(names)),
-            Source::Letters(letters) => Cow::Borrowed(letters),
-        };
-        let mut layout = Layout::new(self.graph, letters, self.notation, self.root);
+        let mut writer = self.writer();
         let mut room = Room {
             left: self.limit,
             unopened: None,
         };
         let mut complete = true;
-        while let Some(piece) = layout.next() {
+        while let Some(piece) = writer.next_piece() {
             let Some(text) = piece.text() else {
                 if room.unopened.is_none() {
-                    layout.expand(piece);
+                    writer.expand(piece);
                 }
                 continue;
             };
@@ -131,7 +161,7 @@ struct Room {
 }
 
 impl Room {
-    fn admits(&mut self, piece: &Piece<'_>, text: &str) -> bool {
+    fn admits(&mut self, piece: &Piece, text: &str) -> bool {
         if self.unopened.is_none() {
             let length = text.chars().count();
             if length <= self.left || matches!(piece, Piece::Close(_) | Piece::Middle(_)) {

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::print::listing::index_letters::IndexLetters;
 use crate::print::notation::Notation;
+use crate::print::printed::{Part, Printed};
 use crate::print::size::WrittenSizes;
 use crate::print::spelling::Spelling;
 use crate::{Expression, Symbol};
@@ -36,13 +37,11 @@ pub struct Letters {
     inputs: Vec<Spelling>,
     quasi_velocities: Vec<Spelling>,
     multipliers: Vec<Spelling>,
-    definitions: BTreeMap<Expression, Spelling>,
+    definitions: BTreeMap<Expression, Printed>,
     /// By expression, whether it is printed by name: this is asked of every part of what is printed.
     is_named: Vec<bool>,
     /// The names that are printed as they are written.
     as_written: BTreeSet<String>,
-    /// Whether indices are marked.
-    pub(crate) marks_indices: bool,
     /// How long expressions are in these letters.
     pub(crate) sizes: WrittenSizes,
 }
@@ -93,10 +92,9 @@ impl Letters {
             definitions: names
                 .definitions
                 .iter()
-                .map(|(expression, name)| (*expression, spelling(name)))
+                .map(|(expression, name)| (*expression, Printed(Part::Name(spelling(name)))))
                 .collect(),
             as_written,
-            marks_indices: false,
             sizes: WrittenSizes::default(),
         }
     }
@@ -106,33 +104,23 @@ impl Letters {
         &self.as_written
     }
 
-    /// A symbol as it is printed in Unicode and in LaTeX, such as θ̇.
-    pub(crate) fn print_both(&self, symbol: Symbol) -> [String; 2] {
-        let (spelling, dots) = self.symbol(symbol);
-        [Notation::Unicode, Notation::Latex].map(|notation| self.print(&spelling, dots, notation))
+    /// A symbol as it is printed, such as θ̇.
+    pub(crate) fn printed(&self, symbol: Symbol) -> Printed {
+        Printed(Part::Name(self.symbol(symbol)))
     }
 
-    /// A symbol as it is printed in Unicode, without marks.
-    pub(crate) fn print_plain(&self, symbol: Symbol) -> String {
-        let (spelling, dots) = self.symbol(symbol);
-        spelling.print(dots, Notation::Unicode)
-    }
-
-    /// All names as they are printed in Unicode, without marks.
+    /// All names as they are printed in Unicode.
     pub(crate) fn all_printed(&self) -> impl Iterator<Item = String> {
-        let lists = [
-            &self.coordinates,
-            &self.parameters,
-            &self.inputs,
-            &self.quasi_velocities,
-            &self.multipliers,
-        ];
-        let spellings = lists.into_iter().flatten().chain(self.definitions.values());
-        spellings.map(|spelling| spelling.print(0, Notation::Unicode))
+        self.spellings()
+            .map(|spelling| spelling.print(Notation::Unicode))
     }
 
     /// The letters of indices, which are those of no name.
     pub(crate) fn index_letters(&self) -> IndexLetters {
+        IndexLetters::free(&self.spellings().map(Spelling::stem).collect())
+    }
+
+    fn spellings(&self) -> impl Iterator<Item = &Spelling> {
         let lists = [
             &self.coordinates,
             &self.parameters,
@@ -140,24 +128,12 @@ impl Letters {
             &self.quasi_velocities,
             &self.multipliers,
         ];
-        let spellings = lists.into_iter().flatten().chain(self.definitions.values());
-        IndexLetters::free(&spellings.map(Spelling::stem).collect())
-    }
-
-    /// A name with dots above it.
-    pub(crate) fn print(&self, spelling: &Spelling, dots: usize, notation: Notation) -> String {
-        if self.marks_indices {
-            spelling.print_marked(dots, notation)
-        } else {
-            spelling.print(dots, notation)
-        }
-    }
-
-    /// The name of an expression as it is printed in Unicode and in LaTeX, if it has one.
-    pub(crate) fn print_both_of(&self, expression: Expression) -> Option<[String; 2]> {
-        let spelling = self.definition(expression)?;
-        let notations = [Notation::Unicode, Notation::Latex];
-        Some(notations.map(|notation| self.print(spelling, 0, notation)))
+        let definitions = self.definitions.values();
+        let definitions = definitions.filter_map(|name| match &name.0 {
+            Part::Name(spelling) => Some(spelling),
+            _ => None,
+        });
+        lists.into_iter().flatten().chain(definitions)
     }
 
     /// The same letters without definitions.
@@ -170,12 +146,10 @@ impl Letters {
         }
     }
 
-    /// The same letters, and a sign for one more expression.
-    pub(crate) fn with_sign(mut self, expression: Expression, sign: char) -> Self {
-        let spelling = Spelling::verbatim(&sign.to_string());
-        self.definitions.insert(expression, spelling);
+    /// Prints one more expression by what it is called.
+    pub(crate) fn call(&mut self, expression: Expression, name: Printed) {
+        self.definitions.insert(expression, name);
         note(&mut self.is_named, expression);
-        self
     }
 
     /// The expressions that are printed by name.
@@ -184,46 +158,48 @@ impl Letters {
     }
 
     /// The name of a subexpression, if it has one.
-    pub(crate) fn definition(&self, expression: Expression) -> Option<&Spelling> {
+    pub(crate) fn definition(&self, expression: Expression) -> Option<&Printed> {
         match self.is_named.get(expression.index()) {
             Some(true) => self.definitions.get(&expression),
             _ => None,
         }
     }
 
-    /// The name of a symbol and the number of dots above it.
-    pub(crate) fn symbol(&self, symbol: Symbol) -> (Spelling, usize) {
+    /// The name of a symbol with dots above it.
+    pub(crate) fn symbol(&self, symbol: Symbol) -> Spelling {
         let find = |list: &[Spelling], letter: &str, index: u32| {
             list.get(index as usize)
                 .cloned()
                 .unwrap_or_else(|| Spelling::of(&format!("{letter}{}", u64::from(index) + 1)))
         };
         match symbol {
-            Symbol::Time => (Spelling::of("t"), 0),
-            Symbol::Coordinate(index) => (find(&self.coordinates, "q", index), 0),
-            Symbol::Velocity(index) => (find(&self.coordinates, "q", index), 1),
+            Symbol::Time => Spelling::of("t"),
+            Symbol::Coordinate(index) => find(&self.coordinates, "q", index),
+            Symbol::Velocity(index) => find(&self.coordinates, "q", index).with_dots(1),
             Symbol::Acceleration(index) => {
                 let coordinates = u32::try_from(self.coordinates.len()).unwrap_or(u32::MAX);
                 match index.checked_sub(coordinates) {
                     Some(index) if !self.multipliers.is_empty() => {
-                        (find(&self.multipliers, "lambda", index), 0)
+                        find(&self.multipliers, "lambda", index)
                     }
-                    _ => (find(&self.coordinates, "q", index), 2),
+                    _ => find(&self.coordinates, "q", index).with_dots(2),
                 }
             }
-            Symbol::Parameter(index) => (find(&self.parameters, "p", index), 0),
-            Symbol::Input(index) => (find(&self.inputs, "u", index), 0),
-            Symbol::Invariant(index) => (find(&[], "c", index), 0),
-            Symbol::Argument(index) => (find(&[], "x", index), 0),
-            Symbol::Order | Symbol::ReciprocalOrder => (Spelling::of("k"), 0),
-            Symbol::Convolution(index) => (find(&[], "s", index), 0),
+            Symbol::Parameter(index) => find(&self.parameters, "p", index),
+            Symbol::Input(index) => find(&self.inputs, "u", index),
+            Symbol::Invariant(index) => find(&[], "c", index),
+            Symbol::Argument(index) => find(&[], "x", index),
+            Symbol::Order | Symbol::ReciprocalOrder => Spelling::of("k"),
+            Symbol::Convolution(index) => find(&[], "s", index),
             Symbol::PositionComponent(index) | Symbol::RightHandSide(index) => {
-                (find(&[], "r", index), 0)
+                find(&[], "r", index)
             }
-            Symbol::QuasiVelocity(index) => (find(&self.quasi_velocities, "w", index), 0),
-            Symbol::QuasiVelocityRate(index) => (find(&self.quasi_velocities, "w", index), 1),
-            Symbol::VelocityComponent(index) => (find(&[], "w", index), 0),
-            Symbol::Variation(index) => (find(&[], "delta", index), 0),
+            Symbol::QuasiVelocity(index) => find(&self.quasi_velocities, "w", index),
+            Symbol::QuasiVelocityRate(index) => {
+                find(&self.quasi_velocities, "w", index).with_dots(1)
+            }
+            Symbol::VelocityComponent(index) => find(&[], "w", index),
+            Symbol::Variation(index) => find(&[], "delta", index),
         }
     }
 }
@@ -260,7 +236,7 @@ struct Collisions {
 
 impl Collisions {
     fn note(&mut self, name: &str, spelling: &Spelling) {
-        let printed = spelling.print(0, Notation::Unicode);
+        let printed = spelling.print(Notation::Unicode);
         self.seen.entry(printed).or_default().insert(name.into());
     }
 
@@ -274,7 +250,7 @@ impl Collisions {
     }
 
     fn is_ambiguous(&self, name: &str, spelling: &Spelling) -> bool {
-        let printed = spelling.print(0, Notation::Unicode);
+        let printed = spelling.print(Notation::Unicode);
         // The number π is printed by that letter alone.
         if printed == "π" {
             return true;
@@ -304,13 +280,15 @@ mod tests {
         };
         let letters = Letters::new(&names);
         let printed = |index| {
-            let (spelling, dots) = letters.symbol(Symbol::Parameter(index));
-            spelling.print(dots, Notation::Unicode)
+            letters
+                .symbol(Symbol::Parameter(index))
+                .print(Notation::Unicode)
         };
         assert_eq!([0, 1, 2, 3].map(printed), ["l1", "l_1", "θ", "pi"]);
         assert_eq!([4, 5].map(printed), ["x12", "x1_2"]);
         assert_eq!([6, 7].map(printed), ["i_s", "I_s"]);
         assert_eq!([8, 9, 10, 11].map(printed), ["I₃", "k1", "k₁", "p₁₂"]);
-        assert_eq!(letters.print_both(Symbol::Coordinate(0))[0], "i₃");
+        let coordinate = letters.symbol(Symbol::Coordinate(0));
+        assert_eq!(coordinate.print(Notation::Unicode), "i₃");
     }
 }

@@ -49,13 +49,6 @@ impl Notation {
         }
     }
 
-    pub(crate) const fn pi(self) -> &'static str {
-        match self {
-            Self::Unicode => "π",
-            Self::Latex => "\\pi",
-        }
-    }
-
     pub(crate) const fn parentheses(self) -> (&'static str, &'static str) {
         match self {
             Self::Unicode => ("(", ")"),
@@ -73,7 +66,7 @@ impl Notation {
     /// The exponent `digits`, an integer.
     pub(crate) fn exponent(self, digits: &str) -> String {
         match self {
-            Self::Unicode => superscript(digits),
+            Self::Unicode => raised(digits),
             Self::Latex => format!("^{{{digits}}}"),
         }
     }
@@ -117,23 +110,46 @@ impl Notation {
     }
 }
 
-/// Digits and minus signs above the line.
-pub(crate) fn superscript(digits: &str) -> String {
-    let raised = |c: char| match c {
-        '-' => '⁻',
-        digit => shifted(digit, ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹']),
-    };
-    digits.chars().map(raised).collect()
+/// What stands on the line, below it and above it.
+const SHIFTED: [(char, char, char); 22] = [
+    ('0', '₀', '⁰'),
+    ('1', '₁', '¹'),
+    ('2', '₂', '²'),
+    ('3', '₃', '³'),
+    ('4', '₄', '⁴'),
+    ('5', '₅', '⁵'),
+    ('6', '₆', '⁶'),
+    ('7', '₇', '⁷'),
+    ('8', '₈', '⁸'),
+    ('9', '₉', '⁹'),
+    ('i', 'ᵢ', 'ⁱ'),
+    ('j', 'ⱼ', 'ʲ'),
+    ('k', 'ₖ', 'ᵏ'),
+    ('l', 'ₗ', 'ˡ'),
+    ('m', 'ₘ', 'ᵐ'),
+    ('n', 'ₙ', 'ⁿ'),
+    ('a', 'ₐ', 'ᵃ'),
+    ('r', 'ᵣ', 'ʳ'),
+    ('s', 'ₛ', 'ˢ'),
+    ('+', '₊', '⁺'),
+    ('-', '₋', '⁻'),
+    ('=', '₌', '⁼'),
+];
+
+/// Digits, signs and letters of indices above the line.
+pub(crate) fn raised(text: &str) -> String {
+    shifted(text, |row| row.2)
 }
 
-/// Digits below the line.
-pub(crate) fn subscript(digits: &str) -> String {
-    let lowered = |c| shifted(c, ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉']);
-    digits.chars().map(lowered).collect()
+/// The same below the line.
+pub(crate) fn lowered(text: &str) -> String {
+    shifted(text, |row| row.1)
 }
 
-fn shifted(digit: char, row: [char; 10]) -> char {
-    digit
-        .to_digit(10)
-        .map_or(digit, |digit| row[digit as usize])
+fn shifted(text: &str, place: fn(&(char, char, char)) -> char) -> String {
+    let shifted = text.chars().map(|c| {
+        let row = SHIFTED.iter().find(|(on_line, ..)| *on_line == c);
+        row.map_or(c, place)
+    });
+    shifted.collect()
 }

@@ -8,15 +8,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::identity::identity_testing::IdentityTest;
-use crate::limits::{MAX_UNARRANGED_LENGTH, MIN_FOLDED_LINES, MIN_FOLDED_SECTION};
-use crate::print::folding::Folded;
-use crate::print::folding::others::of_any_member;
-use crate::print::folding::token::{Line, Token, tokens};
+use crate::limits::{
+    MAX_UNARRANGED_LENGTH, MAX_UNFOLDED_LINE_LENGTH, MIN_FOLDED_LINES, MIN_FOLDED_SECTION,
+};
+use crate::print::index::{Index, Range};
 use crate::print::listing::composer::{Composer, arranged_lagrange};
 use crate::print::listing::index_families::Families;
 use crate::print::listing::section::{Section, Side};
 use crate::print::names::Letters;
-use crate::print::notation::Notation;
+use crate::print::printed::Part;
 use crate::{Equations, Expression, Graph, Node, Symbol};
 
 /// The coordinates of a family, from the first index on.
@@ -97,33 +97,28 @@ impl Composer<'_> {
                 return None;
             }
             let sample = arranged_lagrange(graph, equations, position, &letters);
-            let [left, right] = sample.map(|x| members.of_any(graph, x, own, &letters));
-            let ([left, in_latex], [right, right_in_latex]) = (left?, right?);
-            let has_pairs = |line: &Line| {
-                let mut tokens = line.iter();
-                tokens.any(|token| matches!(token, Token::SumOfOthers(_)))
-            };
-            if !has_pairs(&left) || !members.are_alike(graph, equations, families, (own, sample)) {
+            let indices = letters.index_letters();
+            let range = [members.first, members.last()];
+            let [left, right] = sample.map(|x| {
+                let formula = graph
+                    .display_in(x, &letters)
+                    .limit(MAX_UNFOLDED_LINE_LENGTH);
+                formula.whole()?.of_any_member(own, range, indices)
+            });
+            let (mut left, right) = (left?, right?);
+            let mut has_pairs = false;
+            left.visit(&mut |part| has_pairs |= matches!(part.0, Part::SumBelow(..)));
+            if !has_pairs || !members.are_alike(graph, equations, families, (own, sample)) {
                 return None;
             }
-            let indices = letters.index_letters();
-            let written = |line, range| {
-                let fold = Folded {
-                    line,
-                    range,
-                    members: Vec::new(),
-                };
-                [Notation::Unicode, Notation::Latex].map(|notation| fold.written(notation, indices))
+            let [first, last] = range.map(Index::Number);
+            let range = Range {
+                variable: indices.text('i'),
+                first,
+                last,
             };
-            let range = Some((members.first, members.last()));
-            let [unicode, _] = written(left, None);
-            let [_, latex] = written(in_latex, None);
-            let [right, _] = written(right, range);
-            let [_, right_in_latex] = written(right_in_latex, range);
-            Some([
-                Side::Text(unicode, latex),
-                Side::Text(right, right_in_latex),
-            ])
+            let right = right.for_all(vec![range]);
+            Some([left, right].map(Side::Printed))
         })
     }
 }
@@ -136,21 +131,6 @@ impl Members {
     fn position(&self, index: i64) -> Option<usize> {
         let place = usize::try_from(index - self.first).ok()?;
         self.positions.get(place).copied()
-    }
-
-    /// A side of the equation of a member as one of any member, in both notations.
-    fn of_any(
-        &self,
-        graph: &Graph,
-        side: Expression,
-        own: i64,
-        letters: &Letters,
-    ) -> Option<[Line; 2]> {
-        let formula = graph.display_in(side, letters);
-        let texts = [formula.to_string(), formula.in_latex().to_string()];
-        let [unicode, latex] =
-            texts.map(|text| of_any_member(&tokens(&text), own, [self.first, self.last()]));
-        Some([unicode?, latex?])
     }
 
     /// Whether the equation of each member is identically the sample with the members exchanged.
@@ -190,17 +170,15 @@ fn has_plain_indices(
     sides: &[Expression],
     letters: &Letters,
 ) -> bool {
-    let index = |token: &Token| match token {
-        Token::Index(index) => Some(*index),
-        _ => None,
-    };
     let mut symbols = graph.symbols(sides).into_iter();
     let are_plain = symbols.all(|symbol: Symbol| {
         let own = families.place(symbol).map(|(_, index)| index);
-        let texts = letters.print_both(symbol);
-        texts
-            .iter()
-            .all(|text| tokens(text).iter().filter_map(index).eq(own))
+        let name = letters.symbol(symbol);
+        let numbers = name.indices.iter().filter_map(|index| match index {
+            Index::Number(number) => Some(*number),
+            _ => None,
+        });
+        numbers.eq(own)
     });
     let parts = graph.descendants(sides);
     are_plain

@@ -6,19 +6,18 @@ use crate::limits::{
     MAX_LINE_LENGTH, MAX_SECTION_LENGTH, MAX_SKIMMED_LENGTH, MAX_UNFOLDED_LINE_LENGTH,
     MAX_UNFOLDED_SECTION_LENGTH, MIN_LINE,
 };
-use crate::print::folding::token::{Line, MARKS, tokens, written};
-use crate::print::folding::{Folded, families};
+use crate::print::folding::{Folded, folded};
 use crate::print::listing::Listing;
 use crate::print::listing::row_breaks::rows;
 use crate::print::names::Letters;
 use crate::print::notation::Notation;
+use crate::print::printed::Printed;
 use crate::{Expression, Graph};
 
 /// One side of an equation.
 #[derive(Clone, Debug)]
 pub(crate) enum Side {
-    /// The same text in Unicode and in LaTeX.
-    Text(String, String),
+    Printed(Printed),
     /// An expression.
     Expression(Expression),
 }
@@ -31,8 +30,9 @@ pub(crate) struct Section {
     /// What has the equations that are left out.
     pub(crate) method: &'static str,
     pub(crate) lines: Vec<(Side, Side)>,
-    /// The lines in Unicode, before they are folded.
-    texts: Vec<String>,
+    /// The lines before they are folded, and how long they are.
+    equations: Vec<Printed>,
+    lengths: Vec<usize>,
     /// The numbers of symbols of the equations that are left out.
     left_out: Vec<u64>,
     /// How many equations are said by others than lines of their own.
@@ -49,7 +49,8 @@ impl Section {
             heading,
             method,
             lines: Vec::new(),
-            texts: Vec::new(),
+            equations: Vec::new(),
+            lengths: Vec::new(),
             left_out: Vec::new(),
             said_otherwise: 0,
             sentence: [String::new(), String::new()],
@@ -75,17 +76,21 @@ impl Section {
     /// Adds an equation if there is room.
     pub(crate) fn push(&mut self, graph: &Graph, letters: &Letters, left: Side, right: Side) {
         let sides = [&left, &right];
-        let [before, after] = sides.map(|side| side.unicode(graph, letters));
-        let text = format!("{before} = {after}");
-        let length = text.chars().count() + 1;
-        if length > self.room.min(MAX_UNFOLDED_LINE_LENGTH) {
-            let symbols = sides.map(|side| side.symbols(graph, letters));
-            self.leave_out(u64::saturating_add(symbols[0], symbols[1]));
-        } else {
-            self.room -= length;
-            self.lines.push((left, right));
-            self.texts.push(text);
+        let printed = sides.map(|side| side.printed(graph, letters));
+        let room = self.room.min(MAX_UNFOLDED_LINE_LENGTH);
+        if let [Some(left), Some(right)] = printed {
+            let equation = left.equals(right);
+            let length = equation.length() + 1;
+            if length <= room {
+                self.room -= length;
+                self.equations.push(equation);
+                self.lengths.push(length - 1);
+                self.lines.push(sides.map(Clone::clone).into());
+                return;
+            }
         }
+        let symbols = sides.map(|side| side.symbols(graph, letters));
+        self.leave_out(u64::saturating_add(symbols[0], symbols[1]));
     }
 
     /// The expressions that stand in its equations.
@@ -93,51 +98,29 @@ impl Section {
         let sides = self.lines.iter().flat_map(|(left, right)| [left, right]);
         sides.filter_map(|side| match side {
             Side::Expression(x) => Some(*x),
-            Side::Text(..) => None,
+            Side::Printed(_) => None,
         })
-    }
-
-    /// The equations of families folded to one, in both notations.
-    fn folded(&self, graph: &Graph, letters: &Letters) -> [Vec<Folded>; 2] {
-        let unicode = self.texts.iter().map(|text| tokens(text)).collect();
-        let latex = self.lines.iter().map(|(left, right)| {
-            let [left, right] = [left, right].map(|side| side.latex(graph, letters));
-            tokens(&format!("{left} = {right}"))
-        });
-        let lines: [Vec<_>; 2] = [unicode, latex.collect()];
-        if !self.texts.iter().any(|text| text.contains(MARKS[0])) {
-            return singles(lines);
-        }
-        let folded = [&lines[0], &lines[1]].map(|lines| families(lines));
-        let [unicode, latex] =
-            [&folded[0], &folded[1]].map(|list| list.iter().map(|fold| &fold.members));
-        if unicode.eq(latex) {
-            return folded;
-        }
-        singles(lines)
     }
 
     /// The equations that there is room for, in both notations, and the sizes of the others.
     fn fitting(&self, graph: &Graph, letters: &Letters) -> ([Vec<String>; 2], Vec<u64>) {
         let mut left_out = self.left_out.clone();
         let mut room = MAX_SECTION_LENGTH;
-        let indices = letters.index_letters();
-        let [unicode, latex] = self.folded(graph, letters);
         let (mut displayed, mut displays) = (Vec::new(), Vec::new());
         let size = |position: &usize| {
             let (left, right) = &self.lines[*position];
             u64::saturating_add(left.symbols(graph, letters), right.symbols(graph, letters))
         };
-        for (unicode, latex) in unicode.iter().zip(&latex) {
-            let text = unicode.written(Notation::Unicode, indices);
+        for Folded { equation, members } in folded(&self.equations, letters.index_letters()) {
+            let text = equation.written(Notation::Unicode);
             let length = text.chars().count();
             if length > room.min(MAX_LINE_LENGTH) {
-                left_out.extend(unicode.members.iter().map(size));
+                left_out.extend(members.iter().map(size));
                 continue;
             }
             room -= length;
             displayed.push(text);
-            displays.push(latex.written(Notation::Latex, indices));
+            displays.push(equation.written(Notation::Latex));
         }
         ([displayed, rows(&displays)], left_out)
     }
@@ -148,9 +131,9 @@ impl Section {
         if !self.left_out.is_empty() {
             return vec![None; self.left_out.len() + self.lines.len()];
         }
-        let lengths = self.texts.iter().map(|text| text.chars().count());
-        if lengths.clone().all(|length| length <= MAX_SKIMMED_LENGTH) {
-            return lengths.map(Some).collect();
+        let mut lengths = self.lengths.iter();
+        if lengths.all(|length| *length <= MAX_SKIMMED_LENGTH) {
+            return self.lengths.iter().copied().map(Some).collect();
         }
         let ([lines, _], left_out) = self.fitting(graph, letters);
         if !left_out.is_empty() {
@@ -193,12 +176,9 @@ impl Section {
                 "\\begin{{align*}}\n{displays}\n\\end{{align*}}"
             );
         }
-        let indices = letters.index_letters();
         let in_latex = left_out.replace('`', "").replace('_', "\\_");
         for [unicode, latex] in [&[left_out, in_latex], &self.sentence] {
             if !unicode.is_empty() {
-                let unicode = written(&tokens(unicode), Notation::Unicode, indices);
-                let latex = written(&tokens(latex), Notation::Latex, indices);
                 let _ = writeln!(listing.unicode, "{unicode}");
                 let _ = writeln!(listing.latex, "{latex}");
             }
@@ -235,48 +215,22 @@ impl Section {
 }
 
 impl Side {
-    /// A letter in Unicode and in LaTeX.
-    pub(crate) fn letter([unicode, latex]: [&str; 2]) -> Self {
-        Self::Text(unicode.into(), latex.into())
-    }
-
-    /// A text in Unicode and in LaTeX.
-    pub(crate) fn texts(texts: &[String; 2]) -> Self {
-        let [unicode, latex] = texts.clone();
-        Self::Text(unicode, latex)
-    }
-
-    fn unicode(&self, graph: &Graph, letters: &Letters) -> String {
+    /// The side as it is written, unless it is longer than a line may be.
+    fn printed(&self, graph: &Graph, letters: &Letters) -> Option<Printed> {
         match self {
-            Self::Text(text, _) => text.clone(),
+            Self::Printed(printed) => Some(printed.clone()),
             Self::Expression(x) => {
                 let formula = graph.display_in(*x, letters);
-                formula.limit(MAX_UNFOLDED_LINE_LENGTH + 1).to_string()
+                // What is one sign, such as x², has three parts.
+                formula.limit(2 * MAX_UNFOLDED_LINE_LENGTH).whole()
             }
-        }
-    }
-
-    fn latex(&self, graph: &Graph, letters: &Letters) -> String {
-        match self {
-            Self::Text(_, text) => text.clone(),
-            Self::Expression(x) => graph.display_in(*x, letters).in_latex().to_string(),
         }
     }
 
     fn symbols(&self, graph: &Graph, letters: &Letters) -> u64 {
         match self {
-            Self::Text(..) => 0,
+            Self::Printed(_) => 0,
             Self::Expression(x) => graph.written_symbols(&[*x], letters),
         }
     }
-}
-
-/// Lines that are not folded, in both notations.
-fn singles(lines: [Vec<Line>; 2]) -> [Vec<Folded>; 2] {
-    lines.map(|lines| {
-        let singles = lines.into_iter().enumerate();
-        singles
-            .map(|(position, line)| Folded::single(position, line))
-            .collect()
-    })
 }

@@ -97,9 +97,9 @@ impl Composer<'_> {
         let heading = [heading; 2].map(String::from);
         let mut section = Section::new(Some(heading), "");
         for (i, acceleration) in (0..).zip(accelerations) {
-            let [unicode, latex] = self.letters.print_both(Symbol::Acceleration(i));
+            let left = Side::Printed(self.letters.printed(Symbol::Acceleration(i)));
             let right = Side::Expression(self.arranged(*acceleration));
-            self.push_arranged(&mut section, Side::Text(unicode, latex), right);
+            self.push_arranged(&mut section, left, right);
         }
         Some(self.mention(section))
     }
@@ -152,9 +152,9 @@ impl Composer<'_> {
                 continue;
             }
             let velocity = self.model.graph.substitute(&[*velocity], &values)[0];
-            let [unicode, latex] = self.letters.print_both(Symbol::Velocity(j));
+            let left = Side::Printed(self.letters.printed(Symbol::Velocity(j)));
             let right = Side::Expression(self.arranged(velocity));
-            self.push_arranged(&mut dynamics, Side::Text(unicode, latex), right);
+            self.push_arranged(&mut dynamics, left, right);
         }
         self.mention_all(forms);
         Some(vec![self.mention(dynamics)])
@@ -170,9 +170,9 @@ impl Composer<'_> {
         let forms = equations.quasi_velocities.iter().zip(velocities);
         for (k, (form, velocity)) in (0..).zip(forms) {
             if velocity.is_none() && self.letters.definition(*form).is_none() {
-                let [unicode, latex] = self.letters.print_both(Symbol::QuasiVelocity(k));
+                let left = Side::Printed(self.letters.printed(Symbol::QuasiVelocity(k)));
                 let right = Side::Expression(self.arranged(*form));
-                self.push_arranged(section, Side::Text(unicode, latex), right);
+                self.push_arranged(section, left, right);
             }
         }
     }
