@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use crate::limits::MAX_FORMULA_LENGTH;
 use crate::print::layout::Layout;
-use crate::print::notation::Notation;
+use crate::print::notation::{ELLIPSIS, Notation};
 use crate::print::printed::{Part, Printed};
 use crate::print::writer::{Piece, Writer};
 use crate::{Expression, Graph, Letters, Names};
@@ -61,10 +61,7 @@ impl Graph {
     /// The expression as LaTeX, for a place in mathematics mode.
     #[must_use]
     pub const fn latex<'a>(&'a self, expression: Expression, names: &'a Names) -> Formula<'a> {
-        Formula {
-            notation: Notation::Latex,
-            ..self.display(expression, names)
-        }
+        self.display(expression, names).in_latex()
     }
 }
 
@@ -84,21 +81,6 @@ impl Formula<'_> {
     pub const fn in_latex(mut self) -> Self {
         self.notation = Notation::Latex;
         self
-    }
-
-    fn layout(&self) -> Layout<'_> {
-        Layout {
-            graph: self.graph,
-            letters: match self.letters {
-                Source::Names(names) => Cow::Owned(Letters::new(names)),
-                Source::Letters(letters) => Cow::Borrowed(letters),
-            },
-        }
-    }
-
-    /// The formula as a tree, unless it has more parts than its limit.
-    pub(crate) fn whole(&self) -> Option<Printed> {
-        self.layout().whole(self.root, self.limit)
     }
 
     /// How [long](Printed::length) it is to read, or one more than `most` if it is longer.
@@ -122,7 +104,13 @@ impl Formula<'_> {
     }
 
     fn writer(&self) -> Writer<'_> {
-        let layout = self.layout();
+        let layout = Layout {
+            graph: self.graph,
+            letters: match self.letters {
+                Source::Names(names) => Cow::Owned(Letters::new(names)),
+                Source::Letters(letters) => Cow::Borrowed(letters),
+            },
+        };
         let root = layout.body(self.root);
         Writer::new(self.notation, Some(layout), root)
     }
@@ -146,7 +134,7 @@ impl fmt::Display for Formula<'_> {
             if room.admits(&piece, text) {
                 formatter.write_str(text)?;
             } else if core::mem::take(&mut complete) {
-                formatter.write_str(self.notation.ellipsis())?;
+                formatter.write_str(self.notation.of(ELLIPSIS))?;
             }
         }
         Ok(())

@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 
-use crate::limits::MAX_PRINTED_DEPTH;
+use crate::limits::{MAX_PRINTED_DEPTH, MAX_UNFOLDED_LINE_LENGTH};
 use crate::print::names::Letters;
 use crate::print::notation::Notation;
 use crate::print::order::term_place;
@@ -13,17 +13,32 @@ use crate::print::printed::{Part, Precedence, Printed};
 use crate::print::quotient::Power;
 use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
+impl Graph {
+    /// All of an expression that is written out, what it is made of by name; none where it is longer than a line may be.
+    pub(crate) fn written_out(&self, x: Expression, letters: &Letters) -> Option<Printed> {
+        let letters = Cow::Borrowed(letters);
+        let graph = self;
+        Layout { graph, letters }.whole(x)
+    }
+
+    /// All of an expression, by name if it has one.
+    pub(crate) fn printed(&self, x: Expression, letters: &Letters) -> Option<Printed> {
+        let name = letters.definition(x).cloned();
+        name.or_else(|| self.written_out(x, letters))
+    }
+}
+
 /// Lays out expressions.
 pub(crate) struct Layout<'a> {
     pub(crate) graph: &'a Graph,
     pub(crate) letters: Cow<'a, Letters>,
 }
 
-impl<'a> Layout<'a> {
-    /// All of an expression, unless it has more parts than this or lies deeper than is printed.
-    pub(crate) fn whole(&self, x: Expression, most: usize) -> Option<Printed> {
+impl Layout<'_> {
+    fn whole(&self, x: Expression) -> Option<Printed> {
         let mut formula = self.body(x);
-        let mut room = most;
+        // What is one sign, such as x², has three parts.
+        let mut room = 2 * MAX_UNFOLDED_LINE_LENGTH;
         self.complete(&mut formula, &mut room, MAX_PRINTED_DEPTH)?;
         Some(formula)
     }

@@ -2,6 +2,9 @@
 
 use crate::Unary;
 
+/// What is written for what is left out.
+pub(crate) const ELLIPSIS: [&str; 2] = ["…", "\\ldots "];
+
 /// How a formula is written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Notation {
@@ -10,56 +13,11 @@ pub(crate) enum Notation {
 }
 
 impl Notation {
-    /// What is written for what is left out.
-    pub(crate) const fn ellipsis(self) -> &'static str {
+    /// The one of two in this notation.
+    pub(crate) fn of<T>(self, [unicode, latex]: [T; 2]) -> T {
         match self {
-            Self::Unicode => "…",
-            Self::Latex => "\\ldots ",
-        }
-    }
-
-    pub(crate) const fn minus(self) -> &'static str {
-        match self {
-            Self::Unicode => "−",
-            Self::Latex => "-",
-        }
-    }
-
-    pub(crate) const fn between_terms(self, negative: bool) -> &'static str {
-        match (self, negative) {
-            (_, false) => " + ",
-            (Self::Unicode, true) => " − ",
-            (Self::Latex, true) => " - ",
-        }
-    }
-
-    /// What stands between factors of which one is a word.
-    pub(crate) const fn between_words(self) -> &'static str {
-        match self {
-            Self::Unicode => "·",
-            Self::Latex => "\\,",
-        }
-    }
-
-    /// What stands between a factor and a number.
-    pub(crate) const fn before_number(self) -> &'static str {
-        match self {
-            Self::Unicode => "·",
-            Self::Latex => " \\cdot ",
-        }
-    }
-
-    pub(crate) const fn parentheses(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Unicode => ("(", ")"),
-            Self::Latex => ("\\left(", "\\right)"),
-        }
-    }
-
-    pub(crate) const fn bars(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Unicode => ("|", "|"),
-            Self::Latex => ("\\left|", "\\right|"),
+            Self::Unicode => unicode,
+            Self::Latex => latex,
         }
     }
 

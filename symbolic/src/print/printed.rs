@@ -169,16 +169,12 @@ impl Printed {
     /// A component along an axis.
     #[must_use]
     pub fn component(self, axis: &str) -> Self {
-        match self.0 {
-            Part::Name(name) => {
-                let index = Index::Word(axis.to_owned());
-                Self(Part::Name(name.with_indices([index])))
-            }
-            _ => {
-                let axis = format!("_{axis}");
-                self.followed_by([&axis, &axis])
-            }
+        if let Part::Name(name) = self.0 {
+            let index = Index::Word(axis.to_owned());
+            return Self(Part::Name(name.with_indices([index])));
         }
+        let axis = format!("_{axis}");
+        self.followed_by([&axis, &axis])
     }
 
     /// A product of two vectors with a sign between them.
@@ -341,15 +337,15 @@ impl Printed {
             Part::Product(_) | Part::Quotient(_) | Part::SumOver(..) | Part::SumBelow(..) => {
                 Precedence::Product
             }
-            Part::Function(Unary::Exp | Unary::Abs | Unary::Signum, _) => Precedence::Atom,
-            Part::Power(_) | Part::Root(_) | Part::Function(..) | Part::Before(..) => {
-                Precedence::Power
-            }
             Part::Text(_)
             | Part::Number(_)
             | Part::Name(_)
             | Part::Enclosed(..)
-            | Part::Behind(..) => Precedence::Atom,
+            | Part::Behind(..)
+            | Part::Function(Unary::Exp | Unary::Abs | Unary::Signum, _) => Precedence::Atom,
+            Part::Power(_) | Part::Root(_) | Part::Function(..) | Part::Before(..) => {
+                Precedence::Power
+            }
             Part::Unfolded(.., precedence) => *precedence,
         }
     }

@@ -8,9 +8,9 @@ use std::borrow::Cow;
 use crate::Unary;
 use crate::print::index::Range;
 use crate::print::layout::Layout;
-use crate::print::notation::Notation;
+use crate::print::notation::{ELLIPSIS, Notation};
 use crate::print::numeral::Numeral;
-use crate::print::printed::{DOT, Part, Precedence, Printed, Signs};
+use crate::print::printed::{DOT, Part, Precedence, Printed};
 
 /// A piece of what is written.
 #[derive(Debug)]
@@ -127,18 +127,10 @@ impl Line {
         self.pieces.push(Text(text.into()));
     }
 
-    /// The one of two signs in this notation.
-    fn sign(&self, [unicode, latex]: Signs) -> String {
-        match self.notation {
-            Notation::Unicode => unicode,
-            Notation::Latex => latex,
-        }
-    }
-
     fn formula(&mut self, Printed(part): Printed, before_bar: bool) {
         match part {
             Part::Text(signs) => {
-                let text = self.sign(signs);
+                let text = self.notation.of(signs);
                 self.text(text);
             }
             Part::Number(number) => self.text(number.print(self.notation)),
@@ -150,7 +142,7 @@ impl Line {
             Part::Root(x) => self.root(*x),
             Part::Function(function, x) => self.function(function, "", *x, before_bar),
             Part::Enclosed(open, parts, close) => {
-                let [open, close] = [open, close].map(|signs| self.sign(signs));
+                let [open, close] = [open, close].map(|signs| self.notation.of(signs));
                 self.pieces.push(Open(open.into()));
                 for (position, part) in parts.into_iter().enumerate() {
                     if position > 0 {
@@ -161,13 +153,13 @@ impl Line {
                 self.pieces.push(Close(close.into()));
             }
             Part::Before(signs, x) => {
-                let signs = self.sign(signs);
+                let signs = self.notation.of(signs);
                 self.text(signs);
                 self.at_least(Precedence::Atom, *x);
             }
             Part::Behind(x, signs) => {
                 self.at_least(Precedence::Atom, *x);
-                let signs = self.sign(signs);
+                let signs = self.notation.of(signs);
                 self.text(signs);
             }
             Part::VectorProduct(sides, sign) => {
@@ -178,7 +170,7 @@ impl Line {
                     Precedence::Product
                 };
                 self.at_least(least, left);
-                let sign = self.sign(sign.map(String::from));
+                let sign = self.notation.of(sign);
                 self.text(sign);
                 self.at_least(least, right);
             }
@@ -187,7 +179,7 @@ impl Line {
                 self.at_least(Precedence::Product, *x);
             }
             Part::SumBelow(signs, x) => {
-                let signs = self.sign(signs);
+                let signs = self.notation.of(signs);
                 self.text(signs);
                 self.at_least(Precedence::Product, *x);
             }
@@ -208,7 +200,7 @@ impl Line {
                 };
                 self.text(format!("{space}({})", ranges.join("; ")));
             }
-            Part::Unfolded(..) => self.text(self.notation.ellipsis()),
+            Part::Unfolded(..) => self.text(self.notation.of(ELLIPSIS)),
         }
     }
 
@@ -217,11 +209,16 @@ impl Line {
         self.enclosed(x.precedence() < precedence, x, false);
     }
 
+    fn around(&mut self, open: [&'static str; 2], x: Printed, close: [&'static str; 2]) {
+        let [open, close] = [open, close].map(|signs| self.notation.of(signs));
+        self.pieces
+            .extend([Open(open.into()), Formula(x), Close(close.into())]);
+    }
+
     fn enclosed(&mut self, parentheses: bool, x: Printed, before_bar: bool) {
-        let (open, close) = self.notation.parentheses();
         if parentheses {
-            self.pieces
-                .extend([Open(open.into()), Formula(x), Close(close.into())]);
+            let [open, close] = [["(", "\\left("], [")", "\\right)"]];
+            self.around(open, x, close);
         } else if before_bar {
             self.pieces.push(BeforeBar(x));
         } else {
@@ -247,8 +244,9 @@ impl Line {
     fn term(&mut self, negative: bool, term: Printed, first: bool) {
         match (first, negative) {
             (true, false) => {}
-            (true, true) => self.text(self.notation.minus()),
-            (false, negative) => self.text(self.notation.between_terms(negative)),
+            (true, true) => self.text(self.notation.of(["−", "-"])),
+            (false, true) => self.text(self.notation.of([" − ", " - "])),
+            (false, false) => self.text(" + "),
         }
         self.at_least(Precedence::VectorProduct, term);
     }
@@ -272,9 +270,9 @@ impl Line {
             let right = side(&factor);
             self.text(match (left, right) {
                 (None, _) => "",
-                (_, Side::Number) => self.notation.before_number(),
+                (_, Side::Number) => self.notation.of(["·", " \\cdot "]),
                 (Some(Side::Word), _) | (Some(Side::Letter), Side::Word) => {
-                    self.notation.between_words()
+                    self.notation.of(["·", "\\,"])
                 }
                 _ => " ",
             });
@@ -325,8 +323,7 @@ impl Line {
             (base, None) => {
                 self.at_least(Precedence::Atom, Printed(base));
                 if self.notation == Notation::Latex {
-                    self.pieces
-                        .extend([Open("^{".into()), Formula(exponent), Close("}".into())]);
+                    self.around(["", "^{"], exponent, ["", "}"]);
                 } else {
                     self.text("^");
                     self.at_least(Precedence::Atom, exponent);
@@ -354,8 +351,7 @@ impl Line {
 
     fn root(&mut self, x: Printed) {
         if self.notation == Notation::Latex {
-            self.pieces
-                .extend([Open("\\sqrt{".into()), Formula(x), Close("}".into())]);
+            self.around(["", "\\sqrt{"], x, ["", "}"]);
         } else {
             self.text("√");
             let is_plain = matches!(&x.0, Part::Number(number) if number.is_plain());
@@ -368,9 +364,7 @@ impl Line {
         let name = self.notation.function(function);
         match function {
             Unary::Abs if self.notation == Notation::Latex => {
-                let (open, close) = self.notation.bars();
-                self.pieces
-                    .extend([Open(open.into()), Formula(x), Close(close.into())]);
+                self.around(["|", "\\left|"], x, ["|", "\\right|"]);
                 self.text(raised.to_owned());
             }
             Unary::Abs | Unary::Exp | Unary::Signum => {

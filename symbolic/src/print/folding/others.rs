@@ -35,7 +35,7 @@ impl Printed {
         let Part::Sum(terms) = &mut self.0 else {
             return;
         };
-        let mut groups: Vec<(bool, Self, Vec<(Vec<i64>, Self)>)> = Vec::new();
+        let mut groups: Vec<Group> = Vec::new();
         for (negative, term) in core::mem::take(terms) {
             let (mut shape, mut others) = (term.clone(), Vec::new());
             shape.visit_indices(&mut |index| match index {
@@ -43,19 +43,33 @@ impl Printed {
                 _ => {}
             });
             let mut known = groups.iter_mut();
-            match known.find(|(sign, known, _)| *sign == negative && *known == shape) {
-                Some((.., group)) => group.push((others, term)),
-                None => groups.push((negative, shape, vec![(others, term)])),
+            match known.find(|group| group.negative == negative && group.shape == shape) {
+                Some(group) => group.terms.push((others, term)),
+                None => groups.push(Group {
+                    negative,
+                    shape,
+                    terms: vec![(others, term)],
+                }),
             }
         }
-        if let Some(positive) = groups.iter().position(|(negative, ..)| !negative) {
+        if let Some(positive) = groups.iter().position(|group| !group.negative) {
             groups[..=positive].rotate_right(1);
         }
-        for (negative, _, mut group) in groups {
-            group.sort_by(|(one, _), (other, _)| one.cmp(other));
-            terms.extend(group.into_iter().map(|(_, term)| (negative, term)));
+        for mut group in groups {
+            group.terms.sort_by(|(one, _), (other, _)| one.cmp(other));
+            let sorted = group.terms.into_iter();
+            terms.extend(sorted.map(|(_, term)| (group.negative, term)));
         }
     }
+}
+
+/// Terms that differ in the indices of other members only.
+struct Group {
+    negative: bool,
+    /// A term without these indices.
+    shape: Printed,
+    /// These indices and the terms.
+    terms: Vec<(Vec<i64>, Printed)>,
 }
 
 /// A member of a family whose indices are in a range.

@@ -72,24 +72,30 @@ impl<'a> Composer<'a> {
     }
 
     /// Adds an equation to a section if there is room. What is too long is not even arranged.
-    pub(crate) fn push(&mut self, section: &mut Section, left: Side, right: Expression) {
+    pub(crate) fn push(&mut self, section: &mut Section, left: Printed, right: Expression) {
         let symbols = self.model.graph.written_symbols(&[right], &self.letters);
         if symbols <= MAX_UNARRANGED_LENGTH && section.has_room() {
-            let right = Side::Expression(self.arranged(right));
-            section.push(&self.model.graph, &self.letters, left, right);
+            let right = self.arranged(right);
+            self.push_arranged(section, left, right);
         } else {
             section.leave_out(symbols);
         }
     }
 
     /// Adds an equation to a section if there is room, as it is.
-    pub(crate) fn push_arranged(&self, section: &mut Section, left: Side, right: Side) {
-        section.push(&self.model.graph, &self.letters, left, right);
+    pub(crate) fn push_arranged(
+        &self,
+        section: &mut Section,
+        left: impl Into<Side>,
+        right: impl Into<Side>,
+    ) {
+        let sides = [left.into(), right.into()];
+        section.push(&self.model.graph, &self.letters, sides);
     }
 
     /// A section whose definitions are to be listed.
     pub(crate) fn mention(&mut self, section: Section) -> Section {
-        self.mentioned.extend(section.expressions());
+        self.mentioned.extend(&section.expressions);
         section
     }
 
@@ -113,9 +119,9 @@ impl<'a> Composer<'a> {
         let energies: Vec<_> = energies.collect();
         let mut section = Section::new(None, "the methods `lagrangian` and `energy`");
         for (letter, energy) in &energies {
-            self.push(&mut section, Side::Printed(letter.clone()), *energy);
+            self.push(&mut section, letter.clone(), *energy);
         }
-        let lengths = section.lengths(&self.model.graph, &self.letters);
+        let lengths = section.lengths(&self.letters);
         let declared = &self.declared.as_declared;
         let mut names = self.declared.names.coordinates.iter();
         let has_vectors = names.any(|name| name.contains('.'));
@@ -152,10 +158,10 @@ impl<'a> Composer<'a> {
         {
             if all || *preferred {
                 self.mentioned_as_declared.extend(line.mentions.clone());
-                let [left, right] = [letter, &line.right].map(|it| Side::Printed(it.clone()));
+                let [left, right] = [letter, &line.right].map(Clone::clone);
                 self.push_arranged(&mut section, left, right);
             } else {
-                self.push(&mut section, Side::Printed(letter.clone()), *energy);
+                self.push(&mut section, letter.clone(), *energy);
             }
         }
         self.mention(section)
@@ -167,7 +173,7 @@ impl<'a> Composer<'a> {
         for (name, function) in &self.declared.events {
             let latex = format!("g_{{\\mathrm{{{}}}}}", name.replace('_', "\\_"));
             let left = Printed::text([&format!("g[{name}]"), &latex]);
-            self.push(&mut section, Side::Printed(left), *function);
+            self.push(&mut section, left, *function);
         }
         self.mention(section)
     }
@@ -188,7 +194,7 @@ impl<'a> Composer<'a> {
             |composer| composer.momentum_of_family(equations),
             |composer, section, coordinates| {
                 for i in coordinates {
-                    let left = Side::Printed(names[i].clone());
+                    let left = names[i].clone();
                     composer.push(section, left, equations.momenta[i]);
                 }
             },
@@ -219,7 +225,7 @@ impl<'a> Composer<'a> {
     fn in_families(
         &mut self,
         (mut section, is_long): (Section, bool),
-        family: impl Fn(&mut Self) -> Option<(Side, Side)>,
+        family: impl Fn(&mut Self) -> Option<(Printed, Printed)>,
         lines: impl Fn(&mut Self, &mut Section, Range<usize>),
     ) -> Section {
         let empty = section.clone();
@@ -242,10 +248,10 @@ impl<'a> Composer<'a> {
         if is_long || rows.is_none() {
             return section;
         }
-        let length = section.written_length(&self.model.graph, &self.letters);
+        let length = section.written_length(&self.letters);
         if length >= MIN_FOLDED_SECTION
             && let Some(folded) = folded(self)
-            && 2 * folded.written_length(&self.model.graph, &self.letters) <= length
+            && 2 * folded.written_length(&self.letters) <= length
         {
             return folded;
         }
@@ -297,7 +303,7 @@ impl<'a> Composer<'a> {
             return;
         }
         let sides = arranged_lagrange(&mut self.model.graph, equations, i, &self.letters);
-        let [left, right] = sides.map(Side::Expression);
+        let [left, right] = sides;
         self.push_arranged(section, left, right);
     }
 
@@ -307,7 +313,7 @@ impl<'a> Composer<'a> {
         let declared = &self.declared.as_declared;
         let mut defined = BTreeSet::new();
         for line in declared.definitions_of(&self.mentioned_as_declared) {
-            let [left, right] = [&line.left, &line.right].map(|it| Side::Printed(it.clone()));
+            let [left, right] = [&line.left, &line.right].map(Clone::clone);
             self.push_arranged(&mut section, left, right);
             defined.insert(line.left.both());
         }
@@ -326,7 +332,7 @@ impl<'a> Composer<'a> {
                 && let Some(name) = self.letters.definition(*expression).cloned()
                 && !defined.contains(&name.both())
             {
-                self.push(&mut section, Side::Printed(name), *expression);
+                self.push(&mut section, name, *expression);
             }
         }
         section

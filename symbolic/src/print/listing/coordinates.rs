@@ -2,7 +2,7 @@
 
 use crate::print::listing::composer::Composer;
 use crate::print::listing::page_letters::Quantity;
-use crate::print::listing::section::{Section, Side};
+use crate::print::listing::section::Section;
 use crate::print::printed::Printed;
 use crate::{Binary, Energies, Expression, Node, Symbol};
 
@@ -19,8 +19,8 @@ impl Composer<'_> {
             _ => Printed::within([["(", ")"]; 2], names),
         };
         let mut section = Section::new(None, "`COORDINATES`");
-        let letter = Side::Printed(self.page.letter(Quantity::Coordinates));
-        self.push_arranged(&mut section, letter, Side::Printed(list));
+        let letter = self.page.letter(Quantity::Coordinates);
+        self.push_arranged(&mut section, letter, list);
         let mut sentences = self.page.sentences.clone();
         sentences.extend(self.names_as_written());
         if let Some(kind) = self.what_is_raised_as_e() {

@@ -18,7 +18,6 @@ use crate::print::listing::index_families::Families;
 use crate::print::listing::index_letters::IndexLetters;
 use crate::print::listing::index_pattern::{IndexPattern, Known};
 use crate::print::listing::pattern_text::of_indices;
-use crate::print::listing::section::Side;
 use crate::print::printed::Printed;
 use crate::{Equations, Expression, Graph, Rational, Symbol};
 
@@ -60,7 +59,10 @@ struct Terms {
 
 impl Composer<'_> {
     /// All momenta as one equation.
-    pub(crate) fn momentum_of_family(&mut self, equations: &Equations) -> Option<(Side, Side)> {
+    pub(crate) fn momentum_of_family(
+        &mut self,
+        equations: &Equations,
+    ) -> Option<(Printed, Printed)> {
         let sampling = self.sampling(equations)?;
         let [i, j] = sampling.positions();
         let velocity = self.model.velocity_symbols()[j];
@@ -83,11 +85,14 @@ impl Composer<'_> {
         let indices = self.letters.index_letters();
         let left = of_indices(self.momentum(symbol), &sampling.pair[..1], indices);
         let right = right.for_all(vec![sampling.range('i', indices)]);
-        Some((Side::Printed(left), Side::Printed(right)))
+        Some((left, right))
     }
 
     /// All of Lagrange's equations as one.
-    pub(crate) fn lagrange_of_family(&mut self, equations: &Equations) -> Option<(Side, Side)> {
+    pub(crate) fn lagrange_of_family(
+        &mut self,
+        equations: &Equations,
+    ) -> Option<(Printed, Printed)> {
         let sampling = self.sampling(equations)?;
         let [i, j] = sampling.positions();
         let velocities = self.model.velocity_symbols();
@@ -128,7 +133,7 @@ impl Composer<'_> {
         let right = self.folded_forces(&sampling, &forces[sampling.rows()])?;
         let range = sampling.range('i', self.letters.index_letters());
         let right = right.for_all(vec![range]);
-        Some((Side::Printed(left), Side::Printed(right)))
+        Some((left, right))
     }
 
     /// The velocities of a family as zero.

@@ -8,15 +8,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::identity::identity_testing::IdentityTest;
-use crate::limits::{
-    MAX_UNARRANGED_LENGTH, MAX_UNFOLDED_LINE_LENGTH, MIN_FOLDED_LINES, MIN_FOLDED_SECTION,
-};
+use crate::limits::{MAX_UNARRANGED_LENGTH, MIN_FOLDED_LINES, MIN_FOLDED_SECTION};
 use crate::print::index::{Index, Range};
 use crate::print::listing::composer::{Composer, arranged_lagrange};
 use crate::print::listing::index_families::Families;
-use crate::print::listing::section::{Section, Side};
+use crate::print::listing::section::Section;
 use crate::print::names::Letters;
-use crate::print::printed::Part;
+use crate::print::printed::{Part, Printed};
 use crate::{Equations, Expression, Graph, Node, Symbol};
 
 /// The coordinates of a family, from the first index on.
@@ -34,16 +32,12 @@ impl Composer<'_> {
         section: Section,
         empty: Section,
     ) -> Section {
-        let length = section.written_length(&self.model.graph, &self.letters);
+        let length = section.written_length(&self.letters);
         if length < MIN_FOLDED_SECTION {
             return section;
         }
         match self.by_pairs(equations, empty) {
-            Some(folded)
-                if 2 * folded.written_length(&self.model.graph, &self.letters) <= length =>
-            {
-                folded
-            }
+            Some(folded) if 2 * folded.written_length(&self.letters) <= length => folded,
             _ => section,
         }
     }
@@ -82,7 +76,7 @@ impl Composer<'_> {
         equations: &Equations,
         families: &Families,
         members: &Members,
-    ) -> Option<[Side; 2]> {
+    ) -> Option<[Printed; 2]> {
         let letters = self.letters.of_symbols();
         let graph = &mut self.model.graph;
         [members.first, members.last()].into_iter().find_map(|own| {
@@ -100,10 +94,8 @@ impl Composer<'_> {
             let indices = letters.index_letters();
             let range = [members.first, members.last()];
             let [left, right] = sample.map(|x| {
-                let formula = graph
-                    .display_in(x, &letters)
-                    .limit(MAX_UNFOLDED_LINE_LENGTH);
-                formula.whole()?.of_any_member(own, range, indices)
+                let formula = graph.written_out(x, &letters)?;
+                formula.of_any_member(own, range, indices)
             });
             let (mut left, right) = (left?, right?);
             let mut has_pairs = false;
@@ -118,7 +110,7 @@ impl Composer<'_> {
                 last,
             };
             let right = right.for_all(vec![range]);
-            Some([left, right].map(Side::Printed))
+            Some([left, right])
         })
     }
 }

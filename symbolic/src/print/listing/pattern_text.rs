@@ -1,6 +1,5 @@
 //! Patterns of families in print.
 
-use crate::limits::MAX_UNFOLDED_LINE_LENGTH;
 use crate::print::index::{Index, Range};
 use crate::print::listing::index_letters::IndexLetters;
 use crate::print::listing::index_pattern::{Argument, Bound, IndexPattern};
@@ -25,14 +24,7 @@ impl IndexPattern {
         let last = u32::try_from(self.arguments.len()).ok()?;
         letters.call(graph.symbol(Symbol::Argument(last)), index);
         let whole = self.multiplied(graph, &letters, last);
-        let formula = match letters.definition(whole) {
-            // A formula that is a name itself.
-            Some(name) => name.clone(),
-            None => graph
-                .display_in(whole, &letters)
-                .limit(MAX_UNFOLDED_LINE_LENGTH)
-                .whole()?,
-        };
+        let formula = graph.printed(whole, &letters)?;
         Some(of_indices(formula, &self.sample, indices))
     }
 

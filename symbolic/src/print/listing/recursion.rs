@@ -10,8 +10,8 @@ use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::print::index::Index;
 use crate::print::listing::composer::Composer;
 use crate::print::listing::recursion_text::LinkLetters;
-use crate::print::listing::section::{Section, Side};
-use crate::print::listing::vector_text::{list, plain, vector};
+use crate::print::listing::section::Section;
+use crate::print::listing::vector_text::{list, vector};
 use crate::print::names::Letters;
 use crate::print::printed::Printed;
 use crate::print::spelling::Spelling;
@@ -31,16 +31,13 @@ struct Recursion<'a> {
 impl Composer<'_> {
     /// The recursion, where the model is a mechanism, some of Lagrange's equations are left out, and all of it has room.
     pub(crate) fn recursion(&mut self, equations: &Equations, lagrange: &Section) -> Vec<Section> {
-        if self.model.in_frames.is_none()
-            || lagrange.has_room_for_all(&self.model.graph, &self.letters)
-        {
+        if self.model.in_frames.is_none() || lagrange.has_room_for_all(&self.letters) {
             return Vec::new();
         }
         let sections = self.recursion_of_links(equations);
-        let graph = &self.model.graph;
         let sections = sections.filter(|sections| {
             let mut sections = sections.iter();
-            sections.all(|section| section.has_room_for_all(graph, &self.letters))
+            sections.all(|section| section.has_room_for_all(&self.letters))
         });
         sections.unwrap_or_default()
     }
@@ -68,14 +65,14 @@ impl Composer<'_> {
         let mut sections = Vec::new();
         let mut section = Section::new(Some(HEADING.map(String::from)), "");
         for [left, right] in statements {
-            self.push_arranged(&mut section, Side::Printed(left), Side::Printed(right));
+            self.push_arranged(&mut section, left, right);
         }
         section.sentence = recursion_sentence(&links, &acceleration, &place);
         sections.push(section);
         for lines in [rows, equations] {
             let mut section = Section::new(None, "");
             for [left, right] in lines {
-                self.push_arranged(&mut section, Side::Printed(left), Side::Printed(right));
+                self.push_arranged(&mut section, left, right);
             }
             sections.push(section);
         }
@@ -196,7 +193,7 @@ impl Recursion<'_> {
                 rows[row].push([self.quantity(quantity, i), value]);
             }
             if !named_masses {
-                let mass = self.plain(link.inertia.mass)?;
+                let mass = self.printed(link.inertia.mass)?;
                 rows[4].push([self.quantity('M', i), mass]);
             }
             let tensor = self.tensor(tensor)?;
@@ -229,7 +226,7 @@ impl Recursion<'_> {
                 let angle = self.graph.scale(rotation.angle, &rotation.sign());
                 let names = [["R_x", "R_{x}"], ["R_y", "R_{y}"], ["R_z", "R_{z}"]];
                 let name = names[rotation.axis.cycle()[0]];
-                Some(Printed::call(name, vec![self.plain(angle)?]))
+                Some(Printed::call(name, vec![self.printed(angle)?]))
             }
             Turn::General(elements) => {
                 let factor = MatrixFactor::Rotation(elements);
@@ -251,7 +248,7 @@ impl Recursion<'_> {
             }
             let diagonal = diagonal
                 .iter()
-                .map(|x| plain(self.graph, &self.letters, *x));
+                .map(|x| self.graph.printed(*x, &self.letters));
             let diagonal = diagonal.collect::<Option<_>>()?;
             return Some(Printed::call(["diag", "\\operatorname{diag}"], diagonal));
         }
@@ -295,9 +292,9 @@ impl Recursion<'_> {
         Some(Printed::list(rows.collect::<Option<_>>()?))
     }
 
-    fn plain(&mut self, x: Expression) -> Option<Printed> {
+    fn printed(&mut self, x: Expression) -> Option<Printed> {
         let x = self.graph.arranged(x, &self.letters);
-        plain(self.graph, &self.letters, x)
+        self.graph.printed(x, &self.letters)
     }
 
     /// For each coordinate, the components of moments and forces that do work on it, and Q.
@@ -337,8 +334,8 @@ impl Recursion<'_> {
             }
             let left = graph.sum(terms);
             let left = graph.arranged(left, &letters);
-            let left = plain(graph, &letters, left)?;
-            lines.push([left, self.plain(*force)?]);
+            let left = graph.printed(left, &letters)?;
+            lines.push([left, self.printed(*force)?]);
         }
         Some(lines)
     }

@@ -18,8 +18,29 @@ use crate::{Expression, Graph};
 #[derive(Clone, Debug)]
 pub(crate) enum Side {
     Printed(Printed),
-    /// An expression.
+    /// An expression that is written out.
     Expression(Expression),
+}
+
+impl From<Printed> for Side {
+    fn from(printed: Printed) -> Self {
+        Self::Printed(printed)
+    }
+}
+
+impl From<Expression> for Side {
+    fn from(x: Expression) -> Self {
+        Self::Expression(x)
+    }
+}
+
+/// An equation before it is folded.
+#[derive(Clone, Debug)]
+struct Line {
+    equation: Printed,
+    length: usize,
+    /// How many symbols its expressions have.
+    symbols: u64,
 }
 
 /// Equations under one heading.
@@ -29,10 +50,9 @@ pub(crate) struct Section {
     heading: Option<[String; 2]>,
     /// What has the equations that are left out.
     pub(crate) method: &'static str,
-    pub(crate) lines: Vec<(Side, Side)>,
-    /// The lines before they are folded, and how long they are.
-    equations: Vec<Printed>,
-    lengths: Vec<usize>,
+    lines: Vec<Line>,
+    /// The expressions that stand in its equations.
+    pub(crate) expressions: Vec<Expression>,
     /// The numbers of symbols of the equations that are left out.
     left_out: Vec<u64>,
     /// How many equations are said by others than lines of their own.
@@ -49,8 +69,7 @@ impl Section {
             heading,
             method,
             lines: Vec::new(),
-            equations: Vec::new(),
-            lengths: Vec::new(),
+            expressions: Vec::new(),
             left_out: Vec::new(),
             said_otherwise: 0,
             sentence: [String::new(), String::new()],
@@ -74,68 +93,69 @@ impl Section {
     }
 
     /// Adds an equation if there is room.
-    pub(crate) fn push(&mut self, graph: &Graph, letters: &Letters, left: Side, right: Side) {
-        let sides = [&left, &right];
-        let printed = sides.map(|side| side.printed(graph, letters));
-        let room = self.room.min(MAX_UNFOLDED_LINE_LENGTH);
-        if let [Some(left), Some(right)] = printed {
-            let equation = left.equals(right);
-            let length = equation.length() + 1;
-            if length <= room {
-                self.room -= length;
-                self.equations.push(equation);
-                self.lengths.push(length - 1);
-                self.lines.push(sides.map(Clone::clone).into());
-                return;
-            }
-        }
-        let symbols = sides.map(|side| side.symbols(graph, letters));
-        self.leave_out(u64::saturating_add(symbols[0], symbols[1]));
-    }
-
-    /// The expressions that stand in its equations.
-    pub(crate) fn expressions(&self) -> impl Iterator<Item = Expression> {
-        let sides = self.lines.iter().flat_map(|(left, right)| [left, right]);
-        sides.filter_map(|side| match side {
+    pub(crate) fn push(&mut self, graph: &Graph, letters: &Letters, sides: [Side; 2]) {
+        let expressions = sides.iter().filter_map(|side| match side {
             Side::Expression(x) => Some(*x),
             Side::Printed(_) => None,
-        })
+        });
+        let expressions: Vec<_> = expressions.collect();
+        let symbols = expressions.iter();
+        let symbols = symbols.map(|x| graph.written_symbols(&[*x], letters));
+        let symbols = symbols.fold(0, u64::saturating_add);
+        let printed = sides.map(|side| match side {
+            Side::Printed(printed) => Some(printed),
+            Side::Expression(x) => graph.written_out(x, letters),
+        });
+        let room = self.room.min(MAX_UNFOLDED_LINE_LENGTH);
+        if let [Some(left), Some(right)] = printed
+            && let equation = left.equals(right)
+            && let length = equation.length()
+            && length < room
+        {
+            self.room -= length + 1;
+            self.expressions.extend(expressions);
+            self.lines.push(Line {
+                equation,
+                length,
+                symbols,
+            });
+        } else {
+            self.leave_out(symbols);
+        }
     }
 
     /// The equations that there is room for, in both notations, and the sizes of the others.
-    fn fitting(&self, graph: &Graph, letters: &Letters) -> ([Vec<String>; 2], Vec<u64>) {
+    fn fitting(&self, letters: &Letters) -> ([Vec<String>; 2], Vec<u64>) {
         let mut left_out = self.left_out.clone();
         let mut room = MAX_SECTION_LENGTH;
         let (mut displayed, mut displays) = (Vec::new(), Vec::new());
-        let size = |position: &usize| {
-            let (left, right) = &self.lines[*position];
-            u64::saturating_add(left.symbols(graph, letters), right.symbols(graph, letters))
-        };
-        for Folded { equation, members } in folded(&self.equations, letters.index_letters()) {
+        let equations = self.lines.iter().map(|line| line.equation.clone());
+        let equations: Vec<_> = equations.collect();
+        for Folded { equation, members } in folded(&equations, letters.index_letters()) {
             let text = equation.written(Notation::Unicode);
             let length = text.chars().count();
             if length > room.min(MAX_LINE_LENGTH) {
-                left_out.extend(members.iter().map(size));
+                left_out.extend(members.iter().map(|member| self.lines[*member].symbols));
                 continue;
             }
             room -= length;
             displayed.push(text);
-            displays.push(equation.written(Notation::Latex));
+            displays.push(equation);
         }
         ([displayed, rows(&displays)], left_out)
     }
 
     /// How long the lines are that were pushed, in characters of Unicode; none for those that are left out. Nothing is folded
     /// across them.
-    pub(crate) fn lengths(&self, graph: &Graph, letters: &Letters) -> Vec<Option<usize>> {
+    pub(crate) fn lengths(&self, letters: &Letters) -> Vec<Option<usize>> {
         if !self.left_out.is_empty() {
             return vec![None; self.left_out.len() + self.lines.len()];
         }
-        let mut lengths = self.lengths.iter();
-        if lengths.all(|length| *length <= MAX_SKIMMED_LENGTH) {
-            return self.lengths.iter().copied().map(Some).collect();
+        let lengths = self.lines.iter().map(|line| line.length);
+        if lengths.clone().all(|length| length <= MAX_SKIMMED_LENGTH) {
+            return lengths.map(Some).collect();
         }
-        let ([lines, _], left_out) = self.fitting(graph, letters);
+        let ([lines, _], left_out) = self.fitting(letters);
         if !left_out.is_empty() {
             return vec![None; self.lines.len()];
         }
@@ -144,19 +164,19 @@ impl Section {
     }
 
     /// Whether no line is left out.
-    pub(crate) fn has_room_for_all(&self, graph: &Graph, letters: &Letters) -> bool {
-        self.fitting(graph, letters).1.is_empty()
+    pub(crate) fn has_room_for_all(&self, letters: &Letters) -> bool {
+        self.fitting(letters).1.is_empty()
     }
 
     /// How long its lines are, as they are written, in characters; of lines that are left out, as long as there would be room.
-    pub(crate) fn written_length(&self, graph: &Graph, letters: &Letters) -> usize {
-        let ([lines, _], left_out) = self.fitting(graph, letters);
+    pub(crate) fn written_length(&self, letters: &Letters) -> usize {
+        let ([lines, _], left_out) = self.fitting(letters);
         let lines = lines.iter().map(|line| line.chars().count());
         lines.sum::<usize>() + left_out.len() * MAX_LINE_LENGTH
     }
 
-    pub(crate) fn write(&self, graph: &Graph, letters: &Letters, listing: &mut Listing) {
-        let ([lines, displays], sizes) = self.fitting(graph, letters);
+    pub(crate) fn write(&self, letters: &Letters, listing: &mut Listing) {
+        let ([lines, displays], sizes) = self.fitting(letters);
         let left_out = self.what_is_left_out(&sizes);
         if lines.is_empty() && left_out.is_empty() && self.sentence[0].is_empty() {
             return;
@@ -211,26 +231,5 @@ impl Section {
             "{which} too long to be written out: {pronoun} {verb} {size} symbols. See {}.",
             self.method
         )
-    }
-}
-
-impl Side {
-    /// The side as it is written, unless it is longer than a line may be.
-    fn printed(&self, graph: &Graph, letters: &Letters) -> Option<Printed> {
-        match self {
-            Self::Printed(printed) => Some(printed.clone()),
-            Self::Expression(x) => {
-                let formula = graph.display_in(*x, letters);
-                // What is one sign, such as x², has three parts.
-                formula.limit(2 * MAX_UNFOLDED_LINE_LENGTH).whole()
-            }
-        }
-    }
-
-    fn symbols(&self, graph: &Graph, letters: &Letters) -> u64 {
-        match self {
-            Self::Printed(_) => 0,
-            Self::Expression(x) => graph.written_symbols(&[*x], letters),
-        }
     }
 }

@@ -1,26 +1,13 @@
 //! Vectors of expressions in print.
 
-use crate::limits::MAX_UNFOLDED_LINE_LENGTH;
 use crate::mechanics::mechanism::Vector;
 use crate::print::names::Letters;
 use crate::print::printed::Printed;
 use crate::{Expression, Graph, Node, Symbol};
 
-/// An expression as it is; none where it is too long.
-pub(crate) fn plain(graph: &Graph, letters: &Letters, x: Expression) -> Option<Printed> {
-    match letters.definition(x) {
-        // A formula that is a name itself.
-        Some(name) => Some(name.clone()),
-        None => graph
-            .display_in(x, letters)
-            .limit(MAX_UNFOLDED_LINE_LENGTH)
-            .whole(),
-    }
-}
-
 /// Expressions in parentheses.
 pub(crate) fn list(graph: &Graph, letters: &Letters, list: &[Expression]) -> Option<Printed> {
-    let list = list.iter().map(|x| plain(graph, letters, *x));
+    let list = list.iter().map(|x| graph.printed(*x, letters));
     Some(Printed::list(list.collect::<Option<_>>()?))
 }
 
@@ -38,7 +25,7 @@ pub(crate) fn vector(
     match nonzero.as_slice() {
         [] => Some(Printed::zero()),
         [axis] => {
-            let size = plain(graph, letters, vector[*axis])?;
+            let size = graph.printed(vector[*axis], letters)?;
             let unit = ["e_x", "e_y", "e_z"][*axis];
             let unit = Printed::text([unit, unit]);
             Some(if size.is_one() {
