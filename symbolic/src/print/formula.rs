@@ -11,20 +11,13 @@ use crate::print::writer::{Piece, Writer};
 use crate::{Expression, Graph, Letters, Names};
 
 /// An expression with the names of its symbols, ready to be printed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Formula<'a> {
     graph: &'a Graph,
-    letters: Source<'a>,
+    letters: Cow<'a, Letters>,
     root: Expression,
     notation: Notation,
     limit: usize,
-}
-
-/// Where the names of a formula come from.
-#[derive(Clone, Copy, Debug)]
-enum Source<'a> {
-    Names(&'a Names),
-    Letters(&'a Letters),
 }
 
 impl Graph {
@@ -32,36 +25,30 @@ impl Graph {
     ///
     /// The expression itself is written out even if it has a name; what it is made of is called by name.
     #[must_use]
-    pub const fn display<'a>(&'a self, expression: Expression, names: &'a Names) -> Formula<'a> {
-        Formula {
-            graph: self,
-            letters: Source::Names(names),
-            root: expression,
-            notation: Notation::Unicode,
-            limit: MAX_FORMULA_LENGTH,
-        }
+    pub fn display(&self, expression: Expression, names: &Names) -> Formula<'_> {
+        self.formula(expression, Cow::Owned(Letters::new(names)))
     }
 
     /// The same line in letters that several formulas share, so that they are found only once.
     #[must_use]
-    pub const fn display_in<'a>(
-        &'a self,
-        expression: Expression,
-        letters: &'a Letters,
-    ) -> Formula<'a> {
-        Formula {
-            graph: self,
-            letters: Source::Letters(letters),
-            root: expression,
-            notation: Notation::Unicode,
-            limit: MAX_FORMULA_LENGTH,
-        }
+    pub fn display_in<'a>(&'a self, expression: Expression, letters: &'a Letters) -> Formula<'a> {
+        self.formula(expression, Cow::Borrowed(letters))
     }
 
     /// The expression as LaTeX, for a place in mathematics mode.
     #[must_use]
-    pub const fn latex<'a>(&'a self, expression: Expression, names: &'a Names) -> Formula<'a> {
+    pub fn latex(&self, expression: Expression, names: &Names) -> Formula<'_> {
         self.display(expression, names).in_latex()
+    }
+
+    const fn formula<'a>(&'a self, root: Expression, letters: Cow<'a, Letters>) -> Formula<'a> {
+        Formula {
+            graph: self,
+            letters,
+            root,
+            notation: Notation::Unicode,
+            limit: MAX_FORMULA_LENGTH,
+        }
     }
 }
 
@@ -73,9 +60,7 @@ impl Formula<'_> {
         self.limit = characters;
         self
     }
-}
 
-impl Formula<'_> {
     /// The same formula in LaTeX.
     #[must_use]
     pub const fn in_latex(mut self) -> Self {
@@ -106,10 +91,7 @@ impl Formula<'_> {
     fn writer(&self) -> Writer<'_> {
         let layout = Layout {
             graph: self.graph,
-            letters: match self.letters {
-                Source::Names(names) => Cow::Owned(Letters::new(names)),
-                Source::Letters(letters) => Cow::Borrowed(letters),
-            },
+            letters: &self.letters,
         };
         let root = layout.body(self.root);
         Writer::new(self.notation, Some(layout), root)

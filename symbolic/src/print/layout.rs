@@ -3,8 +3,6 @@
 //! What is deep is laid out level by level: an operand that is neither a letter nor a number is
 //! [unfolded](Part::Unfolded) later.
 
-use std::borrow::Cow;
-
 use crate::limits::{MAX_PRINTED_DEPTH, MAX_UNFOLDED_LINE_LENGTH};
 use crate::print::names::Letters;
 use crate::print::notation::Notation;
@@ -16,7 +14,6 @@ use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 impl Graph {
     /// All of an expression that is written out, what it is made of by name; none where it is longer than a line may be.
     pub(crate) fn written_out(&self, x: Expression, letters: &Letters) -> Option<Printed> {
-        let letters = Cow::Borrowed(letters);
         let graph = self;
         Layout { graph, letters }.whole(x)
     }
@@ -31,7 +28,7 @@ impl Graph {
 /// Lays out expressions.
 pub(crate) struct Layout<'a> {
     pub(crate) graph: &'a Graph,
-    pub(crate) letters: Cow<'a, Letters>,
+    pub(crate) letters: &'a Letters,
 }
 
 impl Layout<'_> {

@@ -32,11 +32,7 @@ pub struct Names {
 /// Names as they are spelled in print, no two alike.
 #[derive(Clone, Debug)]
 pub struct Letters {
-    coordinates: Vec<Spelling>,
-    parameters: Vec<Spelling>,
-    inputs: Vec<Spelling>,
-    quasi_velocities: Vec<Spelling>,
-    multipliers: Vec<Spelling>,
+    symbols: BTreeMap<Symbol, Spelling>,
     definitions: BTreeMap<Expression, Printed>,
     /// By expression, whether it is printed by name: this is asked of every part of what is printed.
     is_named: Vec<bool>,
@@ -46,57 +42,44 @@ pub struct Letters {
     pub(crate) sizes: WrittenSizes,
 }
 
-/// Notes that an expression is printed by name.
-fn note(is_named: &mut Vec<bool>, expression: Expression) {
-    if expression.index() >= is_named.len() {
-        is_named.resize(expression.index() + 1, false);
-    }
-    is_named[expression.index()] = true;
-}
-
 impl Letters {
     /// The letters in which `names` are printed.
     #[must_use]
     pub fn new(names: &Names) -> Self {
+        let symbols = names.symbols().map(|(symbol, name)| {
+            let spelling = match symbol {
+                Symbol::Parameter(_) => Spelling::of_parameter(name),
+                _ => Spelling::of(name),
+            };
+            (symbol, (name, spelling))
+        });
+        let symbols: Vec<_> = symbols.collect();
+        let definitions = names.definitions.iter();
+        let definitions: Vec<_> = definitions
+            .map(|(x, name)| (*x, (name.as_str(), Spelling::of(name))))
+            .collect();
+        let all = symbols.iter().map(|(_, named)| named);
+        let all = all.chain(definitions.iter().map(|(_, named)| named));
         let mut spelled = Collisions::default();
-        for name in &names.parameters {
-            spelled.note(name, &Spelling::of_parameter(name));
+        for (name, spelling) in all.clone() {
+            spelled.note(name, spelling);
         }
-        for name in names.all_but_parameters() {
-            spelled.note(name, &Spelling::of(name));
-        }
-        let spelling = |name: &String| spelled.spelling(name, Spelling::of(name));
-        let ambiguous = |name: &str, spelling| spelled.is_ambiguous(name, &spelling);
-        let of_parameters = names.parameters.iter();
-        let of_parameters =
-            of_parameters.filter(|name| ambiguous(name, Spelling::of_parameter(name)));
-        let others = names.all_but_parameters();
-        let others = others.filter(|name| ambiguous(name, Spelling::of(name)));
-        let as_written = of_parameters.map(String::as_str).chain(others);
-        let as_written = as_written.map(str::to_owned).collect();
-        let list = |names: &[String]| names.iter().map(spelling).collect();
-        let parameters = names.parameters.iter();
-        let parameters =
-            parameters.map(|name| spelled.spelling(name, Spelling::of_parameter(name)));
-        let mut is_named = Vec::new();
-        for expression in names.definitions.keys() {
-            note(&mut is_named, *expression);
-        }
-        Self {
-            is_named,
-            coordinates: list(&names.coordinates),
-            parameters: parameters.collect(),
-            inputs: list(&names.inputs),
-            quasi_velocities: list(&names.quasi_velocities),
-            multipliers: list(&names.multipliers),
-            definitions: names
-                .definitions
-                .iter()
-                .map(|(expression, name)| (*expression, Printed(Part::Name(spelling(name)))))
+        let as_written = all.filter(|(name, spelling)| spelled.is_ambiguous(name, spelling));
+        let as_written = as_written.map(|(name, _)| (*name).to_owned()).collect();
+        let symbols = symbols.into_iter();
+        let mut letters = Self {
+            symbols: symbols
+                .map(|(symbol, (name, spelling))| (symbol, spelled.spelling(name, spelling)))
                 .collect(),
+            definitions: BTreeMap::new(),
+            is_named: Vec::new(),
             as_written,
             sizes: WrittenSizes::default(),
+        };
+        for (x, (name, spelling)) in definitions {
+            letters.call(x, Printed(Part::Name(spelled.spelling(name, spelling))));
         }
+        letters
     }
 
     /// The names that are printed as they are written, since they would look like others.
@@ -121,19 +104,12 @@ impl Letters {
     }
 
     fn spellings(&self) -> impl Iterator<Item = &Spelling> {
-        let lists = [
-            &self.coordinates,
-            &self.parameters,
-            &self.inputs,
-            &self.quasi_velocities,
-            &self.multipliers,
-        ];
         let definitions = self.definitions.values();
         let definitions = definitions.filter_map(|name| match &name.0 {
             Part::Name(spelling) => Some(spelling),
             _ => None,
         });
-        lists.into_iter().flatten().chain(definitions)
+        self.symbols.values().chain(definitions)
     }
 
     /// The same letters without definitions.
@@ -149,7 +125,10 @@ impl Letters {
     /// Prints one more expression by what it is called.
     pub(crate) fn call(&mut self, expression: Expression, name: Printed) {
         self.definitions.insert(expression, name);
-        note(&mut self.is_named, expression);
+        let place = expression.index();
+        let length = self.is_named.len().max(place + 1);
+        self.is_named.resize(length, false);
+        self.is_named[place] = true;
     }
 
     /// The expressions that are printed by name.
@@ -167,62 +146,64 @@ impl Letters {
 
     /// The name of a symbol with dots above it.
     pub(crate) fn symbol(&self, symbol: Symbol) -> Spelling {
-        let find = |list: &[Spelling], letter: &str, index: u32| {
-            list.get(index as usize)
-                .cloned()
-                .unwrap_or_else(|| Spelling::of(&format!("{letter}{}", u64::from(index) + 1)))
+        let (base, dots) = match symbol {
+            Symbol::Velocity(index) => (Symbol::Coordinate(index), 1),
+            // Multipliers are accelerations of further coordinates.
+            Symbol::Acceleration(index) if !self.symbols.contains_key(&symbol) => {
+                (Symbol::Coordinate(index), 2)
+            }
+            Symbol::QuasiVelocityRate(index) => (Symbol::QuasiVelocity(index), 1),
+            other => (other, 0),
         };
-        match symbol {
-            Symbol::Time => Spelling::of("t"),
-            Symbol::Coordinate(index) => find(&self.coordinates, "q", index),
-            Symbol::Velocity(index) => find(&self.coordinates, "q", index).with_dots(1),
-            Symbol::Acceleration(index) => {
-                let coordinates = u32::try_from(self.coordinates.len()).unwrap_or(u32::MAX);
-                match index.checked_sub(coordinates) {
-                    Some(index) if !self.multipliers.is_empty() => {
-                        find(&self.multipliers, "lambda", index)
-                    }
-                    _ => find(&self.coordinates, "q", index).with_dots(2),
-                }
-            }
-            Symbol::Parameter(index) => find(&self.parameters, "p", index),
-            Symbol::Input(index) => find(&self.inputs, "u", index),
-            Symbol::Invariant(index) => find(&[], "c", index),
-            Symbol::Argument(index) => find(&[], "x", index),
-            Symbol::Order | Symbol::ReciprocalOrder => Spelling::of("k"),
-            Symbol::Convolution(index) => find(&[], "s", index),
-            Symbol::PositionComponent(index) | Symbol::RightHandSide(index) => {
-                find(&[], "r", index)
-            }
-            Symbol::QuasiVelocity(index) => find(&self.quasi_velocities, "w", index),
-            Symbol::QuasiVelocityRate(index) => {
-                find(&self.quasi_velocities, "w", index).with_dots(1)
-            }
-            Symbol::VelocityComponent(index) => find(&[], "w", index),
-            Symbol::Variation(index) => find(&[], "delta", index),
+        if let Some(spelling) = self.symbols.get(&base) {
+            return spelling.clone().with_dots(dots);
         }
+        let (letter, index) = match base {
+            Symbol::Time => return Spelling::of("t"),
+            Symbol::Order | Symbol::ReciprocalOrder => return Spelling::of("k"),
+            Symbol::Coordinate(index) | Symbol::Velocity(index) | Symbol::Acceleration(index) => {
+                ("q", index)
+            }
+            Symbol::Parameter(index) => ("p", index),
+            Symbol::Input(index) => ("u", index),
+            Symbol::Invariant(index) => ("c", index),
+            Symbol::Argument(index) => ("x", index),
+            Symbol::Convolution(index) => ("s", index),
+            Symbol::PositionComponent(index) | Symbol::RightHandSide(index) => ("r", index),
+            Symbol::QuasiVelocity(index)
+            | Symbol::QuasiVelocityRate(index)
+            | Symbol::VelocityComponent(index) => ("w", index),
+            Symbol::Variation(index) => ("delta", index),
+        };
+        let name = format!("{letter}{}", u64::from(index) + 1);
+        Spelling::of(&name).with_dots(dots)
     }
 }
 
+/// The names of symbols of one kind, and with which number they begin.
+type Kind<'a> = (&'a [String], fn(u32) -> Symbol, usize);
+
 impl Names {
     pub(crate) fn all(&self) -> impl Iterator<Item = &str> {
-        let parameters = self.parameters.iter().map(String::as_str);
-        self.all_but_parameters().chain(parameters)
+        let definitions = self.definitions.values().map(String::as_str);
+        self.symbols().map(|(_, name)| name).chain(definitions)
     }
 
-    fn all_but_parameters(&self) -> impl Iterator<Item = &str> {
-        let lists = [
-            &self.coordinates,
-            &self.inputs,
-            &self.quasi_velocities,
-            &self.multipliers,
+    /// The symbols that have names.
+    fn symbols(&self) -> impl Iterator<Item = (Symbol, &str)> {
+        let coordinates = self.coordinates.len();
+        let lists: [Kind<'_>; 5] = [
+            (&self.coordinates, Symbol::Coordinate, 0),
+            (&self.inputs, Symbol::Input, 0),
+            (&self.quasi_velocities, Symbol::QuasiVelocity, 0),
+            (&self.multipliers, Symbol::Acceleration, coordinates),
+            (&self.parameters, Symbol::Parameter, 0),
         ];
-        let definitions = self.definitions.values();
-        lists
-            .into_iter()
-            .flatten()
-            .chain(definitions)
-            .map(String::as_str)
+        lists.into_iter().flat_map(|(names, symbol, first)| {
+            let first = u32::try_from(first).unwrap_or(u32::MAX);
+            let named = (first..).zip(names);
+            named.map(move |(index, name)| (symbol(index), name.as_str()))
+        })
     }
 }
 

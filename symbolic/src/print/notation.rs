@@ -38,35 +38,29 @@ impl Notation {
     }
 
     /// The name of a function in a book.
-    pub(crate) const fn function(self, function: Unary) -> &'static str {
-        let (unicode, latex) = match function {
-            Unary::Sin => ("sin", "\\sin"),
-            Unary::Cos => ("cos", "\\cos"),
-            Unary::Tan => ("tan", "\\tan"),
-            Unary::Asin => ("arcsin", "\\arcsin"),
-            Unary::Acos => ("arccos", "\\arccos"),
-            Unary::Atan => ("arctan", "\\arctan"),
-            Unary::Sinh => ("sinh", "\\sinh"),
-            Unary::Cosh => ("cosh", "\\cosh"),
-            Unary::Tanh => ("tanh", "\\tanh"),
-            Unary::Sech => ("sech", "\\operatorname{sech}"),
-            Unary::Asinh => ("arsinh", "\\operatorname{arsinh}"),
-            Unary::Acosh => ("arcosh", "\\operatorname{arcosh}"),
-            Unary::Atanh => ("artanh", "\\operatorname{artanh}"),
-            Unary::Exp => ("exp", "\\exp"),
-            Unary::Ln => ("ln", "\\ln"),
-            Unary::Logistic => ("logistic", "\\operatorname{logistic}"),
-            Unary::Softplus => ("softplus", "\\operatorname{softplus}"),
-            Unary::LogCosh => ("ln cosh", "\\ln\\cosh"),
-            Unary::Abs => ("abs", "\\operatorname{abs}"),
-            Unary::Signum => ("sgn", "\\operatorname{sgn}"),
+    pub(crate) fn function(self, function: Unary) -> String {
+        let name = match function {
+            Unary::Asin => "arcsin",
+            Unary::Acos => "arccos",
+            Unary::Atan => "arctan",
+            Unary::Asinh => "arsinh",
+            Unary::Acosh => "arcosh",
+            Unary::Atanh => "artanh",
+            Unary::Signum => "sgn",
+            Unary::LogCosh => return self.of(["ln cosh", "\\ln\\cosh"]).to_owned(),
+            other => other.name(),
         };
-        match self {
-            Self::Unicode => unicode,
-            Self::Latex => latex,
+        if self == Self::Latex && COMMANDS.contains(&name) {
+            return format!("\\{name}");
         }
+        self.operator(name)
     }
 }
+
+/// The functions for which LaTeX has commands.
+const COMMANDS: [&str; 11] = [
+    "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln",
+];
 
 /// What stands on the line, below it and above it.
 const SHIFTED: [(char, char, char); 22] = [
