@@ -186,7 +186,10 @@ pub(crate) struct Folded {
 pub(crate) fn folded(equations: &[Printed], letters: IndexLetters) -> Vec<Folded> {
     let mut sums = equations.to_vec();
     for equation in &mut sums {
-        equation.fold_sums(MIN_FOLDED_TERMS, letters);
+        // Without the index of a member nothing is folded.
+        if equation.first_number().is_some() {
+            equation.fold_sums(MIN_FOLDED_TERMS, letters);
+        }
     }
     let mut families: Vec<(Printed, Vec<usize>)> = Vec::new();
     for (position, equation) in equations.iter().enumerate() {
