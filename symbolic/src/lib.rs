@@ -51,11 +51,11 @@ pub use mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
 pub use mechanics::solvers::solution::Solution;
 pub use passes::{Pass, Passes, UnknownPass};
 pub use print::formula::Formula;
-pub use print::listing::as_declared::{
-    AsDeclared, DeclaredLine, print_range, print_sum_sign, print_with_indices,
-};
+pub use print::index::{Index, Range};
+pub use print::listing::as_declared::{AsDeclared, DeclaredLine};
 pub use print::listing::{Declared, Listing};
 pub use print::names::{Letters, Names};
+pub use print::printed::Printed;
 pub use program::operation_count::OperationCount;
 pub use program::staging::Staged;
 pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};

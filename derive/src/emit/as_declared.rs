@@ -4,14 +4,12 @@
 
 mod calls;
 mod formula;
-mod notation;
 
 use std::collections::BTreeSet;
 
-use lagrangian_symbolic::{AsDeclared, DeclaredLine, print_range};
+use lagrangian_symbolic::{AsDeclared, DeclaredLine, Printed, Range};
 
-use crate::emit::as_declared::formula::{FormulaPrinter, bounds};
-use crate::emit::as_declared::notation::Notation;
+use crate::emit::as_declared::formula::{FormulaPrinter, values};
 use crate::emit::printed_names::{BodyNames, vectors};
 use crate::lower::Lowered;
 use crate::syntax::clauses::Clause;
@@ -41,8 +39,8 @@ pub(super) fn as_declared(declaration: &Declaration, lowered: &Lowered) -> AsDec
         Some(DeclaredLine {
             name: (*letter).to_owned(),
             // The page has its own letter for it.
-            left: Default::default(),
-            right: right.texts,
+            left: Printed::text([letter, letter]),
+            right,
             mentions: printer.take_mentioned(),
         })
     });
@@ -73,10 +71,10 @@ pub(super) fn as_declared(declaration: &Declaration, lowered: &Lowered) -> AsDec
 
 impl FormulaPrinter<'_> {
     /// The sum of clauses with one keyword.
-    fn total(&mut self, clauses: &[Clause]) -> Option<Notation> {
+    fn total(&mut self, clauses: &[Clause]) -> Option<Printed> {
         let terms = clauses.iter().map(|clause| self.print(&clause.expression));
         let terms: Vec<_> = terms.collect::<Option<_>>()?;
-        Some(Notation::sum(terms))
+        Some(Printed::sum(terms))
     }
 
     /// A definition, for all values of its indices.
@@ -84,32 +82,21 @@ impl FormulaPrinter<'_> {
         let name = unraw(&definition.name);
         let left = self.member(&definition.name, &definition.indices, &[], 0)?;
         let right = self.print(&definition.expression)?;
-        let mut right = right.texts;
         let ranges: Option<Vec<_>> = definition.iterations.iter().map(range).collect();
-        let ranges = ranges?;
         let mut variables = definition.iterations.iter();
         if !variables.all(|iteration| self.is_free(&iteration.index)) {
             return None;
         }
-        if !ranges.is_empty() {
-            let ranges = [0, 1].map(|notation| {
-                let texts: Vec<_> = ranges.iter().map(|texts| &*texts[notation]).collect();
-                texts.join("; ")
-            });
-            right[0].extend(["  (", &ranges[0], ")"]);
-            right[1].extend([" \\quad (", &ranges[1], ")"]);
-        }
         Some(DeclaredLine {
             name,
-            left: left.texts,
-            right,
+            left,
+            right: right.for_all(ranges?),
             mentions: self.take_mentioned(),
         })
     }
 }
 
 /// The values of an index.
-fn range(iteration: &ForClause) -> Option<[String; 2]> {
-    let (first, last) = bounds(&iteration.range)?;
-    Some(print_range(&unraw(&iteration.index), &first, &last))
+fn range(iteration: &ForClause) -> Option<Range> {
+    values(&iteration.index, &iteration.range)
 }

@@ -4,25 +4,20 @@ use core::fmt;
 use std::borrow::Cow;
 
 use crate::limits::MAX_FORMULA_LENGTH;
-use crate::print::layout::{Layout, Piece};
-use crate::print::notation::Notation;
+use crate::print::layout::Layout;
+use crate::print::notation::{ELLIPSIS, Notation};
+use crate::print::printed::{Part, Printed};
+use crate::print::writer::{Piece, Writer};
 use crate::{Expression, Graph, Letters, Names};
 
 /// An expression with the names of its symbols, ready to be printed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Formula<'a> {
     graph: &'a Graph,
-    letters: Source<'a>,
+    letters: Cow<'a, Letters>,
     root: Expression,
     notation: Notation,
     limit: usize,
-}
-
-/// Where the names of a formula come from.
-#[derive(Clone, Copy, Debug)]
-enum Source<'a> {
-    Names(&'a Names),
-    Letters(&'a Letters),
 }
 
 impl Graph {
@@ -30,38 +25,29 @@ impl Graph {
     ///
     /// The expression itself is written out even if it has a name; what it is made of is called by name.
     #[must_use]
-    pub const fn display<'a>(&'a self, expression: Expression, names: &'a Names) -> Formula<'a> {
-        Formula {
-            graph: self,
-            letters: Source::Names(names),
-            root: expression,
-            notation: Notation::Unicode,
-            limit: MAX_FORMULA_LENGTH,
-        }
+    pub fn display(&self, expression: Expression, names: &Names) -> Formula<'_> {
+        self.formula(expression, Cow::Owned(Letters::new(names)))
     }
 
     /// The same line in letters that several formulas share, so that they are found only once.
     #[must_use]
-    pub const fn display_in<'a>(
-        &'a self,
-        expression: Expression,
-        letters: &'a Letters,
-    ) -> Formula<'a> {
-        Formula {
-            graph: self,
-            letters: Source::Letters(letters),
-            root: expression,
-            notation: Notation::Unicode,
-            limit: MAX_FORMULA_LENGTH,
-        }
+    pub fn display_in<'a>(&'a self, expression: Expression, letters: &'a Letters) -> Formula<'a> {
+        self.formula(expression, Cow::Borrowed(letters))
     }
 
     /// The expression as LaTeX, for a place in mathematics mode.
     #[must_use]
-    pub const fn latex<'a>(&'a self, expression: Expression, names: &'a Names) -> Formula<'a> {
+    pub fn latex(&self, expression: Expression, names: &Names) -> Formula<'_> {
+        self.display(expression, names).in_latex()
+    }
+
+    const fn formula<'a>(&'a self, root: Expression, letters: Cow<'a, Letters>) -> Formula<'a> {
         Formula {
-            notation: Notation::Latex,
-            ..self.display(expression, names)
+            graph: self,
+            letters,
+            root,
+            notation: Notation::Unicode,
+            limit: MAX_FORMULA_LENGTH,
         }
     }
 }
@@ -74,9 +60,7 @@ impl Formula<'_> {
         self.limit = characters;
         self
     }
-}
 
-impl Formula<'_> {
     /// The same formula in LaTeX.
     #[must_use]
     pub const fn in_latex(mut self) -> Self {
@@ -84,39 +68,55 @@ impl Formula<'_> {
         self
     }
 
-    /// The number of characters, or one more than `most` if there are more.
+    /// How [long](Printed::length) it is to read, or one more than `most` if it is longer.
     pub(crate) fn length(&self, most: usize) -> usize {
-        let text = self.limit(most.saturating_add(1)).to_string();
-        if text.contains(self.notation.ellipsis()) {
-            return most.saturating_add(1);
+        let mut writer = self.writer();
+        let mut length = 0;
+        while length <= most
+            && let Some(piece) = writer.next_piece()
+        {
+            if let Piece::Formula(Printed(Part::Name(name)))
+            | Piece::BeforeBar(Printed(Part::Name(name))) = &piece
+            {
+                length += name.reading_of_indices();
+            }
+            match piece.text() {
+                Some(text) => length += text.chars().count(),
+                None => writer.expand(piece),
+            }
         }
-        text.chars().count().min(most.saturating_add(1))
+        length.min(most.saturating_add(1))
+    }
+
+    fn writer(&self) -> Writer<'_> {
+        let layout = Layout {
+            graph: self.graph,
+            letters: &self.letters,
+        };
+        let root = layout.body(self.root);
+        Writer::new(self.notation, Some(layout), root)
     }
 }
 
 impl fmt::Display for Formula<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let letters = match self.letters {
-            Source::Names(names) => Cow::Owned(Letters::new(names)),
-            Source::Letters(letters) => Cow::Borrowed(letters),
-        };
-        let mut layout = Layout::new(self.graph, letters, self.notation, self.root);
+        let mut writer = self.writer();
         let mut room = Room {
             left: self.limit,
             unopened: None,
         };
         let mut complete = true;
-        while let Some(piece) = layout.next() {
+        while let Some(piece) = writer.next_piece() {
             let Some(text) = piece.text() else {
                 if room.unopened.is_none() {
-                    layout.expand(piece);
+                    writer.expand(piece);
                 }
                 continue;
             };
             if room.admits(&piece, text) {
                 formatter.write_str(text)?;
             } else if core::mem::take(&mut complete) {
-                formatter.write_str(self.notation.ellipsis())?;
+                formatter.write_str(self.notation.of(ELLIPSIS))?;
             }
         }
         Ok(())
@@ -131,7 +131,7 @@ struct Room {
 }
 
 impl Room {
-    fn admits(&mut self, piece: &Piece<'_>, text: &str) -> bool {
+    fn admits(&mut self, piece: &Piece, text: &str) -> bool {
         if self.unopened.is_none() {
             let length = text.chars().count();
             if length <= self.left || matches!(piece, Piece::Close(_) | Piece::Middle(_)) {

@@ -1,180 +1,149 @@
-//! Expressions laid out as pieces of text, from left to right.
+//! Expressions laid out as formulas.
 //!
-//! What is still to be printed lies on a stack, so that depth costs no recursion: an expression is
-//! taken off and its own pieces are put in its place. Each piece knows what it may contain without
-//! parentheses.
+//! What is deep is laid out level by level: an operand that is neither a letter nor a number is
+//! [unfolded](Part::Unfolded) later.
 
-use std::borrow::Cow;
-
+use crate::limits::{MAX_PRINTED_DEPTH, MAX_UNFOLDED_LINE_LENGTH};
 use crate::print::names::Letters;
 use crate::print::notation::Notation;
-use crate::print::numeral::Numeral;
 use crate::print::order::term_place;
+use crate::print::printed::{Part, Precedence, Printed};
+use crate::print::quotient::Power;
 use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
-/// A part of a formula.
-#[derive(Debug)]
-pub(crate) enum Piece<'a> {
-    Text(Cow<'static, str>),
-    /// A bracket that opens,
-    Open(&'static str),
-    /// one that closes and opens,
-    Middle(&'static str),
-    /// and one that closes.
-    Close(&'static str),
-    /// An expression where no parentheses are needed: by name if it has one,
-    Expression(Expression),
-    /// or written out.
-    Body(Expression),
-    /// A multiple of a sum, term by term.
-    Multiple(&'a [(Expression, Rational)], Rational),
-    /// A multiple c·x in a sum, and whether it is the first.
-    Term(Expression, Rational, bool),
-    /// A power x^k with k > 0 in a product.
-    Power(Power),
-}
-
-/// A power x^k with k > 0 in a product.
-#[derive(Clone, Debug)]
-pub(crate) struct Power {
-    pub(crate) base: Expression,
-    pub(crate) exponent: Rational,
-    /// The number by which the terms of a sum are multiplied; else 1.
-    pub(crate) scale: Rational,
-    /// Whether a quotient's bar follows, so that a function's argument needs parentheses.
-    pub(crate) before_bar: bool,
-}
-
-impl Piece<'_> {
-    pub(crate) fn text(&self) -> Option<&str> {
-        match self {
-            Self::Text(text) => Some(text),
-            Self::Open(text) | Self::Middle(text) | Self::Close(text) => Some(text),
-            Self::Expression(_)
-            | Self::Body(_)
-            | Self::Multiple(..)
-            | Self::Term(..)
-            | Self::Power(_) => None,
-        }
+impl Graph {
+    /// All of an expression that is written out, what it is made of by name; none where it is longer than a line may be.
+    pub(crate) fn written_out(&self, x: Expression, letters: &Letters) -> Option<Printed> {
+        let graph = self;
+        Layout { graph, letters }.whole(x)
     }
 
-    pub(crate) fn owned(text: String) -> Self {
-        Self::Text(Cow::Owned(text))
+    /// All of an expression, by name if it has one.
+    pub(crate) fn printed(&self, x: Expression, letters: &Letters) -> Option<Printed> {
+        let name = letters.definition(x).cloned();
+        name.or_else(|| self.written_out(x, letters))
     }
 }
 
-/// The precedence of an expression in print.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) enum Precedence {
-    /// A sum, or anything with a minus sign in front.
-    Sum,
-    /// A product or quotient.
-    Product,
-    /// A power, a root or a function of something.
-    Power,
-    /// A letter, or something within its own brackets.
-    Atom,
-}
-
-/// A formula of which the rest is still to be printed.
+/// Lays out expressions.
 pub(crate) struct Layout<'a> {
     pub(crate) graph: &'a Graph,
-    pub(crate) letters: Cow<'a, Letters>,
-    pub(crate) notation: Notation,
-    stack: Vec<Piece<'a>>,
+    pub(crate) letters: &'a Letters,
 }
 
-impl<'a> Layout<'a> {
-    pub(crate) fn new(
-        graph: &'a Graph,
-        letters: Cow<'a, Letters>,
-        notation: Notation,
-        root: Expression,
-    ) -> Self {
-        Self {
-            graph,
-            letters,
-            notation,
-            stack: vec![Piece::Body(root)],
+impl Layout<'_> {
+    fn whole(&self, x: Expression) -> Option<Printed> {
+        let mut formula = self.body(x);
+        // What is one sign, such as x², has three parts.
+        let mut room = 2 * MAX_UNFOLDED_LINE_LENGTH;
+        self.complete(&mut formula, &mut room, MAX_PRINTED_DEPTH)?;
+        Some(formula)
+    }
+
+    fn complete(&self, formula: &mut Printed, room: &mut usize, depth: usize) -> Option<()> {
+        *room = room.checked_sub(1)?;
+        let depth = depth.checked_sub(1)?;
+        if let Part::Unfolded(x, scale, _) = &formula.0 {
+            *formula = self.multiple(*x, scale);
+        }
+        for part in formula.parts_mut() {
+            self.complete(part, room, depth)?;
+        }
+        if let Part::Sum(terms) = &mut formula.0 {
+            // A sum that is a term of another one continues it.
+            let terms = core::mem::take(terms).into_iter();
+            let terms = terms.flat_map(|(negative, term)| match term.0 {
+                Part::Sum(terms) if !negative => terms,
+                _ => vec![(negative, term)],
+            });
+            formula.0 = Part::Sum(terms.collect());
+        }
+        Some(())
+    }
+
+    /// A multiple of an expression that is written out.
+    pub(crate) fn multiple(&self, x: Expression, scale: &Rational) -> Printed {
+        match self.graph.node(x) {
+            Node::Sum(terms) if !scale.is_one() => Printed::of_terms(self.terms(terms, scale)),
+            _ => self.body(x),
         }
     }
 
-    /// Takes off what is to be printed next.
-    pub(crate) fn next(&mut self) -> Option<Piece<'a>> {
-        self.stack.pop()
-    }
-
-    /// Puts the pieces of `piece` in its place.
-    pub(crate) fn expand(&mut self, piece: Piece<'a>) {
-        let mut line = Vec::new();
-        match piece {
-            Piece::Expression(expression) => self.expression(&mut line, expression),
-            Piece::Body(expression) => self.body(&mut line, expression),
-            Piece::Multiple(terms, scale) => self.sum(&mut line, terms, &scale, true),
-            Piece::Term(x, coefficient, first) => self.term(&mut line, x, &coefficient, first),
-            Piece::Power(factor) => self.factor(&mut line, &factor),
-            Piece::Text(_) | Piece::Open(_) | Piece::Middle(_) | Piece::Close(_) => {
-                line.push(piece);
-            }
-        }
-        self.stack.extend(line.into_iter().rev());
-    }
-
-    fn expression(&self, line: &mut Vec<Piece<'a>>, expression: Expression) {
-        match self.letters.definition(expression) {
-            Some(name) => line.push(Piece::owned(self.letters.print(name, 0, self.notation))),
-            None => self.body(line, expression),
+    /// An expression by name if it has one.
+    pub(crate) fn operand(&self, x: Expression) -> Printed {
+        match (self.letters.definition(x), self.graph.node(x)) {
+            (Some(name), _) => name.clone(),
+            (None, Node::Constant(_) | Node::Pi | Node::Symbol(_)) => self.body(x),
+            _ => self.unfolded(x, Rational::ONE),
         }
     }
 
-    fn body(&self, line: &mut Vec<Piece<'a>>, expression: Expression) {
-        match self.graph.node(expression) {
-            Node::Constant(value) => {
-                if value.is_negative() {
-                    line.push(Piece::Text(self.notation.minus().into()));
-                }
-                line.push(Piece::owned(Numeral::of(value).print(self.notation)));
-            }
-            Node::Pi => line.push(Piece::Text(self.notation.pi().into())),
-            Node::Symbol(symbol) => {
-                let (spelling, dots) = self.letters.symbol(*symbol);
-                line.push(Piece::owned(self.letters.print(
-                    &spelling,
-                    dots,
-                    self.notation,
-                )));
-            }
-            Node::Sum(terms) => self.sum(line, terms, &Rational::ONE, true),
+    pub(crate) fn unfolded(&self, x: Expression, scale: Rational) -> Printed {
+        Printed(Part::Unfolded(x, scale, self.precedence(x)))
+    }
+
+    /// An expression that is written out.
+    pub(crate) fn body(&self, x: Expression) -> Printed {
+        match self.graph.node(x) {
+            Node::Constant(value) => Printed::number(value),
+            Node::Pi => Printed::text(["π", "\\pi"]),
+            Node::Symbol(symbol) => Printed(Part::Name(self.letters.symbol(*symbol))),
+            Node::Sum(terms) => Printed::of_terms(self.terms(terms, &Rational::ONE)),
             // By its factors, even if it has a name itself.
             Node::Product(factors) => {
                 let (coefficient, factors) = self.with_positive_sums(&Rational::ONE, factors);
-                self.sign(line, &coefficient, true);
-                self.product(line, &coefficient.abs(), factors);
+                let product = self.product(&coefficient.abs(), factors);
+                Printed::of_terms(vec![(coefficient.is_negative(), product)])
             }
-            Node::Unary(function, x) => self.call(line, *function, *x, &Rational::ONE, false),
-            Node::Binary(function, x, y) => self.binary(line, *function, *x, *y),
-            Node::Application(function, arguments) => self.application(line, *function, arguments),
-            Node::Opaque(x) => self.enclosed(line, true, *x),
+            Node::Unary(function, x) => self.call(*function, *x),
+            Node::Binary(Binary::Power, x, y) => {
+                let sides = [*x, *y].map(|side| self.operand(side));
+                Printed(Part::Power(Box::new(sides)))
+            }
+            Node::Binary(function, x, y) => {
+                let name = match function {
+                    Binary::Atan2 => ["atan2", "\\operatorname{atan2}"],
+                    Binary::Min => ["min", "\\min"],
+                    Binary::Max => ["max", "\\max"],
+                    other => [other.name(); 2],
+                };
+                Printed::call(name, [*x, *y].map(|side| self.operand(side)).into())
+            }
+            // An external function is called by its declared name.
+            Node::Application(function, arguments) => {
+                let name = self.graph.function_name(*function);
+                let name = [Notation::Unicode, Notation::Latex].map(|it| it.operator(name));
+                let arguments = arguments.iter().map(|x| self.operand(*x));
+                Printed::call(name.each_ref().map(|name| &**name), arguments.collect())
+            }
+            Node::Opaque(x) => Printed::list(vec![self.operand(*x)]),
         }
     }
 
     /// Σ cᵢ·xᵢ, beginning with a term without a minus sign if there is one.
-    fn sum(
-        &self,
-        line: &mut Vec<Piece<'a>>,
-        terms: &'a [(Expression, Rational)],
-        scale: &Rational,
-        first: bool,
-    ) {
+    fn terms(&self, terms: &[(Expression, Rational)], scale: &Rational) -> Vec<(bool, Printed)> {
         let mut ordered: Vec<_> = terms.iter().collect();
         ordered.sort_by_cached_key(|(x, _)| term_place(self.graph, *x));
-        let positive = |x, c: &Rational| !self.powers_of_term(x, &(c * scale)).0.is_negative();
-        if let Some(position) = ordered.iter().position(|(x, c)| positive(*x, c)) {
-            ordered[..=position].rotate_right(1);
+        let terms = ordered.into_iter().map(|(x, c)| {
+            let c = c * scale;
+            let (coefficient, powers) = self.powers_of_term(*x, &c);
+            let (size, negative) = (coefficient.abs(), coefficient.is_negative());
+            let is_sum = matches!(self.graph.node(*x), Node::Sum(_));
+            let term = if is_sum && c.is_one() && self.letters.definition(*x).is_none() {
+                // A long sum that is a term of another one continues it.
+                (false, self.unfolded(*x, Rational::ONE))
+            } else if *x == self.graph.one() {
+                (negative, Printed::number(&size))
+            } else {
+                (negative, self.product(&size, powers))
+            };
+            (negative, term)
+        });
+        let mut terms: Vec<_> = terms.collect();
+        if let Some(position) = terms.iter().position(|(negative, _)| !negative) {
+            terms[..=position].rotate_right(1);
         }
-        for (position, (x, c)) in ordered.into_iter().enumerate() {
-            line.push(Piece::Term(*x, c * scale, first && position == 0));
-        }
+        terms.into_iter().map(|(_, term)| term).collect()
     }
 
     /// A multiple c·x as a number and powers.
@@ -187,95 +156,28 @@ impl<'a> Layout<'a> {
         }
     }
 
-    fn term(&self, line: &mut Vec<Piece<'a>>, x: Expression, coefficient: &Rational, first: bool) {
-        let named = self.letters.definition(x).is_some();
-        if let Node::Sum(terms) = self.graph.node(x)
-            && coefficient.is_one()
-            && !named
-        {
-            // A long sum that is a term of another one continues it.
-            return self.sum(line, terms, &Rational::ONE, first);
+    pub(crate) fn call(&self, function: Unary, x: Expression) -> Printed {
+        let argument = self.operand(x);
+        if function == Unary::Abs && !self.graph.contents(x).has_absolute_value() {
+            return Printed::bars(argument);
         }
-        let (coefficient, factors) = self.powers_of_term(x, coefficient);
-        self.sign(line, &coefficient, first);
-        let size = coefficient.abs();
-        if x == self.graph.one() {
-            line.push(Piece::owned(Numeral::of(&size).print(self.notation)));
-        } else {
-            self.product(line, &size, factors);
-        }
+        Printed(Part::Function(function, Box::new(argument)))
     }
 
-    /// What stands before a term.
-    fn sign(&self, line: &mut Vec<Piece<'a>>, coefficient: &Rational, first: bool) {
-        match (first, coefficient.is_negative()) {
-            (true, false) => {}
-            (true, true) => line.push(Piece::Text(self.notation.minus().into())),
-            (false, negative) => {
-                line.push(Piece::Text(self.notation.between_terms(negative).into()));
+    /// How tightly what is neither a letter nor a number binds.
+    fn precedence(&self, x: Expression) -> Precedence {
+        match self.graph.node(x) {
+            Node::Sum(terms) if terms.len() == 1 && !terms[0].1.is_negative() => {
+                Precedence::Product
             }
-        }
-    }
-
-    /// x, within parentheses unless it binds at least as tightly as `precedence`.
-    pub(crate) fn at_least(
-        &self,
-        line: &mut Vec<Piece<'a>>,
-        precedence: Precedence,
-        x: Expression,
-    ) {
-        self.enclosed(line, self.precedence(x) < precedence, x);
-    }
-
-    pub(crate) fn enclosed(&self, line: &mut Vec<Piece<'a>>, parentheses: bool, x: Expression) {
-        let (open, close) = self.notation.parentheses();
-        line.extend(parentheses.then_some(Piece::Open(open)));
-        line.push(Piece::Expression(x));
-        line.extend(parentheses.then_some(Piece::Close(close)));
-    }
-
-    fn precedence(&self, expression: Expression) -> Precedence {
-        if self.letters.definition(expression).is_some() {
-            return Precedence::Atom;
-        }
-        match self.graph.node(expression) {
-            Node::Constant(value) if value.is_negative() => Precedence::Sum,
-            Node::Constant(value) if Numeral::of(value).is_plain() => Precedence::Atom,
-            Node::Constant(_) => Precedence::Product,
-            Node::Pi
-            | Node::Symbol(_)
-            | Node::Opaque(_)
-            | Node::Unary(Unary::Exp | Unary::Abs | Unary::Signum, _)
-            | Node::Binary(Binary::Atan2 | Binary::Min | Binary::Max | Binary::Scale, ..)
-            | Node::Application(..) => Precedence::Atom,
-            Node::Sum(terms) => match &**terms {
-                [(_, c)] if !c.is_negative() => Precedence::Product,
-                _ => Precedence::Sum,
-            },
-            Node::Product(factors) => match &**factors {
-                [(_, k)] if !k.is_negative() => Precedence::Power,
-                _ => Precedence::Product,
-            },
+            Node::Sum(_) => Precedence::Sum,
+            Node::Product(factors) if factors.len() == 1 && !factors[0].1.is_negative() => {
+                Precedence::Power
+            }
+            Node::Product(_) => Precedence::Product,
+            Node::Unary(Unary::Exp | Unary::Abs | Unary::Signum, _) => Precedence::Atom,
             Node::Unary(..) | Node::Binary(Binary::Power, ..) => Precedence::Power,
+            _ => Precedence::Atom,
         }
-    }
-
-    /// Whether `expression` is printed as one letter, which a function takes without parentheses.
-    pub(crate) fn is_letter(&self, expression: Expression) -> bool {
-        match (
-            self.letters.definition(expression),
-            self.graph.node(expression),
-        ) {
-            (Some(name), _) => !name.is_word(),
-            (_, Node::Symbol(symbol)) => !self.letters.symbol(*symbol).0.is_word(),
-            (_, Node::Pi) => true,
-            _ => false,
-        }
-    }
-
-    pub(crate) fn is_plain_number(&self, expression: Expression) -> bool {
-        self.graph
-            .as_constant(expression)
-            .is_some_and(|value| !value.is_negative() && Numeral::of(value).is_plain())
     }
 }

@@ -30,7 +30,7 @@ use crate::print::listing::composer::Composer;
 use crate::print::listing::printed_model::PrintedModel;
 use crate::print::listing::section::Section;
 use crate::print::names::{Letters, Names};
-use crate::{Equations, Expression, Graph, Model};
+use crate::{Equations, Expression, Model};
 
 /// The names of a model, in the order of the declaration.
 #[derive(Clone, Debug, Default)]
@@ -109,19 +109,19 @@ impl Listing {
         ];
         sections.extend(recursion);
         sections.extend(solved);
-        let listing = Self::written(&composer.model.graph, &composer.letters, &sections);
+        let listing = Self::written(&composer.letters, &sections);
         composer.model.graph.leaves_exponentials = false;
         listing
     }
 
     /// The sections as they are written.
-    fn written(graph: &Graph, letters: &Letters, sections: &[Section]) -> Self {
+    fn written(letters: &Letters, sections: &[Section]) -> Self {
         let mut listing = Self {
             unicode: String::new(),
             latex: String::new(),
         };
         for section in sections {
-            section.write(graph, letters, &mut listing);
+            section.write(letters, &mut listing);
         }
         listing
     }

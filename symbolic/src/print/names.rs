@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::print::listing::index_letters::IndexLetters;
 use crate::print::notation::Notation;
+use crate::print::printed::{Part, Printed};
 use crate::print::size::WrittenSizes;
 use crate::print::spelling::Spelling;
 use crate::{Expression, Symbol};
@@ -31,74 +32,54 @@ pub struct Names {
 /// Names as they are spelled in print, no two alike.
 #[derive(Clone, Debug)]
 pub struct Letters {
-    coordinates: Vec<Spelling>,
-    parameters: Vec<Spelling>,
-    inputs: Vec<Spelling>,
-    quasi_velocities: Vec<Spelling>,
-    multipliers: Vec<Spelling>,
-    definitions: BTreeMap<Expression, Spelling>,
+    symbols: BTreeMap<Symbol, Spelling>,
+    definitions: BTreeMap<Expression, Printed>,
     /// By expression, whether it is printed by name: this is asked of every part of what is printed.
     is_named: Vec<bool>,
     /// The names that are printed as they are written.
     as_written: BTreeSet<String>,
-    /// Whether indices are marked.
-    pub(crate) marks_indices: bool,
     /// How long expressions are in these letters.
     pub(crate) sizes: WrittenSizes,
-}
-
-/// Notes that an expression is printed by name.
-fn note(is_named: &mut Vec<bool>, expression: Expression) {
-    if expression.index() >= is_named.len() {
-        is_named.resize(expression.index() + 1, false);
-    }
-    is_named[expression.index()] = true;
 }
 
 impl Letters {
     /// The letters in which `names` are printed.
     #[must_use]
     pub fn new(names: &Names) -> Self {
+        let symbols = names.symbols().map(|(symbol, name)| {
+            let spelling = match symbol {
+                Symbol::Parameter(_) => Spelling::of_parameter(name),
+                _ => Spelling::of(name),
+            };
+            (symbol, (name, spelling))
+        });
+        let symbols: Vec<_> = symbols.collect();
+        let definitions = names.definitions.iter();
+        let definitions: Vec<_> = definitions
+            .map(|(x, name)| (*x, (name.as_str(), Spelling::of(name))))
+            .collect();
+        let all = symbols.iter().map(|(_, named)| named);
+        let all = all.chain(definitions.iter().map(|(_, named)| named));
         let mut spelled = Collisions::default();
-        for name in &names.parameters {
-            spelled.note(name, &Spelling::of_parameter(name));
+        for (name, spelling) in all.clone() {
+            spelled.note(name, spelling);
         }
-        for name in names.all_but_parameters() {
-            spelled.note(name, &Spelling::of(name));
-        }
-        let spelling = |name: &String| spelled.spelling(name, Spelling::of(name));
-        let ambiguous = |name: &str, spelling| spelled.is_ambiguous(name, &spelling);
-        let of_parameters = names.parameters.iter();
-        let of_parameters =
-            of_parameters.filter(|name| ambiguous(name, Spelling::of_parameter(name)));
-        let others = names.all_but_parameters();
-        let others = others.filter(|name| ambiguous(name, Spelling::of(name)));
-        let as_written = of_parameters.map(String::as_str).chain(others);
-        let as_written = as_written.map(str::to_owned).collect();
-        let list = |names: &[String]| names.iter().map(spelling).collect();
-        let parameters = names.parameters.iter();
-        let parameters =
-            parameters.map(|name| spelled.spelling(name, Spelling::of_parameter(name)));
-        let mut is_named = Vec::new();
-        for expression in names.definitions.keys() {
-            note(&mut is_named, *expression);
-        }
-        Self {
-            is_named,
-            coordinates: list(&names.coordinates),
-            parameters: parameters.collect(),
-            inputs: list(&names.inputs),
-            quasi_velocities: list(&names.quasi_velocities),
-            multipliers: list(&names.multipliers),
-            definitions: names
-                .definitions
-                .iter()
-                .map(|(expression, name)| (*expression, spelling(name)))
+        let as_written = all.filter(|(name, spelling)| spelled.is_ambiguous(name, spelling));
+        let as_written = as_written.map(|(name, _)| (*name).to_owned()).collect();
+        let symbols = symbols.into_iter();
+        let mut letters = Self {
+            symbols: symbols
+                .map(|(symbol, (name, spelling))| (symbol, spelled.spelling(name, spelling)))
                 .collect(),
+            definitions: BTreeMap::new(),
+            is_named: Vec::new(),
             as_written,
-            marks_indices: false,
             sizes: WrittenSizes::default(),
+        };
+        for (x, (name, spelling)) in definitions {
+            letters.call(x, Printed(Part::Name(spelled.spelling(name, spelling))));
         }
+        letters
     }
 
     /// The names that are printed as they are written, since they would look like others.
@@ -106,58 +87,29 @@ impl Letters {
         &self.as_written
     }
 
-    /// A symbol as it is printed in Unicode and in LaTeX, such as θ̇.
-    pub(crate) fn print_both(&self, symbol: Symbol) -> [String; 2] {
-        let (spelling, dots) = self.symbol(symbol);
-        [Notation::Unicode, Notation::Latex].map(|notation| self.print(&spelling, dots, notation))
+    /// A symbol as it is printed, such as θ̇.
+    pub(crate) fn printed(&self, symbol: Symbol) -> Printed {
+        Printed(Part::Name(self.symbol(symbol)))
     }
 
-    /// A symbol as it is printed in Unicode, without marks.
-    pub(crate) fn print_plain(&self, symbol: Symbol) -> String {
-        let (spelling, dots) = self.symbol(symbol);
-        spelling.print(dots, Notation::Unicode)
-    }
-
-    /// All names as they are printed in Unicode, without marks.
+    /// All names as they are printed in Unicode.
     pub(crate) fn all_printed(&self) -> impl Iterator<Item = String> {
-        let lists = [
-            &self.coordinates,
-            &self.parameters,
-            &self.inputs,
-            &self.quasi_velocities,
-            &self.multipliers,
-        ];
-        let spellings = lists.into_iter().flatten().chain(self.definitions.values());
-        spellings.map(|spelling| spelling.print(0, Notation::Unicode))
+        self.spellings()
+            .map(|spelling| spelling.print(Notation::Unicode))
     }
 
     /// The letters of indices, which are those of no name.
     pub(crate) fn index_letters(&self) -> IndexLetters {
-        let lists = [
-            &self.coordinates,
-            &self.parameters,
-            &self.inputs,
-            &self.quasi_velocities,
-            &self.multipliers,
-        ];
-        let spellings = lists.into_iter().flatten().chain(self.definitions.values());
-        IndexLetters::free(&spellings.map(Spelling::stem).collect())
+        IndexLetters::free(&self.spellings().map(Spelling::stem).collect())
     }
 
-    /// A name with dots above it.
-    pub(crate) fn print(&self, spelling: &Spelling, dots: usize, notation: Notation) -> String {
-        if self.marks_indices {
-            spelling.print_marked(dots, notation)
-        } else {
-            spelling.print(dots, notation)
-        }
-    }
-
-    /// The name of an expression as it is printed in Unicode and in LaTeX, if it has one.
-    pub(crate) fn print_both_of(&self, expression: Expression) -> Option<[String; 2]> {
-        let spelling = self.definition(expression)?;
-        let notations = [Notation::Unicode, Notation::Latex];
-        Some(notations.map(|notation| self.print(spelling, 0, notation)))
+    fn spellings(&self) -> impl Iterator<Item = &Spelling> {
+        let definitions = self.definitions.values();
+        let definitions = definitions.filter_map(|name| match &name.0 {
+            Part::Name(spelling) => Some(spelling),
+            _ => None,
+        });
+        self.symbols.values().chain(definitions)
     }
 
     /// The same letters without definitions.
@@ -170,12 +122,13 @@ impl Letters {
         }
     }
 
-    /// The same letters, and a sign for one more expression.
-    pub(crate) fn with_sign(mut self, expression: Expression, sign: char) -> Self {
-        let spelling = Spelling::verbatim(&sign.to_string());
-        self.definitions.insert(expression, spelling);
-        note(&mut self.is_named, expression);
-        self
+    /// Prints one more expression by what it is called.
+    pub(crate) fn call(&mut self, expression: Expression, name: Printed) {
+        self.definitions.insert(expression, name);
+        let place = expression.index();
+        let length = self.is_named.len().max(place + 1);
+        self.is_named.resize(length, false);
+        self.is_named[place] = true;
     }
 
     /// The expressions that are printed by name.
@@ -184,69 +137,73 @@ impl Letters {
     }
 
     /// The name of a subexpression, if it has one.
-    pub(crate) fn definition(&self, expression: Expression) -> Option<&Spelling> {
+    pub(crate) fn definition(&self, expression: Expression) -> Option<&Printed> {
         match self.is_named.get(expression.index()) {
             Some(true) => self.definitions.get(&expression),
             _ => None,
         }
     }
 
-    /// The name of a symbol and the number of dots above it.
-    pub(crate) fn symbol(&self, symbol: Symbol) -> (Spelling, usize) {
-        let find = |list: &[Spelling], letter: &str, index: u32| {
-            list.get(index as usize)
-                .cloned()
-                .unwrap_or_else(|| Spelling::of(&format!("{letter}{}", u64::from(index) + 1)))
+    /// The name of a symbol with dots above it.
+    pub(crate) fn symbol(&self, symbol: Symbol) -> Spelling {
+        let (base, dots) = match symbol {
+            Symbol::Velocity(index) => (Symbol::Coordinate(index), 1),
+            // Multipliers are accelerations of further coordinates.
+            Symbol::Acceleration(index) if !self.symbols.contains_key(&symbol) => {
+                (Symbol::Coordinate(index), 2)
+            }
+            Symbol::QuasiVelocityRate(index) => (Symbol::QuasiVelocity(index), 1),
+            other => (other, 0),
         };
-        match symbol {
-            Symbol::Time => (Spelling::of("t"), 0),
-            Symbol::Coordinate(index) => (find(&self.coordinates, "q", index), 0),
-            Symbol::Velocity(index) => (find(&self.coordinates, "q", index), 1),
-            Symbol::Acceleration(index) => {
-                let coordinates = u32::try_from(self.coordinates.len()).unwrap_or(u32::MAX);
-                match index.checked_sub(coordinates) {
-                    Some(index) if !self.multipliers.is_empty() => {
-                        (find(&self.multipliers, "lambda", index), 0)
-                    }
-                    _ => (find(&self.coordinates, "q", index), 2),
-                }
-            }
-            Symbol::Parameter(index) => (find(&self.parameters, "p", index), 0),
-            Symbol::Input(index) => (find(&self.inputs, "u", index), 0),
-            Symbol::Invariant(index) => (find(&[], "c", index), 0),
-            Symbol::Argument(index) => (find(&[], "x", index), 0),
-            Symbol::Order | Symbol::ReciprocalOrder => (Spelling::of("k"), 0),
-            Symbol::Convolution(index) => (find(&[], "s", index), 0),
-            Symbol::PositionComponent(index) | Symbol::RightHandSide(index) => {
-                (find(&[], "r", index), 0)
-            }
-            Symbol::QuasiVelocity(index) => (find(&self.quasi_velocities, "w", index), 0),
-            Symbol::QuasiVelocityRate(index) => (find(&self.quasi_velocities, "w", index), 1),
-            Symbol::VelocityComponent(index) => (find(&[], "w", index), 0),
-            Symbol::Variation(index) => (find(&[], "delta", index), 0),
+        if let Some(spelling) = self.symbols.get(&base) {
+            return spelling.clone().with_dots(dots);
         }
+        let (letter, index) = match base {
+            Symbol::Time => return Spelling::of("t"),
+            Symbol::Order | Symbol::ReciprocalOrder => return Spelling::of("k"),
+            Symbol::Coordinate(index) | Symbol::Velocity(index) | Symbol::Acceleration(index) => {
+                ("q", index)
+            }
+            Symbol::Parameter(index) => ("p", index),
+            Symbol::Input(index) => ("u", index),
+            Symbol::Invariant(index) => ("c", index),
+            Symbol::Argument(index) => ("x", index),
+            Symbol::Convolution(index) => ("s", index),
+            Symbol::PositionComponent(index) | Symbol::RightHandSide(index) => ("r", index),
+            Symbol::QuasiVelocity(index)
+            | Symbol::QuasiVelocityRate(index)
+            | Symbol::VelocityComponent(index) => ("w", index),
+            Symbol::Variation(index) => ("delta", index),
+        };
+        let name = format!("{letter}{}", u64::from(index) + 1);
+        Spelling::of(&name).with_dots(dots)
     }
 }
 
+/// The names of symbols of one kind, and with which number they begin.
+type Kind<'a> = (&'a [String], fn(u32) -> Symbol, usize);
+
 impl Names {
     pub(crate) fn all(&self) -> impl Iterator<Item = &str> {
-        let parameters = self.parameters.iter().map(String::as_str);
-        self.all_but_parameters().chain(parameters)
+        let definitions = self.definitions.values().map(String::as_str);
+        self.symbols().map(|(_, name)| name).chain(definitions)
     }
 
-    fn all_but_parameters(&self) -> impl Iterator<Item = &str> {
-        let lists = [
-            &self.coordinates,
-            &self.inputs,
-            &self.quasi_velocities,
-            &self.multipliers,
+    /// The symbols that have names.
+    fn symbols(&self) -> impl Iterator<Item = (Symbol, &str)> {
+        let coordinates = self.coordinates.len();
+        let lists: [Kind<'_>; 5] = [
+            (&self.coordinates, Symbol::Coordinate, 0),
+            (&self.inputs, Symbol::Input, 0),
+            (&self.quasi_velocities, Symbol::QuasiVelocity, 0),
+            (&self.multipliers, Symbol::Acceleration, coordinates),
+            (&self.parameters, Symbol::Parameter, 0),
         ];
-        let definitions = self.definitions.values();
-        lists
-            .into_iter()
-            .flatten()
-            .chain(definitions)
-            .map(String::as_str)
+        lists.into_iter().flat_map(|(names, symbol, first)| {
+            let first = u32::try_from(first).unwrap_or(u32::MAX);
+            let named = (first..).zip(names);
+            named.map(move |(index, name)| (symbol(index), name.as_str()))
+        })
     }
 }
 
@@ -260,7 +217,7 @@ struct Collisions {
 
 impl Collisions {
     fn note(&mut self, name: &str, spelling: &Spelling) {
-        let printed = spelling.print(0, Notation::Unicode);
+        let printed = spelling.print(Notation::Unicode);
         self.seen.entry(printed).or_default().insert(name.into());
     }
 
@@ -274,7 +231,7 @@ impl Collisions {
     }
 
     fn is_ambiguous(&self, name: &str, spelling: &Spelling) -> bool {
-        let printed = spelling.print(0, Notation::Unicode);
+        let printed = spelling.print(Notation::Unicode);
         // The number π is printed by that letter alone.
         if printed == "π" {
             return true;
@@ -304,13 +261,15 @@ mod tests {
         };
         let letters = Letters::new(&names);
         let printed = |index| {
-            let (spelling, dots) = letters.symbol(Symbol::Parameter(index));
-            spelling.print(dots, Notation::Unicode)
+            letters
+                .symbol(Symbol::Parameter(index))
+                .print(Notation::Unicode)
         };
         assert_eq!([0, 1, 2, 3].map(printed), ["l1", "l_1", "θ", "pi"]);
         assert_eq!([4, 5].map(printed), ["x12", "x1_2"]);
         assert_eq!([6, 7].map(printed), ["i_s", "I_s"]);
         assert_eq!([8, 9, 10, 11].map(printed), ["I₃", "k1", "k₁", "p₁₂"]);
-        assert_eq!(letters.print_both(Symbol::Coordinate(0))[0], "i₃");
+        let coordinate = letters.symbol(Symbol::Coordinate(0));
+        assert_eq!(coordinate.print(Notation::Unicode), "i₃");
     }
 }

@@ -2,6 +2,9 @@
 
 use crate::Unary;
 
+/// What is written for what is left out.
+pub(crate) const ELLIPSIS: [&str; 2] = ["…", "\\ldots "];
+
 /// How a formula is written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Notation {
@@ -10,70 +13,18 @@ pub(crate) enum Notation {
 }
 
 impl Notation {
-    /// What is written for what is left out.
-    pub(crate) const fn ellipsis(self) -> &'static str {
+    /// The one of two in this notation.
+    pub(crate) fn of<T>(self, [unicode, latex]: [T; 2]) -> T {
         match self {
-            Self::Unicode => "…",
-            Self::Latex => "\\ldots ",
-        }
-    }
-
-    pub(crate) const fn minus(self) -> &'static str {
-        match self {
-            Self::Unicode => "−",
-            Self::Latex => "-",
-        }
-    }
-
-    pub(crate) const fn between_terms(self, negative: bool) -> &'static str {
-        match (self, negative) {
-            (_, false) => " + ",
-            (Self::Unicode, true) => " − ",
-            (Self::Latex, true) => " - ",
-        }
-    }
-
-    /// What stands between factors of which one is a word.
-    pub(crate) const fn between_words(self) -> &'static str {
-        match self {
-            Self::Unicode => "·",
-            Self::Latex => "\\,",
-        }
-    }
-
-    /// What stands between a factor and a number.
-    pub(crate) const fn before_number(self) -> &'static str {
-        match self {
-            Self::Unicode => "·",
-            Self::Latex => " \\cdot ",
-        }
-    }
-
-    pub(crate) const fn pi(self) -> &'static str {
-        match self {
-            Self::Unicode => "π",
-            Self::Latex => "\\pi",
-        }
-    }
-
-    pub(crate) const fn parentheses(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Unicode => ("(", ")"),
-            Self::Latex => ("\\left(", "\\right)"),
-        }
-    }
-
-    pub(crate) const fn bars(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Unicode => ("|", "|"),
-            Self::Latex => ("\\left|", "\\right|"),
+            Self::Unicode => unicode,
+            Self::Latex => latex,
         }
     }
 
     /// The exponent `digits`, an integer.
     pub(crate) fn exponent(self, digits: &str) -> String {
         match self {
-            Self::Unicode => superscript(digits),
+            Self::Unicode => raised(digits),
             Self::Latex => format!("^{{{digits}}}"),
         }
     }
@@ -87,53 +38,70 @@ impl Notation {
     }
 
     /// The name of a function in a book.
-    pub(crate) const fn function(self, function: Unary) -> &'static str {
-        let (unicode, latex) = match function {
-            Unary::Sin => ("sin", "\\sin"),
-            Unary::Cos => ("cos", "\\cos"),
-            Unary::Tan => ("tan", "\\tan"),
-            Unary::Asin => ("arcsin", "\\arcsin"),
-            Unary::Acos => ("arccos", "\\arccos"),
-            Unary::Atan => ("arctan", "\\arctan"),
-            Unary::Sinh => ("sinh", "\\sinh"),
-            Unary::Cosh => ("cosh", "\\cosh"),
-            Unary::Tanh => ("tanh", "\\tanh"),
-            Unary::Sech => ("sech", "\\operatorname{sech}"),
-            Unary::Asinh => ("arsinh", "\\operatorname{arsinh}"),
-            Unary::Acosh => ("arcosh", "\\operatorname{arcosh}"),
-            Unary::Atanh => ("artanh", "\\operatorname{artanh}"),
-            Unary::Exp => ("exp", "\\exp"),
-            Unary::Ln => ("ln", "\\ln"),
-            Unary::Logistic => ("logistic", "\\operatorname{logistic}"),
-            Unary::Softplus => ("softplus", "\\operatorname{softplus}"),
-            Unary::LogCosh => ("ln cosh", "\\ln\\cosh"),
-            Unary::Abs => ("abs", "\\operatorname{abs}"),
-            Unary::Signum => ("sgn", "\\operatorname{sgn}"),
+    pub(crate) fn function(self, function: Unary) -> String {
+        let name = match function {
+            Unary::Asin => "arcsin",
+            Unary::Acos => "arccos",
+            Unary::Atan => "arctan",
+            Unary::Asinh => "arsinh",
+            Unary::Acosh => "arcosh",
+            Unary::Atanh => "artanh",
+            Unary::Signum => "sgn",
+            Unary::LogCosh => return self.of(["ln cosh", "\\ln\\cosh"]).to_owned(),
+            other => other.name(),
         };
-        match self {
-            Self::Unicode => unicode,
-            Self::Latex => latex,
+        if self == Self::Latex && COMMANDS.contains(&name) {
+            return format!("\\{name}");
         }
+        self.operator(name)
     }
 }
 
-/// Digits and minus signs above the line.
-pub(crate) fn superscript(digits: &str) -> String {
-    let raised = |c: char| match c {
-        '-' => '⁻',
-        digit => shifted(digit, ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹']),
-    };
-    digits.chars().map(raised).collect()
+/// The functions for which LaTeX has commands.
+const COMMANDS: [&str; 11] = [
+    "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln",
+];
+
+/// What stands on the line, below it and above it.
+const SHIFTED: [(char, char, char); 22] = [
+    ('0', '₀', '⁰'),
+    ('1', '₁', '¹'),
+    ('2', '₂', '²'),
+    ('3', '₃', '³'),
+    ('4', '₄', '⁴'),
+    ('5', '₅', '⁵'),
+    ('6', '₆', '⁶'),
+    ('7', '₇', '⁷'),
+    ('8', '₈', '⁸'),
+    ('9', '₉', '⁹'),
+    ('i', 'ᵢ', 'ⁱ'),
+    ('j', 'ⱼ', 'ʲ'),
+    ('k', 'ₖ', 'ᵏ'),
+    ('l', 'ₗ', 'ˡ'),
+    ('m', 'ₘ', 'ᵐ'),
+    ('n', 'ₙ', 'ⁿ'),
+    ('a', 'ₐ', 'ᵃ'),
+    ('r', 'ᵣ', 'ʳ'),
+    ('s', 'ₛ', 'ˢ'),
+    ('+', '₊', '⁺'),
+    ('-', '₋', '⁻'),
+    ('=', '₌', '⁼'),
+];
+
+/// Digits, signs and letters of indices above the line.
+pub(crate) fn raised(text: &str) -> String {
+    shifted(text, |row| row.2)
 }
 
-/// Digits below the line.
-pub(crate) fn subscript(digits: &str) -> String {
-    let lowered = |c| shifted(c, ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉']);
-    digits.chars().map(lowered).collect()
+/// The same below the line.
+pub(crate) fn lowered(text: &str) -> String {
+    shifted(text, |row| row.1)
 }
 
-fn shifted(digit: char, row: [char; 10]) -> char {
-    digit
-        .to_digit(10)
-        .map_or(digit, |digit| row[digit as usize])
+fn shifted(text: &str, place: fn(&(char, char, char)) -> char) -> String {
+    let shifted = text.chars().map(|c| {
+        let row = SHIFTED.iter().find(|(on_line, ..)| *on_line == c);
+        row.map_or(c, place)
+    });
+    shifted.collect()
 }

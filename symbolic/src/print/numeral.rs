@@ -105,14 +105,13 @@ impl Numeral {
         }
     }
 
-    /// The number as it stands before the factors of a product, unless it is a fraction that has to
-    /// be spread over the product's numerator and denominator.
-    pub(crate) fn coefficient(&self, notation: Notation) -> Option<String> {
+    /// The numerator and the denominator of a fraction that has to be spread over those of a product behind it.
+    pub(crate) fn spread(&self, notation: Notation) -> Option<[Self; 2]> {
         match (self, notation) {
-            (Self::Fraction(above, below), Notation::Unicode) => {
-                vulgar(above, below).map(String::from)
+            (Self::Fraction(above, below), Notation::Unicode) if vulgar(above, below).is_none() => {
+                Some([above, below].map(|digits| Self::Decimal(digits.clone())))
             }
-            _ => Some(self.print(notation)),
+            _ => None,
         }
     }
 }

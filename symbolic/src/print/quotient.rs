@@ -3,57 +3,50 @@
 use std::cmp::Ordering;
 
 use crate::limits::MAX_COMMON_DENOMINATOR;
-use crate::print::layout::{Layout, Piece, Power};
-use crate::print::notation::Notation;
+use crate::print::layout::Layout;
 use crate::print::numeral::Numeral;
 use crate::print::order::{NAMED, factor_rank};
-use crate::{Expression, Node, Rational};
+use crate::print::printed::{Part, Printed};
+use crate::{Expression, Node, Rational, Unary};
+
+/// A power x^k in a product.
+#[derive(Clone, Debug)]
+pub(crate) struct Power {
+    base: Expression,
+    exponent: Rational,
+    /// The number by which the terms of a sum are multiplied; else 1.
+    scale: Rational,
+}
 
 impl<'a> Layout<'a> {
     /// c·Π xᵢ^kᵢ with c > 0, as a product or as a quotient of two.
-    pub(crate) fn product(
-        &self,
-        line: &mut Vec<Piece<'a>>,
-        coefficient: &Rational,
-        factors: Vec<Power>,
-    ) {
-        let (above, below) = factors
+    pub(crate) fn product(&self, coefficient: &Rational, factors: Vec<Power>) -> Printed {
+        let (above, below): (Vec<_>, Vec<_>) = factors
             .into_iter()
             .partition(|factor| !factor.exponent.is_negative());
-        let (mut above, mut below) = (self.part(above), self.part(below));
-        let numeral = Numeral::of(coefficient);
-        let (over, under) = match (numeral.coefficient(self.notation), numeral) {
+        let (over, under) = match Numeral::of(coefficient) {
             _ if coefficient.is_one() => (None, None),
-            (Some(text), _) if below.is_empty() => (Some(text), None),
-            (_, Numeral::Fraction(over, under)) => {
-                (Some(over).filter(|one| one != "1"), Some(under))
+            Numeral::Fraction(over, under) if !below.is_empty() => {
+                let over = Some(over).filter(|over| over != "1");
+                (over.map(Numeral::Decimal), Some(Numeral::Decimal(under)))
             }
-            (text, _) => (text, None),
+            number => (Some(number), None),
         };
-        if below.is_empty() && under.is_none() {
-            return self.juxtapose(line, over, above);
+        let side = |number: Option<Numeral>, powers| {
+            let number = number.map(|number| Printed(Part::Number(number)));
+            let factors = self
+                .part(powers)
+                .into_iter()
+                .map(|power| self.factor(&power));
+            Printed::of_factors(number.into_iter().chain(factors).collect())
+        };
+        if below.is_empty() {
+            return side(over, above);
         }
-        if self.notation == Notation::Latex {
-            line.push(Piece::Open("\\frac{"));
-            self.side(line, over, above);
-            line.push(Piece::Middle("}{"));
-            self.side(line, under, below);
-            line.push(Piece::Close("}"));
-            return;
-        }
-        if let Some(last) = above.last_mut() {
-            last.before_bar = true;
-        }
-        self.juxtapose(line, over, above);
-        line.push(Piece::Text("/".into()));
-        let single = below.len() + usize::from(under.is_some()) == 1;
-        let (open, close) = self.notation.parentheses();
-        line.extend((!single).then_some(Piece::Open(open)));
-        if let (true, Some(factor)) = (single, below.first_mut()) {
-            factor.before_bar = false;
-        }
-        self.juxtapose(line, under, below);
-        line.extend((!single).then_some(Piece::Close(close)));
+        Printed(Part::Quotient(Box::new([
+            side(over, above),
+            side(under, below),
+        ])))
     }
 
     /// The factors above or below the bar, in order.
@@ -72,24 +65,23 @@ impl<'a> Layout<'a> {
         part
     }
 
-    /// One side of a fraction in LaTeX, where a single sum needs no parentheses.
-    fn side(&self, line: &mut Vec<Piece<'a>>, number: Option<String>, factors: Vec<Power>) {
-        match (&number, factors.as_slice()) {
-            (None, [factor]) if factor.exponent.is_one() => {
-                line.push(self.base(factor));
-            }
-            _ => self.juxtapose(line, number, factors),
+    /// A power with a positive exponent.
+    fn factor(&self, factor: &Power) -> Printed {
+        let (base, exponent) = (factor.base, &factor.exponent);
+        if *exponent == Rational::HALF {
+            return self.operand(base).root();
         }
-    }
-
-    /// The base of a power where it needs no parentheses.
-    pub(crate) fn base(&self, factor: &Power) -> Piece<'a> {
-        match self.graph.node(factor.base) {
-            Node::Sum(terms) if !factor.scale.is_one() => {
-                Piece::Multiple(terms, factor.scale.clone())
+        let base = match (self.letters.definition(base), self.graph.node(base)) {
+            // The exponent of ln cosh x would be that of cosh x.
+            (None, Node::Unary(function, x))
+                if exponent.is_one() || exponent.is_integer() && *function != Unary::LogCosh =>
+            {
+                self.call(*function, *x)
             }
-            _ => Piece::Expression(factor.base),
-        }
+            _ if factor.scale.is_one() => self.operand(base),
+            _ => self.unfolded(base, factor.scale.clone()),
+        };
+        base.power(Printed::number(exponent))
     }
 
     /// c·Π xᵢ^kᵢ as a number and powers of which the sums have integer coefficients, and at least as many terms with a
@@ -104,7 +96,7 @@ impl<'a> Layout<'a> {
         let mut undecided = None;
         for (base, exponent) in factors {
             let mut scale = Rational::ONE;
-            if let Some(terms) = self.terms(*base)
+            if let Some(terms) = self.terms_of(*base)
                 && exponent.is_one()
             {
                 scale = common_denominator(terms);
@@ -120,7 +112,6 @@ impl<'a> Layout<'a> {
                 base: *base,
                 exponent: exponent.clone(),
                 scale,
-                before_bar: false,
             });
         }
         if let Some(position) = undecided
@@ -133,7 +124,7 @@ impl<'a> Layout<'a> {
     }
 
     /// The terms of a sum that is written out.
-    fn terms(&self, base: Expression) -> Option<&'a [(Expression, Rational)]> {
+    fn terms_of(&self, base: Expression) -> Option<&'a [(Expression, Rational)]> {
         match self.graph.node(base) {
             Node::Sum(terms) if terms.len() > 1 && self.letters.definition(base).is_none() => {
                 Some(terms)
@@ -141,52 +132,6 @@ impl<'a> Layout<'a> {
             _ => None,
         }
     }
-
-    /// A number and factors side by side.
-    fn juxtapose(&self, line: &mut Vec<Piece<'a>>, number: Option<String>, factors: Vec<Power>) {
-        let empty = number.is_none() && factors.is_empty();
-        let mut left = number.is_some().then_some(Side::Number);
-        line.extend(number.map(Piece::owned));
-        if empty {
-            line.push(Piece::Text("1".into()));
-        }
-        for factor in factors {
-            let right = self.side_of(&factor);
-            let separator = match (left, right) {
-                (None, _) => "",
-                (_, Side::Number) => self.notation.before_number(),
-                (Some(Side::Word), _) | (Some(Side::Letter), Side::Word) => {
-                    self.notation.between_words()
-                }
-                _ => " ",
-            };
-            line.push(Piece::Text(separator.into()));
-            line.push(Piece::Power(factor));
-            left = Some(right);
-        }
-    }
-
-    /// What meets a factor's neighbours.
-    fn side_of(&self, factor: &Power) -> Side {
-        let word = |word| if word { Side::Word } else { Side::Letter };
-        match (
-            self.letters.definition(factor.base),
-            self.graph.node(factor.base),
-        ) {
-            (Some(name), _) => word(name.is_word()),
-            (_, Node::Symbol(symbol)) => word(self.letters.symbol(*symbol).0.is_word()),
-            (_, Node::Constant(_)) if factor.exponent != Rational::HALF => Side::Number,
-            _ => Side::Letter,
-        }
-    }
-}
-
-/// What a factor shows to its neighbours.
-#[derive(Clone, Copy)]
-enum Side {
-    Number,
-    Letter,
-    Word,
 }
 
 /// The least number by which the coefficients of a sum become integers; 1 if they would be long.

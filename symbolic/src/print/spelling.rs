@@ -1,16 +1,16 @@
 //! The letters in which a name is printed.
 
-use crate::print::folding::token::{MARKS, lowered};
-use crate::print::notation::{Notation, subscript};
+use crate::print::index::Index;
+use crate::print::notation::Notation;
 
 /// A name taken apart: a letter or word, what is written above it, and what is written below the line behind it.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Spelling {
     stem: String,
     accent: Option<Accent>,
-    subscripts: Vec<String>,
-    /// Whether its numbers are indices of a family.
-    is_indexed: bool,
+    /// How many dots stand above it.
+    pub(crate) dots: usize,
+    pub(crate) indices: Vec<Index>,
 }
 
 /// What a name such as `x_hat` has above its letter. There is no dot, which is that of a velocity.
@@ -111,16 +111,21 @@ impl Spelling {
             return Self::verbatim(name);
         }
         let number = Some(&first[stem.len()..]).filter(|digits| !digits.is_empty());
-        let mut subscripts: Vec<_> = number.into_iter().chain(parts).collect();
-        let accent = subscripts.first().and_then(|part| Accent::named(part));
+        let mut parts: Vec<_> = number.into_iter().chain(parts).collect();
+        let accent = parts.first().and_then(|part| Accent::named(part));
         if accent.is_some() {
-            subscripts.remove(0);
+            parts.remove(0);
         }
+        let is_indexed = name.contains('[');
+        let index = |part: &str| match part.parse() {
+            Ok(number) if is_indexed => Index::Number(number),
+            _ => Index::Word(letter(part)),
+        };
         Self {
             stem: letter(stem),
             accent,
-            subscripts: subscripts.into_iter().map(letter).collect(),
-            is_indexed: name.contains('['),
+            dots: 0,
+            indices: parts.into_iter().map(index).collect(),
         }
     }
 
@@ -143,105 +148,44 @@ impl Spelling {
         Self {
             stem: name.into(),
             accent: None,
-            subscripts: Vec::new(),
-            is_indexed: false,
+            dots: 0,
+            indices: Vec::new(),
         }
+    }
+
+    /// The name with dots above it.
+    pub(crate) fn with_dots(self, dots: usize) -> Self {
+        Self { dots, ..self }
+    }
+
+    /// The name with further indices behind it.
+    pub(crate) fn with_indices(mut self, indices: impl IntoIterator<Item = Index>) -> Self {
+        self.indices.extend(indices);
+        self
     }
 
     /// Whether the name is longer than a letter with numbers and letters below the line, so that it
     /// would run into its neighbours.
     pub(crate) fn is_word(&self) -> bool {
-        let number = |text: &String| text.chars().all(|c| c.is_ascii_digit());
-        let letter = |text: &String| text.chars().count() == 1;
-        !letter(&self.stem)
-            || !self
-                .subscripts
-                .iter()
-                .all(|part| number(part) || letter(part))
+        let has_word = self.indices.iter().any(Index::is_word);
+        has_word || self.stem.chars().count() != 1
     }
 
-    /// The name with dots above it, with [marks](crate::print::folding::token::MARKS) around its indices.
-    pub(crate) fn print_marked(&self, dots: usize, notation: Notation) -> String {
-        if !self.is_indexed {
-            return self.print(dots, notation);
-        }
-        let stem = Self {
-            subscripts: Vec::new(),
-            ..self.clone()
-        };
-        let mut text = stem.print(dots, notation);
-        let is_number = |part: &String| part.chars().all(|c| c.is_ascii_digit());
-        let mut parts = Vec::new();
-        for part in &self.subscripts {
-            parts.push(match notation {
-                _ if is_number(part) => format!("{}{part}{}", MARKS[0], MARKS[1]),
-                Notation::Unicode => format!("_{part}"),
-                Notation::Latex => latex_letter(part),
-            });
-        }
+    /// By how many characters the indices of a family are longer to read than they are.
+    pub(crate) fn reading_of_indices(&self) -> usize {
+        let is_number = |index: &&Index| matches!(index, Index::Number(_));
+        2 * self.indices.iter().filter(is_number).count()
+    }
+
+    /// The name as it is read.
+    pub(crate) fn print(&self, notation: Notation) -> String {
         match notation {
-            Notation::Unicode => text.push_str(&parts.concat()),
-            Notation::Latex => text.extend(["_{", &parts.join(","), "}"]),
-        }
-        text
-    }
-
-    /// The name with dots above it, with further indices, of which numbers are
-    /// [marked](crate::print::folding::token::MARKS).
-    pub(crate) fn print_with_indices(
-        &self,
-        indices: &[String],
-        dots: usize,
-        notation: Notation,
-    ) -> String {
-        let marked = |index: &String| format!("{}{index}{}", MARKS[0], MARKS[1]);
-        let is_number = |index: &String| index.chars().all(|c| c.is_ascii_digit());
-        if notation == Notation::Unicode {
-            let mut text = self.print(dots, notation);
-            for index in indices {
-                let below = lowered(index);
-                if is_number(index) {
-                    text.push_str(&marked(index));
-                } else if below.chars().any(|c| c.is_ascii()) {
-                    // What is added to an index belongs to it.
-                    let [open, close] = if index.contains(['+', '-']) {
-                        ["_(", ")"]
-                    } else {
-                        ["_", ""]
-                    };
-                    text.extend([open, index, close]);
-                } else {
-                    text.push_str(&below);
-                }
-            }
-            return text;
-        }
-        let stem = Self {
-            subscripts: Vec::new(),
-            ..self.clone()
-        };
-        let own = self.subscripts.iter().map(|part| latex_letter(part));
-        let further = indices.iter().map(|index| match index {
-            index if is_number(index) => marked(index),
-            index => latex_letter(index),
-        });
-        let parts: Vec<_> = own.chain(further).collect();
-        let below = match parts.as_slice() {
-            [] => String::new(),
-            parts => format!("_{{{}}}", parts.join(",")),
-        };
-        stem.latex(dots) + &below
-    }
-
-    /// The name with dots above it.
-    pub(crate) fn print(&self, dots: usize, notation: Notation) -> String {
-        match notation {
-            Notation::Unicode => self.unicode(dots),
-            Notation::Latex => self.latex(dots),
+            Notation::Unicode => self.unicode(),
+            Notation::Latex => self.latex(),
         }
     }
 
-    fn unicode(&self, dots: usize) -> String {
+    fn unicode(&self) -> String {
         let mut text = self.stem.clone();
         let prime = self.accent == Some(Accent::Prime);
         let accent = self.accent.map(Accent::sign);
@@ -252,34 +196,30 @@ impl Spelling {
         } else {
             ['˙', '¨']
         };
-        if let Some(last) = dots.checked_sub(1) {
+        if let Some(last) = self.dots.checked_sub(1) {
             text.push(signs[last.min(1)]);
         }
         text.extend(accent.filter(|_| prime));
-        let mut previous_digits = 0;
-        for part in &self.subscripts {
-            let digits = part.chars().all(|c| c.is_ascii_digit());
-            if digits {
-                // Single digits follow one another as indices do; longer numbers are set apart.
-                let apart = previous_digits > 0 && previous_digits.max(part.len()) > 1;
-                text.push_str(if apart { "," } else { "" });
-                text.push_str(&subscript(part));
-            } else {
-                text.push('_');
-                text.push_str(part);
-            }
-            previous_digits = if digits { part.len() } else { 0 };
+        let mut before = 0;
+        for index in &self.indices {
+            let lowered = index.lowered();
+            // Single digits and letters follow one another; what is longer is set apart.
+            let length = lowered.as_ref().map_or(0, |text| text.chars().count());
+            let apart = before > 0 && length > 0 && before.max(length) > 1;
+            text.push_str(if apart { "," } else { "" });
+            text.push_str(&lowered.unwrap_or_else(|| index.behind_line()));
+            before = length;
         }
         text
     }
 
-    fn latex(&self, dots: usize) -> String {
+    fn latex(&self) -> String {
         let mut text = latex_letter(&self.stem);
         let accent = self.accent.filter(|accent| *accent != Accent::Prime);
         if let Some(accent) = accent {
             text = accent.latex(&text);
         }
-        text = match dots {
+        text = match self.dots {
             0 => text,
             1 => format!("\\dot{{{text}}}"),
             _ => format!("\\ddot{{{text}}}"),
@@ -287,12 +227,8 @@ impl Spelling {
         if self.accent == Some(Accent::Prime) {
             text = Accent::Prime.latex(&text);
         }
-        if !self.subscripts.is_empty() {
-            let parts: Vec<_> = self
-                .subscripts
-                .iter()
-                .map(|part| latex_letter(part))
-                .collect();
+        if !self.indices.is_empty() {
+            let parts: Vec<_> = self.indices.iter().map(Index::latex).collect();
             text.extend(["_{", &parts.join(","), "}"]);
         }
         text
@@ -307,7 +243,8 @@ fn letter(word: &str) -> String {
         .map_or_else(|| word.into(), |(_, letter, _)| letter.to_string())
 }
 
-fn latex_letter(word: &str) -> String {
+/// A letter or a word in LaTeX.
+pub(crate) fn latex_letter(word: &str) -> String {
     let greek = LETTERS
         .iter()
         .find(|(_, letter, _)| word.chars().eq([*letter]))
@@ -369,9 +306,9 @@ mod tests {
             ("mu_k", 0, "μ_k", "\\mu_{k}"),
             ("Delta_l", 0, "Δ_l", "\\Delta_{l}"),
         ] {
-            let spelling = Spelling::of(name);
-            assert_eq!(spelling.print(dots, Notation::Unicode), unicode);
-            assert_eq!(spelling.print(dots, Notation::Latex), latex);
+            let spelling = Spelling::of(name).with_dots(dots);
+            assert_eq!(spelling.print(Notation::Unicode), unicode);
+            assert_eq!(spelling.print(Notation::Latex), latex);
         }
     }
 
@@ -389,10 +326,10 @@ mod tests {
             ("input", "input"),
             ("j1", "j₁"),
         ] {
-            let printed = Spelling::of_parameter(name).print(0, Notation::Unicode);
+            let printed = Spelling::of_parameter(name).print(Notation::Unicode);
             assert_eq!(printed, unicode);
         }
-        assert_eq!(Spelling::of("i1").print(0, Notation::Unicode), "i₁");
+        assert_eq!(Spelling::of("i1").print(Notation::Unicode), "i₁");
     }
 
     #[test]

@@ -13,6 +13,7 @@ use crate::print::listing::families::Sampling;
 use crate::print::listing::page_letters::{PageLetters, Quantity};
 use crate::print::listing::section::{Section, Side};
 use crate::print::names::{Letters, Names};
+use crate::print::printed::Printed;
 use crate::{Energies, Equations, Expression, Graph, Model, Node, Rational, Symbol};
 
 /// What the sections are made from.
@@ -53,8 +54,7 @@ impl<'a> Composer<'a> {
             names.quasi_velocities =
                 quasi_velocity_names(&model.graph, &names, &equations.quasi_velocities);
         }
-        let mut letters = Letters::new(&names);
-        letters.marks_indices = true;
+        let letters = Letters::new(&names);
         Self {
             page: PageLetters::of(declared, &letters),
             letters,
@@ -72,24 +72,30 @@ impl<'a> Composer<'a> {
     }
 
     /// Adds an equation to a section if there is room. What is too long is not even arranged.
-    pub(crate) fn push(&mut self, section: &mut Section, left: Side, right: Expression) {
+    pub(crate) fn push(&mut self, section: &mut Section, left: Printed, right: Expression) {
         let symbols = self.model.graph.written_symbols(&[right], &self.letters);
         if symbols <= MAX_UNARRANGED_LENGTH && section.has_room() {
-            let right = Side::Expression(self.arranged(right));
-            section.push(&self.model.graph, &self.letters, left, right);
+            let right = self.arranged(right);
+            self.push_arranged(section, left, right);
         } else {
             section.leave_out(symbols);
         }
     }
 
     /// Adds an equation to a section if there is room, as it is.
-    pub(crate) fn push_arranged(&self, section: &mut Section, left: Side, right: Side) {
-        section.push(&self.model.graph, &self.letters, left, right);
+    pub(crate) fn push_arranged(
+        &self,
+        section: &mut Section,
+        left: impl Into<Side>,
+        right: impl Into<Side>,
+    ) {
+        let sides = [left.into(), right.into()];
+        section.push(&self.model.graph, &self.letters, sides);
     }
 
     /// A section whose definitions are to be listed.
     pub(crate) fn mention(&mut self, section: Section) -> Section {
-        self.mentioned.extend(section.expressions());
+        self.mentioned.extend(&section.expressions);
         section
     }
 
@@ -113,14 +119,14 @@ impl<'a> Composer<'a> {
         let energies: Vec<_> = energies.collect();
         let mut section = Section::new(None, "the methods `lagrangian` and `energy`");
         for (letter, energy) in &energies {
-            self.push(&mut section, Side::letter(*letter), *energy);
+            self.push(&mut section, letter.clone(), *energy);
         }
-        let lengths = section.lengths(&self.model.graph, &self.letters);
+        let lengths = section.lengths(&self.letters);
         let declared = &self.declared.as_declared;
         let mut names = self.declared.names.coordinates.iter();
         let has_vectors = names.any(|name| name.contains('.'));
         let prefers = |(written, line): (&Option<usize>, &DeclaredLine)| {
-            let length = line.right[0].chars().count();
+            let length = line.right.length();
             // Definitions have to be read, too; vectors need no components.
             let (least, times) = match line.mentions.len() {
                 0 if has_vectors => (0, 1),
@@ -152,10 +158,10 @@ impl<'a> Composer<'a> {
         {
             if all || *preferred {
                 self.mentioned_as_declared.extend(line.mentions.clone());
-                let right = Side::texts(&line.right);
-                self.push_arranged(&mut section, Side::letter(*letter), right);
+                let [left, right] = [letter, &line.right].map(Clone::clone);
+                self.push_arranged(&mut section, left, right);
             } else {
-                self.push(&mut section, Side::letter(*letter), *energy);
+                self.push(&mut section, letter.clone(), *energy);
             }
         }
         self.mention(section)
@@ -166,7 +172,7 @@ impl<'a> Composer<'a> {
         let mut section = Section::new(Some(heading), "the method `event_functions`");
         for (name, function) in &self.declared.events {
             let latex = format!("g_{{\\mathrm{{{}}}}}", name.replace('_', "\\_"));
-            let left = Side::Text(format!("g[{name}]"), latex);
+            let left = Printed::text([&format!("g[{name}]"), &latex]);
             self.push(&mut section, left, *function);
         }
         self.mention(section)
@@ -180,7 +186,7 @@ impl<'a> Composer<'a> {
         ]);
         let section = Section::new(Some(heading), "the method `momenta`");
         let names: Vec<_> = (0..self.model.coordinates)
-            .map(|i| self.letters.print_both(Symbol::Coordinate(i)))
+            .map(|i| self.momentum(Symbol::Coordinate(i)))
             .collect();
         let is_long = self.is_long(&equations.momenta);
         let mut section = self.in_families(
@@ -188,7 +194,7 @@ impl<'a> Composer<'a> {
             |composer| composer.momentum_of_family(equations),
             |composer, section, coordinates| {
                 for i in coordinates {
-                    let left = Side::texts(&composer.momentum_name(&names[i]));
+                    let left = names[i].clone();
                     composer.push(section, left, equations.momenta[i]);
                 }
             },
@@ -197,7 +203,7 @@ impl<'a> Composer<'a> {
         let constant: Vec<_> = constant.filter(|(_, is_constant)| **is_constant).collect();
         section.sentence = [0, 1].map(|notation| {
             let names = constant.iter().map(|(name, _)| {
-                let [unicode, latex] = self.momentum_name(name);
+                let [unicode, latex] = name.both();
                 [unicode, format!("${latex}$")][notation].clone()
             });
             are_constant(&names.collect::<Vec<_>>())
@@ -205,13 +211,13 @@ impl<'a> Composer<'a> {
         self.mention(section)
     }
 
-    /// The name of the momentum of a coordinate.
-    pub(crate) fn momentum_name(&self, [unicode, latex]: &[String; 2]) -> [String; 2] {
-        let [letter, in_latex] = self.page.letter(Quantity::Momenta);
-        [
-            format!("{letter}_{unicode}"),
-            format!("{in_latex}_{{{latex}}}"),
-        ]
+    /// The momentum of a coordinate by name.
+    pub(crate) fn momentum(&self, coordinate: Symbol) -> Printed {
+        let [letter, in_latex] = self.page.signs(Quantity::Momenta);
+        let opening = [format!("{letter}_"), format!("{in_latex}_{{")];
+        let [opening, in_latex] = opening.each_ref().map(|signs| &**signs);
+        let brackets = [[opening, ""], [in_latex, "}"]];
+        Printed::within(brackets, vec![self.letters.printed(coordinate)])
     }
 
     /// A section of lines, or of one equation for a family of coordinates where lines are too long or twice as long; `lines`
@@ -219,7 +225,7 @@ impl<'a> Composer<'a> {
     fn in_families(
         &mut self,
         (mut section, is_long): (Section, bool),
-        family: impl Fn(&mut Self) -> Option<(Side, Side)>,
+        family: impl Fn(&mut Self) -> Option<(Printed, Printed)>,
         lines: impl Fn(&mut Self, &mut Section, Range<usize>),
     ) -> Section {
         let empty = section.clone();
@@ -242,10 +248,10 @@ impl<'a> Composer<'a> {
         if is_long || rows.is_none() {
             return section;
         }
-        let length = section.written_length(&self.model.graph, &self.letters);
+        let length = section.written_length(&self.letters);
         if length >= MIN_FOLDED_SECTION
             && let Some(folded) = folded(self)
-            && 2 * folded.written_length(&self.model.graph, &self.letters) <= length
+            && 2 * folded.written_length(&self.letters) <= length
         {
             return folded;
         }
@@ -297,7 +303,7 @@ impl<'a> Composer<'a> {
             return;
         }
         let sides = arranged_lagrange(&mut self.model.graph, equations, i, &self.letters);
-        let [left, right] = sides.map(Side::Expression);
+        let [left, right] = sides;
         self.push_arranged(section, left, right);
     }
 
@@ -307,9 +313,9 @@ impl<'a> Composer<'a> {
         let declared = &self.declared.as_declared;
         let mut defined = BTreeSet::new();
         for line in declared.definitions_of(&self.mentioned_as_declared) {
-            let [left, right] = [&line.left, &line.right].map(Side::texts);
+            let [left, right] = [&line.left, &line.right].map(Clone::clone);
             self.push_arranged(&mut section, left, right);
-            defined.insert(&line.left[0]);
+            defined.insert(line.left.both());
         }
         let mut open = core::mem::take(&mut self.mentioned);
         let mut seen = BTreeSet::new();
@@ -323,10 +329,10 @@ impl<'a> Composer<'a> {
         for (_, expression) in &self.declared.definitions {
             if seen.contains(expression)
                 && listed.insert(*expression)
-                && let Some([unicode, latex]) = self.letters.print_both_of(*expression)
-                && !defined.contains(&unicode)
+                && let Some(name) = self.letters.definition(*expression).cloned()
+                && !defined.contains(&name.both())
             {
-                self.push(&mut section, Side::Text(unicode, latex), *expression);
+                self.push(&mut section, name, *expression);
             }
         }
         section

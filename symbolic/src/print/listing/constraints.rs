@@ -3,7 +3,7 @@
 use crate::Equations;
 use crate::limits::MAX_UNARRANGED_LENGTH;
 use crate::print::listing::composer::Composer;
-use crate::print::listing::section::{Section, Side};
+use crate::print::listing::section::Section;
 
 impl Composer<'_> {
     /// The constraints: g = 0 and w = 0.
@@ -23,8 +23,8 @@ impl Composer<'_> {
                 section.leave_out(symbols);
                 continue;
             }
-            let left = Side::Expression(self.arranged(*constraint));
-            let right = Side::Expression(self.model.graph.zero());
+            let left = self.arranged(*constraint);
+            let right = self.model.graph.zero();
             self.push_arranged(&mut section, left, right);
         }
         self.mention(section)

@@ -2,24 +2,24 @@
 
 use crate::print::listing::composer::Composer;
 use crate::print::listing::page_letters::Quantity;
-use crate::print::listing::section::{Section, Side};
+use crate::print::listing::section::Section;
+use crate::print::printed::Printed;
 use crate::{Binary, Energies, Expression, Node, Symbol};
 
 impl Composer<'_> {
     /// The coordinates by name.
     pub(crate) fn coordinates(&mut self) -> Section {
         let symbols = self.model.coordinate_symbols();
-        let (unicode, latex): (Vec<_>, Vec<_>) = symbols
+        let names = symbols
             .into_iter()
-            .map(|symbol| self.letters.print_both(symbol).into())
-            .unzip();
-        let list = |names: Vec<String>| match names.as_slice() {
-            [only] => only.clone(),
-            _ => format!("({})", names.join(", ")),
+            .map(|symbol| self.letters.printed(symbol));
+        let mut names: Vec<_> = names.collect();
+        let list = match names.as_slice() {
+            [_] => names.swap_remove(0),
+            _ => Printed::within([["(", ")"]; 2], names),
         };
-        let list = Side::Text(list(unicode), list(latex));
         let mut section = Section::new(None, "`COORDINATES`");
-        let letter = Side::letter(self.page.letter(Quantity::Coordinates));
+        let letter = self.page.letter(Quantity::Coordinates);
         self.push_arranged(&mut section, letter, list);
         let mut sentences = self.page.sentences.clone();
         sentences.extend(self.names_as_written());

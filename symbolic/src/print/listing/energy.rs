@@ -3,7 +3,7 @@
 
 use crate::print::listing::composer::Composer;
 use crate::print::listing::page_letters::Quantity;
-use crate::print::listing::section::{Section, Side};
+use crate::print::listing::section::Section;
 use crate::{Energies, Equations, Expression, Rational, Symbol};
 
 impl Composer<'_> {
@@ -13,10 +13,10 @@ impl Composer<'_> {
             "Energy function {h} = Σ {p} {q}\u{307} − {L}:",
             "Energy function ${h} = \\sum {p} \\dot {q} - {L}$:",
         ]);
-        let letter = Side::letter(self.page.letter(Quantity::EnergyFunction));
+        let letter = self.page.letter(Quantity::EnergyFunction);
         let mut section = Section::new(Some(heading), "the method `energy`");
         if self.is_sum_of_energies(equations.energy) {
-            let sum = Side::texts(&self.page.texts(["{T} + {V}"; 2]));
+            let sum = self.page.printed(["{T} + {V}"; 2]);
             self.push_arranged(&mut section, letter, sum);
         } else {
             self.push(&mut section, letter, equations.energy);
@@ -24,8 +24,8 @@ impl Composer<'_> {
         if equations.conservation.energy {
             section.sentence = self.page.texts(["{h} is constant.", "${h}$ is constant."]);
         } else if let Some(rate) = self.rate_of_energy(equations) {
-            let left = self.page.texts(["d{h}/dt", "\\frac{d{h}}{dt}"]);
-            self.push(&mut section, Side::texts(&left), rate);
+            let left = self.page.printed(["d{h}/dt", "\\frac{d{h}}{dt}"]);
+            self.push(&mut section, left, rate);
         }
         self.mention(section)
     }

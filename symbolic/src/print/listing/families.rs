@@ -5,20 +5,20 @@
 //! of M is another one, what it has besides stands beside the sum. All equations are compared with what is printed by an
 //! identity test (`identity/identity_testing.rs`): where it does not say yes, nothing is folded.
 
+use core::ops;
 use std::collections::BTreeMap;
-use std::ops::Range;
 
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
 use crate::limits::{MAX_UNARRANGED_LENGTH, MIN_FOLDED_LINES};
-use crate::print::listing::as_declared::print_range;
+use crate::print::index::{Index, Range};
 use crate::print::listing::composer::Composer;
 use crate::print::listing::index_families::Families;
 use crate::print::listing::index_letters::IndexLetters;
 use crate::print::listing::index_pattern::{IndexPattern, Known};
-use crate::print::listing::pattern_text::{PatternText, sum_over};
-use crate::print::listing::section::Side;
+use crate::print::listing::pattern_text::of_indices;
+use crate::print::printed::Printed;
 use crate::{Equations, Expression, Graph, Rational, Symbol};
 
 /// An entry of M that is folded has so many sums over the family at most; that of a chain of links has one.
@@ -59,7 +59,10 @@ struct Terms {
 
 impl Composer<'_> {
     /// All momenta as one equation.
-    pub(crate) fn momentum_of_family(&mut self, equations: &Equations) -> Option<(Side, Side)> {
+    pub(crate) fn momentum_of_family(
+        &mut self,
+        equations: &Equations,
+    ) -> Option<(Printed, Printed)> {
         let sampling = self.sampling(equations)?;
         let [i, j] = sampling.positions();
         let velocity = self.model.velocity_symbols()[j];
@@ -79,16 +82,17 @@ impl Composer<'_> {
         };
         let right = self.folded(&sampling, &folding)?;
         let symbol = Symbol::Coordinate(u32::try_from(i).ok()?);
-        let name = self.letters.print_both(symbol);
-        let name = self.momentum_name(&name);
         let indices = self.letters.index_letters();
-        let left = PatternText::of_name(name, sampling.pair[0], indices);
-        let right = sampling.with_range(indices, right);
-        Some((Side::texts(&left), Side::texts(&right)))
+        let left = of_indices(self.momentum(symbol), &sampling.pair[..1], indices);
+        let right = right.for_all(vec![sampling.range('i', indices)]);
+        Some((left, right))
     }
 
     /// All of Lagrange's equations as one.
-    pub(crate) fn lagrange_of_family(&mut self, equations: &Equations) -> Option<(Side, Side)> {
+    pub(crate) fn lagrange_of_family(
+        &mut self,
+        equations: &Equations,
+    ) -> Option<(Printed, Printed)> {
         let sampling = self.sampling(equations)?;
         let [i, j] = sampling.positions();
         let velocities = self.model.velocity_symbols();
@@ -127,8 +131,9 @@ impl Composer<'_> {
         };
         let left = self.folded(&sampling, &folding)?;
         let right = self.folded_forces(&sampling, &forces[sampling.rows()])?;
-        let right = sampling.with_range(self.letters.index_letters(), right);
-        Some((Side::texts(&left), Side::texts(&right)))
+        let range = sampling.range('i', self.letters.index_letters());
+        let right = right.for_all(vec![range]);
+        Some((left, right))
     }
 
     /// The velocities of a family as zero.
@@ -154,10 +159,10 @@ impl Composer<'_> {
     }
 
     /// Q of all coordinates as one.
-    fn folded_forces(&mut self, sampling: &Sampling, forces: &[Expression]) -> Option<[String; 2]> {
+    fn folded_forces(&mut self, sampling: &Sampling, forces: &[Expression]) -> Option<Printed> {
         let graph = &self.model.graph;
         if forces.iter().all(|force| graph.is_zero(*force)) {
-            return Some(["0", "0"].map(String::from));
+            return Some(Printed::zero());
         }
         let force = forces[sampling.positions()[0] - sampling.place];
         let point = self.first_point(forces)?;
@@ -177,7 +182,7 @@ impl Composer<'_> {
     }
 
     /// The terms of all equations in print.
-    fn folded(&mut self, sampling: &Sampling, folding: &Folding<'_>) -> Option<[String; 2]> {
+    fn folded(&mut self, sampling: &Sampling, folding: &Folding<'_>) -> Option<Printed> {
         if self.model.graph.is_zero(folding.pair) {
             return None;
         }
@@ -320,7 +325,7 @@ impl Composer<'_> {
         sampling: &Sampling,
         terms: &Terms,
         equations: &[Expression],
-    ) -> Option<[String; 2]> {
+    ) -> Option<Printed> {
         let graph: &Graph = &self.model.graph;
         let equal = IdentityTest::of(graph, equations).holds(|point| {
             let values = point.evaluate(graph, equations)?;
@@ -332,15 +337,22 @@ impl Composer<'_> {
         }
         let letters = self.letters.of_symbols();
         let graph = &mut self.model.graph;
-        let mut print = |pattern: &Option<IndexPattern>| {
-            let pattern = pattern.as_ref()?;
-            Some(PatternText::of(pattern, graph, &letters))
+        let mut print = |pattern: &Option<IndexPattern>| match pattern {
+            Some(pattern) => pattern.printed(graph, &letters),
+            None => Some(Printed::zero()),
         };
-        let range = [sampling.first, sampling.last];
-        let sum = print(&terms.pair).map(|pair| sum_over(range, &pair, letters.index_letters()));
-        let others = [print(&terms.diagonal), print(&terms.single)];
-        let all = sum.into_iter().chain(others.into_iter().flatten());
-        Some(PatternText::total(all).texts)
+        let pair = print(&terms.pair)?;
+        let range = sampling.range('j', letters.index_letters());
+        let sum = if pair.is_zero() {
+            pair
+        } else {
+            pair.summed(range)
+        };
+        Some(Printed::sum([
+            sum,
+            print(&terms.diagonal)?,
+            print(&terms.single)?,
+        ]))
     }
 }
 
@@ -388,7 +400,7 @@ impl Sampling {
     }
 
     /// The positions of the family among the coordinates.
-    pub(crate) fn rows(&self) -> Range<usize> {
+    pub(crate) fn rows(&self) -> ops::Range<usize> {
         let count = usize::try_from(self.last - self.first + 1).unwrap_or(0);
         self.place..self.place + count
     }
@@ -405,13 +417,12 @@ impl Sampling {
         (first..=last).flat_map(move |i| (first..=last).map(move |j| [i, j]))
     }
 
-    /// With the range of the index behind.
-    fn with_range(&self, indices: IndexLetters, [unicode, latex]: [String; 2]) -> [String; 2] {
-        let [first, last] = [self.first, self.last].map(|index| index.to_string());
-        let range = print_range(&indices.text('i'), &first, &last);
-        [
-            format!("{unicode}  ({})", range[0]),
-            format!("{latex} \\quad ({})", range[1]),
-        ]
+    /// The range of an index.
+    fn range(&self, index: char, letters: IndexLetters) -> Range {
+        Range {
+            variable: letters.text(index),
+            first: Index::Number(self.first),
+            last: Index::Number(self.last),
+        }
     }
 }

@@ -7,6 +7,7 @@ use crate::Symbol;
 use crate::print::listing::Declared;
 use crate::print::names::Letters;
 use crate::print::notation::Notation;
+use crate::print::printed::Printed;
 use crate::print::spelling::Spelling;
 
 /// A quantity that the page itself names.
@@ -74,19 +75,22 @@ impl PageLetters {
     /// Letters that no name of the model is printed as.
     pub(crate) fn of(declared: &Declared, letters: &Letters) -> Self {
         let definitions = declared.definitions.iter();
-        let definitions =
-            definitions.map(|(name, _)| Spelling::of(name).print(0, Notation::Unicode));
+        let definitions = definitions.map(|(name, _)| Spelling::of(name).print(Notation::Unicode));
         let printed: BTreeSet<String> = letters.all_printed().chain(definitions).collect();
         let names = &declared.names;
         let components = [&names.coordinates, &names.parameters, &names.inputs];
         let components = components.into_iter().flatten();
         let vectors = components.filter_map(|name| Some(name.split_once('.')?.0));
         let vectors: BTreeSet<String> = vectors
-            .map(|name| Spelling::of(name).print(0, Notation::Unicode))
+            .map(|name| Spelling::of(name).print(Notation::Unicode))
             .collect();
         let count = u32::try_from(declared.names.coordinates.len()).unwrap_or(0);
         let coordinates: Vec<_> = (0..count)
-            .map(|i| letters.print_plain(Symbol::Coordinate(i)))
+            .map(|i| {
+                letters
+                    .symbol(Symbol::Coordinate(i))
+                    .print(Notation::Unicode)
+            })
             .collect();
         let only = match coordinates.as_slice() {
             [only] => only.as_str(),
@@ -131,8 +135,13 @@ impl PageLetters {
         Self { chosen, sentences }
     }
 
+    /// The letter of a quantity.
+    pub(crate) fn letter(&self, quantity: Quantity) -> Printed {
+        Printed::text(self.signs(quantity))
+    }
+
     /// The letter of a quantity in Unicode and in LaTeX.
-    pub(crate) fn letter(&self, quantity: Quantity) -> [&'static str; 2] {
+    pub(crate) fn signs(&self, quantity: Quantity) -> [&'static str; 2] {
         let mut all = QUANTITIES.iter().zip(self.chosen);
         all.find(|((other, ..), _)| *other == quantity)
             .map_or(["", ""], |(_, letter)| letter)
@@ -146,6 +155,11 @@ impl PageLetters {
             text = text.replace(&format!("{{{}}}", candidates[0][0]), chosen[place]);
         }
         text
+    }
+
+    /// The same as a formula.
+    pub(crate) fn printed(&self, templates: [&str; 2]) -> Printed {
+        Printed::text(self.texts(templates).each_ref().map(|text| &**text))
     }
 
     /// The same in both notations.

@@ -9,14 +9,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::identity::identity_testing::IdentityTest;
 use crate::limits::{MAX_UNARRANGED_LENGTH, MIN_FOLDED_LINES, MIN_FOLDED_SECTION};
-use crate::print::folding::Folded;
-use crate::print::folding::others::of_any_member;
-use crate::print::folding::token::{Line, Token, tokens};
+use crate::print::index::{Index, Range};
 use crate::print::listing::composer::{Composer, arranged_lagrange};
 use crate::print::listing::index_families::Families;
-use crate::print::listing::section::{Section, Side};
+use crate::print::listing::section::Section;
 use crate::print::names::Letters;
-use crate::print::notation::Notation;
+use crate::print::printed::{Part, Printed};
 use crate::{Equations, Expression, Graph, Node, Symbol};
 
 /// The coordinates of a family, from the first index on.
@@ -34,16 +32,12 @@ impl Composer<'_> {
         section: Section,
         empty: Section,
     ) -> Section {
-        let length = section.written_length(&self.model.graph, &self.letters);
+        let length = section.written_length(&self.letters);
         if length < MIN_FOLDED_SECTION {
             return section;
         }
         match self.by_pairs(equations, empty) {
-            Some(folded)
-                if 2 * folded.written_length(&self.model.graph, &self.letters) <= length =>
-            {
-                folded
-            }
+            Some(folded) if 2 * folded.written_length(&self.letters) <= length => folded,
             _ => section,
         }
     }
@@ -82,7 +76,7 @@ impl Composer<'_> {
         equations: &Equations,
         families: &Families,
         members: &Members,
-    ) -> Option<[Side; 2]> {
+    ) -> Option<[Printed; 2]> {
         let letters = self.letters.of_symbols();
         let graph = &mut self.model.graph;
         [members.first, members.last()].into_iter().find_map(|own| {
@@ -97,33 +91,26 @@ impl Composer<'_> {
                 return None;
             }
             let sample = arranged_lagrange(graph, equations, position, &letters);
-            let [left, right] = sample.map(|x| members.of_any(graph, x, own, &letters));
-            let ([left, in_latex], [right, right_in_latex]) = (left?, right?);
-            let has_pairs = |line: &Line| {
-                let mut tokens = line.iter();
-                tokens.any(|token| matches!(token, Token::SumOfOthers(_)))
-            };
-            if !has_pairs(&left) || !members.are_alike(graph, equations, families, (own, sample)) {
+            let indices = letters.index_letters();
+            let range = [members.first, members.last()];
+            let [left, right] = sample.map(|x| {
+                let formula = graph.written_out(x, &letters)?;
+                formula.of_any_member(own, range, indices)
+            });
+            let (mut left, right) = (left?, right?);
+            let mut has_pairs = false;
+            left.visit(&mut |part| has_pairs |= matches!(part.0, Part::SumBelow(..)));
+            if !has_pairs || !members.are_alike(graph, equations, families, (own, sample)) {
                 return None;
             }
-            let indices = letters.index_letters();
-            let written = |line, range| {
-                let fold = Folded {
-                    line,
-                    range,
-                    members: Vec::new(),
-                };
-                [Notation::Unicode, Notation::Latex].map(|notation| fold.written(notation, indices))
+            let [first, last] = range.map(Index::Number);
+            let range = Range {
+                variable: indices.text('i'),
+                first,
+                last,
             };
-            let range = Some((members.first, members.last()));
-            let [unicode, _] = written(left, None);
-            let [_, latex] = written(in_latex, None);
-            let [right, _] = written(right, range);
-            let [_, right_in_latex] = written(right_in_latex, range);
-            Some([
-                Side::Text(unicode, latex),
-                Side::Text(right, right_in_latex),
-            ])
+            let right = right.for_all(vec![range]);
+            Some([left, right])
         })
     }
 }
@@ -136,21 +123,6 @@ impl Members {
     fn position(&self, index: i64) -> Option<usize> {
         let place = usize::try_from(index - self.first).ok()?;
         self.positions.get(place).copied()
-    }
-
-    /// A side of the equation of a member as one of any member, in both notations.
-    fn of_any(
-        &self,
-        graph: &Graph,
-        side: Expression,
-        own: i64,
-        letters: &Letters,
-    ) -> Option<[Line; 2]> {
-        let formula = graph.display_in(side, letters);
-        let texts = [formula.to_string(), formula.in_latex().to_string()];
-        let [unicode, latex] =
-            texts.map(|text| of_any_member(&tokens(&text), own, [self.first, self.last()]));
-        Some([unicode?, latex?])
     }
 
     /// Whether the equation of each member is identically the sample with the members exchanged.
@@ -190,17 +162,15 @@ fn has_plain_indices(
     sides: &[Expression],
     letters: &Letters,
 ) -> bool {
-    let index = |token: &Token| match token {
-        Token::Index(index) => Some(*index),
-        _ => None,
-    };
     let mut symbols = graph.symbols(sides).into_iter();
     let are_plain = symbols.all(|symbol: Symbol| {
         let own = families.place(symbol).map(|(_, index)| index);
-        let texts = letters.print_both(symbol);
-        texts
-            .iter()
-            .all(|text| tokens(text).iter().filter_map(index).eq(own))
+        let name = letters.symbol(symbol);
+        let numbers = name.indices.iter().filter_map(|index| match index {
+            Index::Number(number) => Some(*number),
+            _ => None,
+        });
+        numbers.eq(own)
     });
     let parts = graph.descendants(sides);
     are_plain

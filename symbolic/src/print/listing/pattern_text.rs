@@ -1,176 +1,104 @@
-//! Patterns of families in Unicode and in LaTeX.
+//! Patterns of families in print.
 
-use crate::print::folding::token::{MARKS, lowered};
-use crate::print::listing::as_declared::print_sum_sign;
+use crate::print::index::{Index, Range};
 use crate::print::listing::index_letters::IndexLetters;
 use crate::print::listing::index_pattern::{Argument, Bound, IndexPattern};
 use crate::print::names::Letters;
-use crate::{Expression, Graph, Node, Rational, Symbol};
+use crate::print::printed::{Part, Printed};
+use crate::{Expression, Graph, Rational, Symbol};
 
 /// The usual letters of the indices.
 const INDICES: [char; 2] = ['i', 'j'];
-/// What an argument is called until it is printed.
-const FIRST_SIGN: u32 = 0xE010;
 
-/// A pattern in print.
-#[derive(Clone, Debug)]
-pub(crate) struct PatternText {
-    /// In Unicode and in LaTeX.
-    pub(crate) texts: [String; 2],
-    is_sum: bool,
-}
-
-impl PatternText {
-    /// That of a pattern.
-    pub(crate) fn of(pattern: &IndexPattern, graph: &mut Graph, letters: &Letters) -> Self {
-        let count = u32::try_from(pattern.arguments.len()).unwrap_or(u32::MAX);
-        let mut letters = letters.clone();
-        for (k, sign) in (0..=count).zip(FIRST_SIGN..) {
-            let argument = graph.symbol(Symbol::Argument(k));
-            letters = letters.with_sign(argument, char::from_u32(sign).unwrap_or('Σ'));
-        }
-        let whole = multiplied(pattern, graph, &letters, count);
-        let formula = graph.display_in(whole, &letters);
-        let mut texts = [formula.to_string(), formula.in_latex().to_string()];
-        let arguments = pattern.arguments.iter();
-        let arguments = arguments.map(|argument| argument_texts(argument, &letters));
+impl IndexPattern {
+    /// The pattern with indices in place of the numbers of its sample; none where it is too long.
+    pub(crate) fn printed(&self, graph: &mut Graph, letters: &Letters) -> Option<Printed> {
         let indices = letters.index_letters();
-        let index = of_bound(pattern.factor.of, indices);
-        let latex = index.replace('m', "\\m");
-        for (argument, sign) in arguments.chain([[index, latex]]).zip(FIRST_SIGN..) {
-            let sign = char::from_u32(sign).unwrap_or('Σ');
-            for (text, argument) in texts.iter_mut().zip(argument) {
-                *text = text.replace(sign, &argument);
-            }
+        let mut letters = letters.clone();
+        for (k, argument) in (0..).zip(&self.arguments) {
+            let name = argument.printed(&letters);
+            letters.call(graph.symbol(Symbol::Argument(k)), name);
         }
-        Self {
-            texts: with_indices(texts, &pattern.sample, indices),
-            is_sum: matches!(graph.node(whole), Node::Sum(terms) if terms.len() > 1),
-        }
+        let index = self.factor.of.index(indices);
+        let index = Printed::text([&index.text(), &index.latex()]);
+        let last = u32::try_from(self.arguments.len()).ok()?;
+        letters.call(graph.symbol(Symbol::Argument(last)), index);
+        let whole = self.multiplied(graph, &letters, last);
+        let formula = graph.printed(whole, &letters)?;
+        Some(of_indices(formula, &self.sample, indices))
     }
 
-    /// A name with an index i in place of a number.
-    pub(crate) fn of_name(name: [String; 2], number: i64, indices: IndexLetters) -> [String; 2] {
-        with_indices(name, &[number], indices)
-    }
-
-    /// The sum of several; of none, 0.
-    pub(crate) fn total(terms: impl Iterator<Item = Self>) -> Self {
-        let sum = terms.reduce(|sum, term| {
-            let signs = [["−", " − "], ["-", " - "]];
-            let texts = [0, 1].map(|notation| {
-                let (before, text) = (&sum.texts[notation], &term.texts[notation]);
-                let [minus, between] = signs[notation];
-                match text.strip_prefix(minus) {
-                    Some(rest) => format!("{before}{between}{rest}"),
-                    None => format!("{before} + {text}"),
-                }
-            });
-            Self {
-                texts,
-                is_sum: true,
-            }
-        });
-        sum.unwrap_or_else(|| Self {
-            texts: ["0", "0"].map(String::from),
-            is_sum: false,
-        })
+    /// The sample times its factor, in which the last argument is the index.
+    fn multiplied(&self, graph: &mut Graph, letters: &Letters, last: u32) -> Expression {
+        let factor = &self.factor;
+        if factor.slope.is_zero() {
+            return graph.scale(self.sample_with_arguments, &factor.constant);
+        }
+        let index = graph.symbol(Symbol::Argument(last));
+        let factor = graph.sum([
+            (graph.one(), factor.constant.clone()),
+            (index, factor.slope.clone()),
+        ]);
+        let product = graph.product([
+            (factor, Rational::ONE),
+            (self.sample_with_arguments, Rational::ONE),
+        ]);
+        graph.arranged(product, letters)
     }
 }
 
-/// The sum over the second index.
-pub(crate) fn sum_over(
-    [first, last]: [i64; 2],
-    term: &PatternText,
-    indices: IndexLetters,
-) -> PatternText {
-    let [first, last] = [first, last].map(|index| index.to_string());
-    let signs = print_sum_sign(&indices.text(INDICES[1]), &first, &last);
-    let brackets = [["(", ")"], ["\\left(", "\\right)"]];
-    let texts = [0, 1].map(|notation| {
-        let text = &term.texts[notation];
-        let encloses = term.is_sum || text.starts_with(['−', '-']);
-        let [open, close] = if encloses {
-            brackets[notation]
+impl Argument {
+    /// What is written of it: `(Σₖ₌ᵢ⁵ mₖ)`, or `m_max(i,j)`.
+    fn printed(&self, letters: &Letters) -> Printed {
+        let indices = letters.index_letters();
+        let [first, last] = self.bounds.map(|bound| bound.index(indices));
+        let variable = indices.text('k');
+        let index = if self.is_sum {
+            Index::Variable(variable.clone(), 0)
         } else {
-            [""; 2]
+            first.clone()
         };
-        format!("{}{open}{text}{close}", signs[notation])
-    });
-    PatternText {
-        texts,
-        is_sum: false,
-    }
-}
-
-/// A pattern times its factor, in which the last argument is the index.
-fn multiplied(
-    pattern: &IndexPattern,
-    graph: &mut Graph,
-    letters: &Letters,
-    last: u32,
-) -> Expression {
-    let factor = &pattern.factor;
-    if factor.slope.is_zero() {
-        return graph.scale(pattern.sample_with_arguments, &factor.constant);
-    }
-    let index = graph.symbol(Symbol::Argument(last));
-    let factor = graph.sum([
-        (graph.one(), factor.constant.clone()),
-        (index, factor.slope.clone()),
-    ]);
-    let product = graph.product([
-        (factor, Rational::ONE),
-        (pattern.sample_with_arguments, Rational::ONE),
-    ]);
-    graph.arranged(product, letters)
-}
-
-/// What an argument is in print: `(Σₖ₌ᵢ⁵ mₖ)`, or `m_max(i,j)`.
-fn argument_texts(argument: &Argument, letters: &Letters) -> [String; 2] {
-    let indices = letters.index_letters();
-    let mut member = letters.print_both(argument.member);
-    let index = format!("{}{}{}", MARKS[0], argument.index, MARKS[1]);
-    let [first, last] = argument.bounds.map(|bound| of_bound(bound, indices));
-    if !argument.is_sum {
-        let below = [format!("_{first}"), first.replace('m', "\\m")];
-        for (text, below) in member.iter_mut().zip(below) {
-            *text = text.replace(&index, &below);
+        let mut member = letters.symbol(self.member);
+        for below in &mut member.indices {
+            if *below == Index::Number(self.index) {
+                *below = index.clone();
+            }
         }
-        return member;
+        let member = Printed(Part::Name(member));
+        if !self.is_sum {
+            return member;
+        }
+        let sum = member.summed(Range {
+            variable,
+            first,
+            last,
+        });
+        Printed::list(vec![sum])
     }
-    let [unicode, latex] = print_sum_sign(&indices.text('k'), &first, &last);
-    let signs = [
-        unicode,
-        latex.replace("max", "\\max").replace("min", "\\min"),
-    ];
-    let brackets = [["(", ")"], ["\\left(", "\\right)"]];
-    let below = [lowered(&indices.text('k')), indices.text('k')];
-    [0, 1].map(|notation| {
-        let member = member[notation].replace(&index, &below[notation]);
-        let [open, close] = brackets[notation];
-        format!("{open}{}{member}{close}", signs[notation])
-    })
 }
 
-/// The numbers of a sample as indices.
-fn with_indices(mut texts: [String; 2], sample: &[i64], indices: IndexLetters) -> [String; 2] {
-    for (number, name) in sample.iter().zip(INDICES) {
-        let name = indices.text(name);
-        let marked = format!("{}{number}{}", MARKS[0], MARKS[1]);
-        texts[0] = texts[0].replace(&marked, &lowered(&name));
-        texts[1] = texts[1].replace(&marked, &name);
+impl Bound {
+    /// The index as it is printed.
+    fn index(self, letters: IndexLetters) -> Index {
+        let [i, j] = INDICES.map(|letter| letters.text(letter));
+        match self {
+            // It is no index of a sample.
+            Self::Fixed(number) => Index::Word(number.to_string()),
+            Self::Index(k) => Index::Variable(letters.text(INDICES[k]), 0),
+            Self::Greater => Index::Extreme("max", format!("{i},{j}")),
+            Self::Lesser => Index::Extreme("min", format!("{i},{j}")),
+        }
     }
-    texts
 }
 
-/// An index as it is printed.
-fn of_bound(bound: Bound, indices: IndexLetters) -> String {
-    let [i, j] = INDICES.map(|letter| indices.text(letter));
-    match bound {
-        Bound::Fixed(number) => number.to_string(),
-        Bound::Index(k) => indices.text(INDICES[k]),
-        Bound::Greater => format!("max({i},{j})"),
-        Bound::Lesser => format!("min({i},{j})"),
-    }
+/// A formula with indices in place of the numbers of a sample.
+pub(crate) fn of_indices(mut formula: Printed, sample: &[i64], letters: IndexLetters) -> Printed {
+    formula.visit_indices(&mut |index| {
+        let mut sample = sample.iter().zip(INDICES);
+        let known = sample.find(|(number, _)| *index == Index::Number(**number));
+        if let Some((_, letter)) = known {
+            *index = Index::Variable(letters.text(letter), 0);
+        }
+    });
+    formula
 }

@@ -7,16 +7,15 @@
 use crate::matrix::factor::MatrixFactor;
 use crate::mechanics::mechanism::{Inertia, Mechanism, Turn, Vector};
 use crate::mechanics::solvers::link_equations::LinkEquations;
+use crate::print::index::Index;
 use crate::print::listing::composer::Composer;
-use crate::print::listing::recursion_text::{LinkLetters, component};
-use crate::print::listing::section::{Section, Side};
-use crate::print::listing::vector_text::{list_text, name_texts, plain_text, vector_text};
+use crate::print::listing::recursion_text::LinkLetters;
+use crate::print::listing::section::Section;
+use crate::print::listing::vector_text::{list, vector};
 use crate::print::names::Letters;
+use crate::print::printed::Printed;
 use crate::print::spelling::Spelling;
 use crate::{Equations, Expression, Graph, Node, Rational, Symbol};
-
-/// What a component of the forces on links is called until it is printed.
-const FIRST_SIGN: u32 = 0xE100;
 
 /// The sections of the recursion.
 struct Recursion<'a> {
@@ -32,16 +31,13 @@ struct Recursion<'a> {
 impl Composer<'_> {
     /// The recursion, where the model is a mechanism, some of Lagrange's equations are left out, and all of it has room.
     pub(crate) fn recursion(&mut self, equations: &Equations, lagrange: &Section) -> Vec<Section> {
-        if self.model.in_frames.is_none()
-            || lagrange.has_room_for_all(&self.model.graph, &self.letters)
-        {
+        if self.model.in_frames.is_none() || lagrange.has_room_for_all(&self.letters) {
             return Vec::new();
         }
         let sections = self.recursion_of_links(equations);
-        let graph = &self.model.graph;
         let sections = sections.filter(|sections| {
             let mut sections = sections.iter();
-            sections.all(|section| section.has_room_for_all(graph, &self.letters))
+            sections.all(|section| section.has_room_for_all(&self.letters))
         });
         sections.unwrap_or_default()
     }
@@ -61,23 +57,21 @@ impl Composer<'_> {
         };
         let names_of_masses = recursion.masses_by_name();
         let rows = recursion.rows(names_of_masses)?;
-        let equations = recursion.equations(forces);
+        let equations = recursion.equations(forces)?;
         let statements = recursion.statements();
-        let place = recursion.quantities.quantity('D', 0, "i");
-        let acceleration = self.base_acceleration(&links);
+        let own = Index::Variable("i".to_owned(), 0);
+        let place = recursion.quantities.quantity('D', 0, own).both();
+        let acceleration = self.base_acceleration(&links)?.both();
         let mut sections = Vec::new();
         let mut section = Section::new(Some(HEADING.map(String::from)), "");
-        for [left, right] in statements
-            .iter()
-            .map(|sides| sides.each_ref().map(Side::texts))
-        {
+        for [left, right] in statements {
             self.push_arranged(&mut section, left, right);
         }
         section.sentence = recursion_sentence(&links, &acceleration, &place);
         sections.push(section);
         for lines in [rows, equations] {
             let mut section = Section::new(None, "");
-            for [left, right] in lines.iter().map(|sides| sides.each_ref().map(Side::texts)) {
+            for [left, right] in lines {
                 self.push_arranged(&mut section, left, right);
             }
             sections.push(section);
@@ -86,11 +80,11 @@ impl Composer<'_> {
     }
 
     /// The acceleration before the first link.
-    fn base_acceleration(&mut self, links: &LinkEquations) -> [String; 2] {
+    fn base_acceleration(&mut self, links: &LinkEquations) -> Option<Printed> {
         let letters = self.letters.of_symbols();
         let parameters = &self.declared.names.parameters;
         let acceleration = links.mechanism.base_acceleration;
-        vector_text(&mut self.model.graph, &letters, parameters, acceleration)
+        vector(&mut self.model.graph, &letters, parameters, acceleration)
     }
 }
 
@@ -138,15 +132,16 @@ fn recursion_sentence(
 }
 
 impl Recursion<'_> {
-    fn number(&self, link: usize) -> String {
-        (self.first + i64::try_from(link).unwrap_or(0)).to_string()
+    fn number(&self, link: usize) -> i64 {
+        self.first + i64::try_from(link).unwrap_or(0)
     }
 
-    fn quantity(&self, quantity: char, dots: usize, link: usize) -> [String; 2] {
-        self.quantities.quantity(quantity, dots, &self.number(link))
+    fn quantity(&self, quantity: char, link: usize) -> Printed {
+        let index = Index::Number(self.number(link));
+        self.quantities.quantity(quantity, 0, index)
     }
 
-    fn statements(&self) -> Vec<[[String; 2]; 2]> {
+    fn statements(&self) -> Vec<[Printed; 2]> {
         // By a coordinate, or with the time.
         let mut links = self.links.mechanism.links.iter();
         let slides = links.any(|link| {
@@ -175,7 +170,7 @@ impl Recursion<'_> {
     }
 
     /// What each link is: R, s, σ, m, c and I, in this order.
-    fn rows(&mut self, named_masses: bool) -> Option<Vec<[[String; 2]; 2]>> {
+    fn rows(&mut self, named_masses: bool) -> Option<Vec<[Printed; 2]>> {
         let links = self.links.mechanism.links.iter().zip(&self.links.joints);
         let mut rows: [Vec<_>; 7] = Default::default();
         for (i, (link, joint)) in links.enumerate() {
@@ -183,28 +178,26 @@ impl Recursion<'_> {
             if !is_chain(self.links) {
                 let before = match link.parent {
                     Some(parent) => self.number(parent),
-                    None => (self.first - 1).to_string(),
+                    None => self.first - 1,
                 };
-                let left = [
-                    format!("p({})", self.number(i)),
-                    format!("p({})", self.number(i)),
-                ];
-                rows[0].push([left, [before.replace('-', "−"), before]]);
+                let left = format!("p({})", self.number(i));
+                let before = Printed::number(&Rational::integer(before));
+                rows[0].push([Printed::text([&left, &left]), before]);
             }
-            let turn = self.turn(&link.turn);
-            rows[1].push([self.quantity('R', 0, i), turn]);
-            for (row, quantity, vector) in
+            let turn = self.turn(&link.turn)?;
+            rows[1].push([self.quantity('R', i), turn]);
+            for (row, quantity, value) in
                 [(2, 'D', link.place), (3, 'S', joint.rate), (5, 'C', center)]
             {
-                let text = vector_text(self.graph, &self.letters, self.parameters, vector);
-                rows[row].push([self.quantity(quantity, 0, i), text]);
+                let value = vector(self.graph, &self.letters, self.parameters, value)?;
+                rows[row].push([self.quantity(quantity, i), value]);
             }
             if !named_masses {
-                let mass = self.text(link.inertia.mass);
-                rows[4].push([self.quantity('M', 0, i), mass]);
+                let mass = self.printed(link.inertia.mass)?;
+                rows[4].push([self.quantity('M', i), mass]);
             }
-            let tensor = self.tensor(tensor);
-            rows[6].push([self.quantity('I', 0, i), tensor]);
+            let tensor = self.tensor(tensor)?;
+            rows[6].push([self.quantity('I', i), tensor]);
         }
         Some(rows.concat())
     }
@@ -226,17 +219,14 @@ impl Recursion<'_> {
         Some((center, about.tensor(graph)))
     }
 
-    fn turn(&mut self, turn: &Turn) -> [String; 2] {
+    fn turn(&mut self, turn: &Turn) -> Option<Printed> {
         match *turn {
-            Turn::Identity => ["1", "1"].map(String::from),
+            Turn::Identity => Some(Printed::number(&Rational::ONE)),
             Turn::Elementary(rotation) | Turn::Spin(rotation) => {
                 let angle = self.graph.scale(rotation.angle, &rotation.sign());
-                let [unicode, latex] = self.text(angle);
-                let axis = ["x", "y", "z"][rotation.axis.cycle()[0]];
-                [
-                    format!("R_{axis}({unicode})"),
-                    format!("R_{{{axis}}}\\left({latex}\\right)"),
-                ]
+                let names = [["R_x", "R_{x}"], ["R_y", "R_{y}"], ["R_z", "R_{z}"]];
+                let name = names[rotation.axis.cycle()[0]];
+                Some(Printed::call(name, vec![self.printed(angle)?]))
             }
             Turn::General(elements) => {
                 let factor = MatrixFactor::Rotation(elements);
@@ -247,32 +237,31 @@ impl Recursion<'_> {
     }
 
     /// A symmetric matrix: 0, of a diagonal that diagonal, or the symmetric part of a parameter.
-    fn tensor(&mut self, tensor: [Vector; 3]) -> [String; 2] {
+    fn tensor(&mut self, tensor: [Vector; 3]) -> Option<Printed> {
         let tensor = tensor.map(|row| row.map(|x| self.graph.arranged(x, &self.letters)));
         let is_zero = |graph: &Graph, x: Expression| graph.is_zero(x);
         let off = [(0, 1), (0, 2), (1, 2)];
         if off.iter().all(|(i, j)| is_zero(self.graph, tensor[*i][*j])) {
             let diagonal = [0, 1, 2].map(|i| tensor[i][i]);
             if diagonal.iter().all(|x| is_zero(self.graph, *x)) {
-                return ["0", "0"].map(String::from);
+                return Some(Printed::zero());
             }
-            let [unicode, latex] = self.list(&diagonal);
-            return [
-                format!("diag{unicode}"),
-                format!("\\operatorname{{diag}}{latex}"),
-            ];
+            let diagonal = diagonal
+                .iter()
+                .map(|x| self.graph.printed(*x, &self.letters));
+            let diagonal = diagonal.collect::<Option<_>>()?;
+            return Some(Printed::call(["diag", "\\operatorname{diag}"], diagonal));
         }
-        if let Some([unicode, latex]) = self.symmetric_part(&tensor) {
-            return [
-                format!("½ ({unicode} + {unicode}ᵀ)"),
-                format!("\\frac{{1}}{{2}} \\left({latex} + {latex}^{{T}}\\right)"),
-            ];
+        if let Some(name) = self.symmetric_part(&tensor) {
+            let transposed = name.clone().followed_by(["ᵀ", "^{T}"]);
+            let half = Printed::number(&Rational::HALF);
+            return Some(half.times(name.plus(transposed, false)));
         }
         self.matrix(tensor)
     }
 
     /// The parameter of which a tensor is the symmetric part.
-    fn symmetric_part(&mut self, tensor: &[Vector; 3]) -> Option<[String; 2]> {
+    fn symmetric_part(&mut self, tensor: &[Vector; 3]) -> Option<Printed> {
         let Node::Symbol(Symbol::Parameter(first)) = self.graph.node(tensor[0][0]) else {
             return None;
         };
@@ -295,47 +284,36 @@ impl Recursion<'_> {
                 }
             }
         }
-        Some(name_texts(&self.letters, &stem))
+        Some(Printed::name(&stem, true, Vec::new(), 0))
     }
 
-    fn matrix(&self, rows: [Vector; 3]) -> [String; 2] {
-        let rows = rows.map(|row| self.list(&row));
-        let both =
-            [0, 1].map(|notation| rows.each_ref().map(|row| row[notation].clone()).join(", "));
-        [
-            format!("({})", both[0]),
-            format!("\\left({}\\right)", both[1]),
-        ]
+    fn matrix(&self, rows: [Vector; 3]) -> Option<Printed> {
+        let rows = rows.iter().map(|row| list(self.graph, &self.letters, row));
+        Some(Printed::list(rows.collect::<Option<_>>()?))
     }
 
-    fn list(&self, expressions: &[Expression]) -> [String; 2] {
-        list_text(self.graph, &self.letters, expressions)
-    }
-
-    fn text(&mut self, x: Expression) -> [String; 2] {
+    fn printed(&mut self, x: Expression) -> Option<Printed> {
         let x = self.graph.arranged(x, &self.letters);
-        plain_text(self.graph, &self.letters, x)
+        self.graph.printed(x, &self.letters)
     }
 
     /// For each coordinate, the components of moments and forces that do work on it, and Q.
-    fn equations(&mut self, forces: &[Expression]) -> Vec<[[String; 2]; 2]> {
+    fn equations(&mut self, forces: &[Expression]) -> Option<Vec<[Printed; 2]>> {
         let links = self.links;
         let mut letters = self.letters.clone();
-        let mut names = Vec::new();
-        for i in 0..links.joints.len() {
-            let moment = self.quantity('N', 0, i);
-            let [turn, force] = ['R', 'P'].map(|quantity| self.quantity(quantity, 0, i));
-            let moved = match links.mechanism.links[i].turn {
+        let mut arguments = (0..).map(Symbol::Argument);
+        for (i, link) in links.mechanism.links.iter().enumerate() {
+            let moment = self.quantity('N', i);
+            let [turn, force] = ['R', 'P'].map(|quantity| self.quantity(quantity, i));
+            let moved = match link.turn {
                 Turn::Identity => force,
-                _ => [0, 1].map(|k| ["(", &turn[k], " ", &force[k], ")"].concat()),
+                _ => Printed::list(vec![turn.times(force)]),
             };
-            for name in [moment, moved] {
-                names.extend((0..3).map(|axis| component(name.clone(), axis)));
+            for vector in [moment, moved] {
+                for (axis, argument) in ["x", "y", "z"].into_iter().zip(&mut arguments) {
+                    letters.call(self.graph.symbol(argument), vector.clone().component(axis));
+                }
             }
-        }
-        for (k, sign) in (0..).zip(FIRST_SIGN..).take(names.len()) {
-            let argument = self.graph.symbol(Symbol::Argument(k));
-            letters = letters.with_sign(argument, char::from_u32(sign).unwrap_or('?'));
         }
         let others = links.residuals_of_others(self.graph);
         let mut lines = Vec::new();
@@ -356,19 +334,9 @@ impl Recursion<'_> {
             }
             let left = graph.sum(terms);
             let left = graph.arranged(left, &letters);
-            let mut left = match graph.node(left) {
-                // A formula that is a name itself is written out.
-                Node::Symbol(Symbol::Argument(argument)) => names[*argument as usize].clone(),
-                _ => plain_text(graph, &letters, left),
-            };
-            for (name, sign) in names.iter().zip(FIRST_SIGN..) {
-                let sign = char::from_u32(sign).unwrap_or('?');
-                for (text, name) in left.iter_mut().zip(name) {
-                    *text = text.replace(sign, name);
-                }
-            }
-            lines.push([left, self.text(*force)]);
+            let left = graph.printed(left, &letters)?;
+            lines.push([left, self.printed(*force)?]);
         }
-        lines
+        Some(lines)
     }
 }

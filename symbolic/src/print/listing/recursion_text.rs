@@ -1,9 +1,12 @@
-//! The statements of the recursion of Newton and Euler in Unicode and in LaTeX.
+//! The statements of the recursion of Newton and Euler in print.
 
 use std::collections::BTreeMap;
 
+use crate::Rational;
+use crate::print::index::Index;
 use crate::print::names::Names;
 use crate::print::notation::Notation;
+use crate::print::printed::{Part, Printed};
 use crate::print::spelling::Spelling;
 
 /// What occurs in the statements: a letter for it, and how it may be called, the first that no name of the model has.
@@ -21,18 +24,8 @@ const QUANTITIES: [(char, &[&str]); 11] = [
     ('N', &["n", "N", "tau", "moment"]),
 ];
 
-/// From the root to the leaves: b is the link before i. What stands behind `|` is there if a link slides along the one before.
-const OUTWARD: [&str; 4] = [
-    "W[i] = R[i]' W[b] + S[i]",
-    "W.[i] = R[i]' W.[b] + R[i]' W[b] × S[i] + S.[i]",
-    "A[i] = R[i]' (A[b] + W.[b] × D[i] + W[b] × (W[b] × D[i])| + 2 W[b] × D.[i] + D..[i])",
-    "F[i] = M[i] (A[i] + W.[i] × C[i] + W[i] × (W[i] × C[i]))",
-];
-/// And back: the links j behind i.
-const INWARD: [&str; 2] = [
-    "P[i] = F[i] + #R[j] P[j]",
-    "N[i] = I[i] W.[i] + W[i] × I[i] W[i] + C[i] × F[i] + #{R[j] N[j] + D[j] × R[j] P[j]}",
-];
+const TRANSPOSED: [&str; 2] = ["ᵀ", "^{T}"];
+const CROSS: [&str; 2] = [" × ", " \\times "];
 
 /// How the quantities of links are called.
 #[derive(Clone, Debug)]
@@ -44,11 +37,11 @@ impl LinkLetters {
         let defined = definitions.iter().map(|(name, _)| name.as_str());
         let printed = |name: &str| {
             let spellings = [Spelling::of(name), Spelling::of_parameter(name)];
-            spellings.map(|spelling| spelling.print(0, Notation::Unicode))
+            spellings.map(|spelling| spelling.print(Notation::Unicode))
         };
         let taken: Vec<_> = names.all().chain(defined).flat_map(printed).collect();
         let is_free = |letter: &Spelling| {
-            let letter = letter.print(0, Notation::Unicode);
+            let letter = letter.print(Notation::Unicode);
             taken.iter().all(|name| match name.strip_prefix(&*letter) {
                 Some(rest) => rest.starts_with(char::is_alphabetic),
                 None => true,
@@ -69,69 +62,72 @@ impl LinkLetters {
     }
 
     /// A quantity of a link, with dots above it.
-    pub(crate) fn quantity(&self, quantity: char, dots: usize, index: &str) -> [String; 2] {
-        let Some(spelling) = self.0.get(&quantity) else {
-            return Default::default();
+    pub(crate) fn quantity(&self, quantity: char, dots: usize, link: Index) -> Printed {
+        let spelling = self.0.get(&quantity).cloned();
+        let spelling = spelling.unwrap_or_else(|| Spelling::verbatim(""));
+        Printed(Part::Name(spelling.with_dots(dots).with_indices([link])))
+    }
+
+    /// The statements for link i, each as its left and its right side. Of a chain, the link before is i − 1 and the one behind
+    /// i + 1; else these are called p and j.
+    pub(crate) fn statements(&self, is_chain: bool, slides: bool) -> Vec<[Printed; 2]> {
+        let link = |name: &str, offset| Index::Variable(name.to_owned(), offset);
+        let (before, behind) = if is_chain {
+            (link("i", -1), link("i", 1))
+        } else {
+            (link("p", 0), link("j", 0))
         };
-        let index = [index.to_owned()];
-        [Notation::Unicode, Notation::Latex]
-            .map(|notation| spelling.print_with_indices(&index, dots, notation))
-    }
-
-    /// The statements for link i, each as its left and its right side. Of a chain, the link before is i − 1; else it is called p.
-    pub(crate) fn statements(&self, is_chain: bool, slides: bool) -> Vec<[[String; 2]; 2]> {
-        let all = OUTWARD.iter().chain(&INWARD);
-        let statements = all.map(|statement| {
-            let statement = match statement.split_once('|') {
-                None => (*statement).to_owned(),
-                Some((whole, sliding)) if slides => format!("{whole}{sliding}"),
-                // The bracket that the terms of sliding are in.
-                Some((whole, _)) => format!("{whole})"),
-            };
-            let (left, right) = statement.split_once(" = ").unwrap_or_default();
-            [left, right].map(|side| self.statement(side, is_chain))
-        });
-        statements.collect()
-    }
-
-    fn statement(&self, text: &str, is_chain: bool) -> [String; 2] {
-        let mut written = [String::new(), String::new()];
-        let mut rest = text.chars();
-        while let Some(c) = rest.next() {
-            let both = match c {
-                '#' | '{' | '}' if is_chain => ["", ""].map(String::from),
-                '#' => ["Σⱼ ", "\\sum_j "].map(String::from),
-                '{' => ["(", "("].map(String::from),
-                '}' => [")", ")"].map(String::from),
-                '×' => ["×", "\\times"].map(String::from),
-                '\'' => ["ᵀ", "^{T}"].map(String::from),
-                c if c.is_ascii_uppercase() => {
-                    let dotted: String = rest.by_ref().take_while(|c| *c != '[').collect();
-                    let index: String = rest.by_ref().take_while(|c| *c != ']').collect();
-                    let index = match (&*index, is_chain) {
-                        ("b", true) => "i-1",
-                        ("b", false) => "p",
-                        ("j", true) => "i+1",
-                        (index, _) => index,
-                    };
-                    self.quantity(c, dotted.len(), index)
-                }
-                c => [c, c].map(String::from),
-            };
-            for (text, part) in written.iter_mut().zip(both) {
-                text.push_str(&part);
+        let own = |quantity, dots| self.quantity(quantity, dots, link("i", 0));
+        let before = |quantity, dots| self.quantity(quantity, dots, before.clone());
+        let behind = |quantity| self.quantity(quantity, 0, behind.clone());
+        let cross = |x: Printed, y| x.vector_product(y, CROSS);
+        let turned = |x| own('R', 0).followed_by(TRANSPOSED).times(x);
+        // What moves a point that turns with a link.
+        let turning = |rate: Printed, acceleration, arm: Printed| {
+            let towards_axis = cross(rate.clone(), cross(rate, arm.clone()));
+            [cross(acceleration, arm), towards_axis]
+        };
+        let of_those_behind = |x: Printed| {
+            if is_chain {
+                x
+            } else {
+                x.summed_over(["ⱼ", "j"])
             }
-        }
-        written
-    }
-}
+        };
 
-/// A component along an axis of a link: `n₂_z`.
-pub(crate) fn component([unicode, latex]: [String; 2], axis: usize) -> [String; 2] {
-    let axis = ["x", "y", "z"][axis];
-    let latex = match latex.strip_suffix('}') {
-        Some(indexed) => format!("{indexed},{axis}}}"),
-        None => format!("{latex}_{axis}"),
-    };
-    [format!("{unicode}_{axis}"), latex]
+        let rate = [turned(before('W', 0)), own('S', 0)];
+        let rate_of_rate = [
+            turned(before('W', 1)),
+            cross(turned(before('W', 0)), own('S', 0)),
+            own('S', 1),
+        ];
+        let moved = turning(before('W', 0), before('W', 1), own('D', 0));
+        let mut acceleration = Printed::sum([before('A', 0)].into_iter().chain(moved));
+        if slides {
+            let two = Printed::number(&Rational::integer(2));
+            let sliding = [cross(two.times(before('W', 0)), own('D', 1)), own('D', 2)];
+            acceleration = Printed::sum([acceleration].into_iter().chain(sliding));
+        }
+        let of_center = turning(own('W', 0), own('W', 1), own('C', 0));
+        let of_center = Printed::sum([own('A', 0)].into_iter().chain(of_center));
+        let force = of_those_behind(behind('R').times(behind('P')));
+        let lever = cross(behind('D'), behind('R').times(behind('P')));
+        let moment = Printed::sum([behind('R').times(behind('N')), lever]);
+        let moments = [
+            own('I', 0).times(own('W', 1)),
+            cross(own('W', 0), own('I', 0).times(own('W', 0))),
+            cross(own('C', 0), own('F', 0)),
+            of_those_behind(moment),
+        ];
+        vec![
+            // From the root to the leaves,
+            [own('W', 0), Printed::sum(rate)],
+            [own('W', 1), Printed::sum(rate_of_rate)],
+            [own('A', 0), turned(acceleration)],
+            [own('F', 0), own('M', 0).times(of_center)],
+            // and back.
+            [own('P', 0), Printed::sum([own('F', 0), force])],
+            [own('N', 0), Printed::sum(moments)],
+        ]
+    }
 }

@@ -6,20 +6,18 @@
 //! around the arguments of a function.
 
 use crate::limits::MAX_ROW_LENGTH;
+use crate::print::notation::Notation;
+use crate::print::printed::Printed;
+use crate::print::writer::{Piece, Writer};
 
 /// What begins a row that continues another one.
-const CONTINUED: &str = " \\\\\n&\\quad ";
-
-/// A bracket that may hold the end of a row, or what may not.
-struct Bracket {
-    open: usize,
-    close: usize,
-}
+const CONTINUED: &str = " \\\\\n&\\quad";
 
 /// The equations as rows of a display: aligned at the equals signs, or all at their beginnings if the left side of one is
 /// long, beside which the others would stand far to the right.
-pub(crate) fn rows(equations: &[String]) -> Vec<String> {
-    let mut rows: Vec<_> = equations.iter().map(|equation| row(equation)).collect();
+pub(crate) fn rows(equations: &[Printed]) -> Vec<String> {
+    let rows = equations.iter().map(|equation| Row::of(equation).written());
+    let mut rows: Vec<_> = rows.collect();
     if rows.iter().any(|row| row.starts_with('&')) {
         for row in rows.iter_mut().filter(|row| !row.starts_with('&')) {
             *row = format!("&{}", row.replacen("&= ", "= ", 1));
@@ -28,20 +26,119 @@ pub(crate) fn rows(equations: &[String]) -> Vec<String> {
     rows
 }
 
-/// The equation of two sides as a row of a display, aligned at the equals sign, or at its beginning where the left side
-/// is long.
-fn row(equation: &str) -> String {
-    let (left, right) = equation.split_once(" = ").unwrap_or((equation, ""));
-    if visible(left) + visible(right) <= MAX_ROW_LENGTH {
-        return format!("{left} &= {right}");
+/// An equation in pieces, some of which are signs before which a row may begin.
+#[derive(Default)]
+struct Row {
+    pieces: Vec<String>,
+    /// The place of the equals sign.
+    equals: usize,
+    /// The places of signs, each with how many brackets it is in.
+    signs: Vec<(usize, usize)>,
+    /// Where brackets that may hold the end of a row open and close.
+    brackets: Vec<[usize; 2]>,
+}
+
+impl Row {
+    fn of(equation: &Printed) -> Self {
+        let mut row = Self::default();
+        let mut open = Vec::new();
+        // Brackets within which nothing is broken.
+        let mut closed = 0_usize;
+        let mut is_after_name = false;
+        let mut writer = Writer::new(Notation::Latex, None, equation.clone());
+        while let Some(piece) = writer.next_piece() {
+            let Some(text) = piece.text() else {
+                writer.expand(piece);
+                continue;
+            };
+            let place = row.pieces.len();
+            match (&piece, text) {
+                (Piece::Open(_), "\\left(") if closed == 0 && !is_after_name => open.push(place),
+                (Piece::Open(_), _) => closed += 1,
+                (Piece::Close(_), _) if closed > 0 => closed -= 1,
+                (Piece::Close(_), _) => row.brackets.extend(open.pop().map(|open| [open, place])),
+                (_, " = ") if row.equals == 0 => row.equals = place,
+                (_, " + " | " - ") if closed == 0 => row.signs.push((place, open.len())),
+                _ => {}
+            }
+            if let Some(last) = text.chars().last() {
+                // Before a bracket that is not around arguments there is a space.
+                is_after_name = last.is_alphanumeric() || last == '}';
+            }
+            row.pieces.push(text.to_owned());
+        }
+        row
     }
-    if 2 * visible(left) <= MAX_ROW_LENGTH {
-        return format!(
-            "{left} &= {}",
-            broken(right, MAX_ROW_LENGTH - visible(left))
+
+    /// The row, aligned at the equals sign, or at its beginning where the left side is long.
+    fn written(mut self) -> String {
+        let count = self.pieces.len();
+        let (left, right) = (
+            self.length(0, self.equals),
+            self.length(self.equals + 1, count),
         );
+        if 2 * left > MAX_ROW_LENGTH && left + right > MAX_ROW_LENGTH {
+            self.end_rows((0, count), 0);
+            return format!("&{}", self.pieces.concat());
+        }
+        if left + right > MAX_ROW_LENGTH {
+            self.end_rows((self.equals + 1, count), left);
+        }
+        " &= ".clone_into(&mut self.pieces[self.equals]);
+        self.pieces.concat()
     }
-    format!("&{}", broken(equation, MAX_ROW_LENGTH))
+
+    fn length(&self, start: usize, end: usize) -> usize {
+        let pieces = self.pieces[start..end].iter();
+        pieces.map(|piece| visible(piece)).sum()
+    }
+
+    /// Ends rows in a part of the equation, of whose first row so much is used.
+    fn end_rows(&mut self, part: (usize, usize), mut used: usize) {
+        let mut ends = Vec::new();
+        self.find_ends(part, 0, &mut used, &mut ends);
+        for [open, close] in &self.brackets {
+            if ends.iter().any(|end| (open..close).contains(&end)) {
+                for (place, from, to) in
+                    [(*open, "\\left", "\\bigl"), (*close, "\\right", "\\bigr")]
+                {
+                    self.pieces[place] = self.pieces[place].replace(from, to);
+                }
+            }
+        }
+        for end in ends {
+            self.pieces[end].insert_str(0, CONTINUED);
+        }
+    }
+
+    /// Finds ends of rows: before signs in so many brackets, or in more where a term is too long.
+    fn find_ends(
+        &self,
+        (start, end): (usize, usize),
+        depth: usize,
+        used: &mut usize,
+        ends: &mut Vec<usize>,
+    ) {
+        let signs = self.signs.iter();
+        let own = signs.filter(|(place, of)| *of == depth && (start..end).contains(place));
+        let places: Vec<_> = own.map(|(place, _)| *place).collect();
+        let starts = [start].into_iter().chain(places.iter().copied());
+        let stops = places.iter().copied().chain([end]);
+        for (number, (from, to)) in starts.zip(stops).enumerate() {
+            let length = self.length(from, to);
+            if number > 0 && *used + length > MAX_ROW_LENGTH && *used > 0 {
+                ends.push(from);
+                *used = 0;
+            }
+            let mut signs = self.signs.iter();
+            let has_more = signs.any(|(place, of)| *of > depth && (from..to).contains(place));
+            if *used + length > MAX_ROW_LENGTH && has_more {
+                self.find_ends((from, to), depth + 1, used, ends);
+            } else {
+                *used += length;
+            }
+        }
+    }
 }
 
 /// How many characters are seen, about: braces and names of commands are not.
@@ -69,146 +166,73 @@ fn visible(text: &str) -> usize {
     count
 }
 
-/// The text with ends of rows.
-fn broken(text: &str, first: usize) -> String {
-    let (signs, brackets) = scan(text);
-    let mut ends = Vec::new();
-    let mut used = first;
-    used = MAX_ROW_LENGTH.saturating_sub(used);
-    ends_within(text, (0, text.len()), (&signs, 0), &mut used, &mut ends);
-    ends.sort_unstable();
-    let mut changes: Vec<(usize, &str, &str)> =
-        ends.iter().map(|end| (*end, " ", CONTINUED)).collect();
-    for bracket in &brackets {
-        if ends
-            .iter()
-            .any(|end| (bracket.open..bracket.close).contains(end))
-        {
-            changes.push((bracket.open, "\\left", "\\bigl"));
-            changes.push((bracket.close, "\\right", "\\bigr"));
-        }
-    }
-    changes.sort_unstable();
-    let mut written = String::with_capacity(text.len());
-    let mut position = 0;
-    for (place, from, to) in changes {
-        written.extend([&text[position..place], to]);
-        position = place + from.len();
-    }
-    written.push_str(&text[position..]);
-    written
-}
-
-/// The places before signs outside of braces and of arguments, each with how many brackets it is in, and the brackets.
-fn scan(text: &str) -> (Vec<(usize, usize)>, Vec<Bracket>) {
-    let (mut signs, mut brackets, mut open) = (Vec::new(), Vec::new(), Vec::new());
-    let mut braces = 0_usize;
-    // Brackets around arguments, and within these.
-    let mut of_arguments = 0_usize;
-    for (position, c) in text.char_indices() {
-        let (before, rest) = text.split_at(position);
-        match c {
-            '\\' if of_arguments > 0 && rest.starts_with("\\left") => of_arguments += 1,
-            '\\' if of_arguments > 0 && rest.starts_with("\\right") => of_arguments -= 1,
-            '\\' if rest.starts_with("\\left(") && ends_with_name(before) => of_arguments = 1,
-            _ if of_arguments > 0 => {}
-            '{' => braces += 1,
-            '}' => braces = braces.saturating_sub(1),
-            '\\' if rest.starts_with("\\left|") => braces += 1,
-            '\\' if rest.starts_with("\\right|") => braces = braces.saturating_sub(1),
-            '\\' if braces == 0 && rest.starts_with("\\left") => open.push(position),
-            '\\' if braces == 0 && rest.starts_with("\\right") => {
-                if let Some(start) = open.pop() {
-                    brackets.push(Bracket {
-                        open: start,
-                        close: position,
-                    });
-                }
-            }
-            ' ' if braces == 0 && [" + ", " - "].iter().any(|sign| rest.starts_with(sign)) => {
-                signs.push((position, open.len()));
-            }
-            _ => {}
-        }
-    }
-    (signs, brackets)
-}
-
-/// Whether a bracket that follows is one around the arguments of a function: before others there is a space.
-fn ends_with_name(text: &str) -> bool {
-    text.ends_with(|c: char| c.is_alphanumeric() || c == '}')
-}
-
-/// Finds ends of rows in a part of a text: before signs in so many brackets, or in more where a term is too long.
-fn ends_within(
-    text: &str,
-    (start, end): (usize, usize),
-    (signs, depth): (&[(usize, usize)], usize),
-    used: &mut usize,
-    ends: &mut Vec<usize>,
-) {
-    let own = signs
-        .iter()
-        .filter(|(place, of)| *of == depth && (start..end).contains(place));
-    let places: Vec<_> = own.map(|(place, _)| *place).collect();
-    let starts = [start].into_iter().chain(places.iter().copied());
-    let stops = places.iter().copied().chain([end]);
-    for (number, (from, to)) in starts.zip(stops).enumerate() {
-        let length = visible(&text[from..to]);
-        if number > 0 && *used + length > MAX_ROW_LENGTH && *used > 0 {
-            ends.push(from);
-            *used = 0;
-        }
-        let has_more = signs
-            .iter()
-            .any(|(place, of)| *of > depth && (from..to).contains(place));
-        if *used + length > MAX_ROW_LENGTH && has_more {
-            ends_within(text, (from, to), (signs, depth + 1), used, ends);
-        } else {
-            *used += length;
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Unary;
+    use crate::print::printed::Part;
+
+    const NEXT: &str = " \\\\\n&\\quad ";
+
+    fn name(text: &str) -> Printed {
+        Printed::text([text, text])
+    }
+
+    fn product(factors: &[&str]) -> Printed {
+        Printed::of_factors(factors.iter().map(|factor| name(factor)).collect())
+    }
+
+    /// So many times the same term.
+    fn repeated(term: &Printed, count: usize) -> Printed {
+        Printed::sum(vec![term.clone(); count])
+    }
+
+    fn row(left: Printed, right: Printed) -> String {
+        Row::of(&left.equals(right)).written()
+    }
 
     #[test]
     fn short_rows_are_aligned_at_the_equals_sign() {
-        assert_eq!(row("a + b = c"), "a + b &= c");
+        let sum = Printed::sum(["a", "b"].map(name));
+        assert_eq!(row(sum, name("c")), "a + b &= c");
     }
 
     #[test]
     fn rows_begin_together_beside_a_long_left_side() {
-        let equations = ["a = b".to_owned(), "c = d + e".to_owned()];
+        let sum = Printed::sum(["d", "e"].map(name));
+        let mut equations = vec![name("a").equals(name("b")), name("c").equals(sum)];
         assert_eq!(rows(&equations), ["a &= b", "c &= d + e"]);
-        let long = format!("{} = 0", ["l_{1} \\theta"; 60].join(" + "));
-        let rows = rows(&[equations.as_slice(), &[long]].concat());
+        let long = repeated(&product(&["l_{1}", "\\theta"]), 60);
+        equations.push(long.equals(Printed::zero()));
+        let rows = rows(&equations);
         assert_eq!(rows[..2], ["&a = b", "&c = d + e"]);
         assert!(rows[2].starts_with("&l_{1} \\theta + "));
     }
 
     #[test]
     fn long_rows_end_before_signs() {
-        let term = "m_{1} l_{1} g \\sin\\left(\\theta_{1} - \\theta_{2}\\right)";
-        let right = [term; 12].join(" + ");
-        let row = row(&format!("p = {right}"));
-        let rows: Vec<_> = row.split(CONTINUED).collect();
+        let angle = name("\\theta_{1}").plus(name("\\theta_{2}"), true);
+        let sine = Printed(Part::Function(Unary::Sin, Box::new(angle)));
+        let right = repeated(&product(&["m_{1}", "l_{1}", "g"]).times(sine), 12);
+        let row = row(name("p"), right.clone());
+        let rows: Vec<_> = row.split(NEXT).collect();
         assert!(rows.len() > 1);
         assert!(rows[1..].iter().all(|row| row.starts_with("+ ")));
         assert!(rows.iter().all(|row| visible(row) <= MAX_ROW_LENGTH + 2));
-        assert_eq!(rows.join(" "), format!("p &= {right}"));
+        assert_eq!(
+            rows.join(" "),
+            format!("p &= {}", right.written(Notation::Latex))
+        );
     }
 
     #[test]
     fn brackets_within_which_a_row_ends_are_no_pairs() {
-        let term = "m_{1} \\left(\\dot{x}_{1} + l_{1} \\dot{\\theta}_{1}\\right)";
-        let sum = [term; 12].join(" + ");
-        let row = row(&format!("k \\left({sum}\\right) = 0"));
+        let velocity = name("\\dot{x}_{1}").plus(product(&["l_{1}", "\\dot{\\theta}_{1}"]), false);
+        let sum = repeated(&name("m_{1}").times(velocity), 12);
+        let row = row(name("k").times(sum), Printed::zero());
         assert!(row.starts_with("&k \\bigl("), "{row}");
         assert!(row.ends_with("\\bigr) = 0"), "{row}");
-        for row in row.split(CONTINUED) {
+        for row in row.split(NEXT) {
             let [left, right] = ["\\left", "\\right"].map(|word| row.matches(word).count());
             assert_eq!(left, right, "{row}");
         }
@@ -216,21 +240,27 @@ mod tests {
 
     #[test]
     fn arguments_are_whole() {
-        for function in ["\\sin", "\\sin^{2}", "\\operatorname{f}"] {
+        let inner = Printed::list(vec![Printed::sum(["q_{1}", "l"].map(name))]);
+        let argument = inner.plus(name("q_{2}"), false);
+        let sine = Printed(Part::Function(Unary::Sin, Box::new(argument.clone())));
+        let square = sine
+            .clone()
+            .power(Printed::number(&crate::Rational::integer(2)));
+        let external = Printed::call(["f", "\\operatorname{f}"], vec![argument]);
+        for call in [sine, square, external] {
             for length in 80..140 {
-                let stiffness = "k".repeat(length);
-                let call = format!("{function}\\left(\\left(q_{{1}} + l\\right) + q_{{2}}\\right)");
-                let row = row(&format!("x = {stiffness} {call} + m + l"));
-                assert!(row.contains(&call), "{row}");
+                let first = name(&"k".repeat(length)).times(call.clone());
+                let right = Printed::sum([first, name("m"), name("l")]);
+                let row = row(name("x"), right);
+                assert!(row.contains(&call.written(Notation::Latex)), "{row}");
             }
         }
     }
 
     #[test]
     fn numerators_are_whole() {
-        let term = "m_{1} l_{1} \\dot{\\theta}_{1}";
-        let sum = vec![term; 40].join(" + ");
-        let row = row(&format!("x = \\frac{{{sum}}}{{2}}"));
+        let sum = repeated(&product(&["m_{1}", "l_{1}", "\\dot{\\theta}_{1}"]), 40);
+        let row = row(name("x"), sum.over(name("2")));
         assert!(!row.contains('\n'), "{row}");
     }
 }

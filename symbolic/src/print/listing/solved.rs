@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::limits::{MAX_ACCELERATION_LENGTH, MAX_LISTED_ACCELERATIONS};
 use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::composer::Composer;
-use crate::print::listing::section::{Section, Side};
+use crate::print::listing::section::Section;
 use crate::{Expression, Node, QuasiVelocityEquations, Rational, Symbol};
 
 impl Composer<'_> {
@@ -97,9 +97,9 @@ impl Composer<'_> {
         let heading = [heading; 2].map(String::from);
         let mut section = Section::new(Some(heading), "");
         for (i, acceleration) in (0..).zip(accelerations) {
-            let [unicode, latex] = self.letters.print_both(Symbol::Acceleration(i));
-            let right = Side::Expression(self.arranged(*acceleration));
-            self.push_arranged(&mut section, Side::Text(unicode, latex), right);
+            let left = self.letters.printed(Symbol::Acceleration(i));
+            let right = self.arranged(*acceleration);
+            self.push_arranged(&mut section, left, right);
         }
         Some(self.mention(section))
     }
@@ -144,7 +144,6 @@ impl Composer<'_> {
             let left = graph.sum(terms);
             let torque = graph.substitute(&[*torque], &values)[0];
             let right = graph.arranged_by_velocities(torque, &self.letters);
-            let [left, right] = [left, right].map(Side::Expression);
             self.push_arranged(&mut dynamics, left, right);
         }
         for (j, velocity) in (0..).zip(&equations.velocities) {
@@ -152,9 +151,9 @@ impl Composer<'_> {
                 continue;
             }
             let velocity = self.model.graph.substitute(&[*velocity], &values)[0];
-            let [unicode, latex] = self.letters.print_both(Symbol::Velocity(j));
-            let right = Side::Expression(self.arranged(velocity));
-            self.push_arranged(&mut dynamics, Side::Text(unicode, latex), right);
+            let left = self.letters.printed(Symbol::Velocity(j));
+            let right = self.arranged(velocity);
+            self.push_arranged(&mut dynamics, left, right);
         }
         self.mention_all(forms);
         Some(vec![self.mention(dynamics)])
@@ -170,9 +169,9 @@ impl Composer<'_> {
         let forms = equations.quasi_velocities.iter().zip(velocities);
         for (k, (form, velocity)) in (0..).zip(forms) {
             if velocity.is_none() && self.letters.definition(*form).is_none() {
-                let [unicode, latex] = self.letters.print_both(Symbol::QuasiVelocity(k));
-                let right = Side::Expression(self.arranged(*form));
-                self.push_arranged(section, Side::Text(unicode, latex), right);
+                let left = self.letters.printed(Symbol::QuasiVelocity(k));
+                let right = self.arranged(*form);
+                self.push_arranged(section, left, right);
             }
         }
     }

@@ -1,79 +1,43 @@
-//! Vectors of expressions in Unicode and in LaTeX.
+//! Vectors of expressions in print.
 
 use crate::mechanics::mechanism::Vector;
 use crate::print::names::Letters;
-use crate::print::notation::Notation;
-use crate::print::spelling::Spelling;
+use crate::print::printed::Printed;
 use crate::{Expression, Graph, Node, Symbol};
 
-/// An expression as it is, in Unicode and in LaTeX.
-pub(crate) fn plain_text(graph: &Graph, letters: &Letters, x: Expression) -> [String; 2] {
-    let formula = graph.display_in(x, letters);
-    [formula.to_string(), formula.in_latex().to_string()]
-}
-
 /// Expressions in parentheses.
-pub(crate) fn list_text(
-    graph: &Graph,
-    letters: &Letters,
-    expressions: &[Expression],
-) -> [String; 2] {
-    let texts: Vec<_> = expressions
-        .iter()
-        .map(|x| plain_text(graph, letters, *x))
-        .collect();
-    let both = [0, 1].map(|notation| {
-        let texts: Vec<_> = texts.iter().map(|text| &*text[notation]).collect();
-        texts.join(", ")
-    });
-    [
-        format!("({})", both[0]),
-        format!("\\left({}\\right)", both[1]),
-    ]
-}
-
-/// The name of a parameter with marks around its index.
-pub(crate) fn name_texts(letters: &Letters, name: &str) -> [String; 2] {
-    let spelling = Spelling::of_parameter(name);
-    [Notation::Unicode, Notation::Latex].map(|notation| letters.print(&spelling, 0, notation))
+pub(crate) fn list(graph: &Graph, letters: &Letters, list: &[Expression]) -> Option<Printed> {
+    let list = list.iter().map(|x| graph.printed(*x, letters));
+    Some(Printed::list(list.collect::<Option<_>>()?))
 }
 
 /// A vector: 0, a multiple of a unit vector, multiples of vectors among the parameters, or its components.
-pub(crate) fn vector_text(
+pub(crate) fn vector(
     graph: &mut Graph,
     letters: &Letters,
     parameters: &[String],
     vector: Vector,
-) -> [String; 2] {
+) -> Option<Printed> {
     let vector = vector.map(|x| graph.arranged(x, letters));
     let nonzero: Vec<_> = (0..3)
         .filter(|axis| !graph.is_zero(vector[*axis]))
         .collect();
     match nonzero.as_slice() {
-        [] => ["0", "0"].map(String::from),
-        [axis] => along_axis(graph, letters, vector[*axis], *axis),
-        _ => {
-            let own = vector_parameter(graph, parameters, vector);
-            let name = own.map(|name| name_texts(letters, &name));
-            name.unwrap_or_else(|| list_text(graph, letters, &vector))
+        [] => Some(Printed::zero()),
+        [axis] => {
+            let size = graph.printed(vector[*axis], letters)?;
+            let unit = ["e_x", "e_y", "e_z"][*axis];
+            let unit = Printed::text([unit, unit]);
+            Some(if size.is_one() {
+                unit
+            } else {
+                size.times(unit)
+            })
         }
-    }
-}
-
-/// A multiple of a unit vector.
-fn along_axis(graph: &Graph, letters: &Letters, size: Expression, axis: usize) -> [String; 2] {
-    let [text, latex] = plain_text(graph, letters, size);
-    let axis = ["x", "y", "z"][axis];
-    let is_sum = matches!(graph.node(size), Node::Sum(terms) if terms.len() > 1);
-    if size == graph.one() {
-        [format!("e_{axis}"), format!("e_{axis}")]
-    } else if is_sum {
-        [
-            format!("({text}) e_{axis}"),
-            format!("\\left({latex}\\right) e_{axis}"),
-        ]
-    } else {
-        [format!("{text} e_{axis}"), format!("{latex} e_{axis}")]
+        _ => match vector_parameter(graph, parameters, vector) {
+            Some(name) => Some(Printed::name(&name, true, Vec::new(), 0)),
+            None => list(graph, letters, &vector),
+        },
     }
 }
 
