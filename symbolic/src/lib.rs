@@ -64,9 +64,9 @@ pub use program::verify::Fault;
 pub use typed::array_function::{ARRAY_FUNCTIONS, ArrayFunction, ArrayNotation};
 pub use typed::at_rest::AtRest;
 pub use typed::components::Components;
+pub use typed::declared_system::DeclaredSystem;
 pub use typed::evaluation::NoValue;
 pub use typed::graph::TypedGraph;
-pub use typed::in_frames::SystemInFrames;
 pub use typed::operation::{TypedOperation, Value};
 pub use typed::virtual_work::ConstraintForces;
 pub use validation::{

@@ -25,12 +25,12 @@ impl AtRest {
     /// The values of a graph at rest, which are evaluated where they are asked for.
     #[must_use]
     pub fn new(graph: &TypedGraph) -> Self {
-        let begin = graph.beginning.values;
+        let beginning = graph.beginning.clone();
         Self {
-            geometry: Geometry::from(graph.beginning.graph.clone()),
+            geometry: Geometry::from(beginning.graph),
             rest: Rest::default(),
-            known: graph.components[..begin].to_vec(),
-            evaluated: vec![true; begin],
+            evaluated: vec![true; beginning.components.len()],
+            known: beginning.components,
         }
     }
 

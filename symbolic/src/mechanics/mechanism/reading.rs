@@ -15,7 +15,8 @@ use crate::frames::vector_in_frames::{Term, UnresolvedVectors, VectorId};
 use crate::limits::MAX_TURNS_OF_A_BASE;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Turn, Vector};
-use crate::{Expression, Geometry, Graph, Model, Node, Rational, Symbol, SystemInFrames};
+use crate::typed::declared_system::SystemInFrames;
+use crate::{Expression, Geometry, Graph, Model, Node, Rational, Symbol};
 
 /// A link, or the inertial frame, and a place along its axes.
 pub(super) type Point = (Option<usize>, Vector);
@@ -33,13 +34,12 @@ impl Mechanism {
     }
 
     fn with_origins(model: &mut Model, keeps_origins: bool) -> Option<Self> {
-        let energies = model.in_frames.clone()?;
         let SystemInFrames {
             mut geometry,
             kinetic,
             potential,
             constraints,
-        } = energies;
+        } = model.declaration.as_ref()?.in_frames()?;
         let velocities = QuasiVelocities::declared(&mut geometry.graph, kinetic)?;
         let vectors = geometry.frames.unresolved.clone()?;
         let mut reader = Reader {

@@ -32,7 +32,7 @@ struct Recursion<'a> {
 impl Composer<'_> {
     /// The recursion, where the model is a mechanism, some of Lagrange's equations are left out, and all of it has room.
     pub(crate) fn recursion(&mut self, equations: &Equations, lagrange: &Section) -> Vec<Section> {
-        if self.model.in_frames.is_none()
+        if self.model.declaration.is_none()
             || lagrange.has_room_for_all(&self.model.graph, &self.letters)
         {
             return Vec::new();
