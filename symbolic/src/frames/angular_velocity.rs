@@ -6,10 +6,10 @@
 //! its angle along its axis, a constant one adds nothing. Other matrices add the sum of vee(Aᵀ ∂A/∂q) q̇ over
 //! the symbols they depend on, each coefficient reduced.
 
+use crate::frames::axis::Axis;
+use crate::frames::factor::{ElementaryRotation, MatrixFactor};
+use crate::frames::matrix::Matrix;
 use crate::frames::rotation::NoRotation;
-use crate::matrix::axis::Axis;
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
 use crate::{Direction, Expression, Geometry, Graph, Rational, Symbol};
 
 type Vector = [Expression; 3];
@@ -73,7 +73,7 @@ impl Geometry {
         factors: &[MatrixFactor],
         coordinates: u32,
     ) -> Result<Vector, NoRotation> {
-        if self.frames.unresolved.is_some() {
+        if self.unresolved.is_some() {
             let factors = self.resolved_factors(factors);
             return self
                 .graph

@@ -9,13 +9,13 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::axis::Axis;
+use crate::frames::factor::{ElementaryRotation, MatrixFactor};
 use crate::frames::frame_tree::Frame;
+use crate::frames::matrix::Matrix;
 use crate::frames::unresolved::along;
 use crate::frames::vector_in_frames::{Term, VectorInFrames};
 use crate::limits::MAX_TURNS_OF_A_BASE;
-use crate::matrix::axis::Axis;
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
 use crate::{Expression, Geometry, Graph, Rational, Symbol};
 
 type Vector = [Expression; 3];
@@ -37,7 +37,7 @@ impl Geometry {
     /// ω × r, or r × ω, of an angular velocity and a vector of the frame that turns with it: the rate of r, less that along
     /// the axes of the frame.
     pub(crate) fn unresolved_cross_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Matrix> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         if x.shape() != (3, 1) {
             return None;
         }
@@ -71,7 +71,7 @@ impl Geometry {
             if !self.turn_with(&rate.terms, frame) {
                 return None;
             }
-            let coordinates = self.frames.unresolved.as_ref()?.coordinates;
+            let coordinates = self.unresolved.as_ref()?.coordinates;
             let own = self.time_derivatives(&vector, coordinates);
             let own = <[_; 3]>::try_from(own).ok()?.map(|x| self.graph.negate(x));
             for term in [Term::Rate(frame, vector), Term::Fixed(frame, own)] {
@@ -95,7 +95,7 @@ impl Geometry {
         if !vector.is_relative(&self.graph) {
             return None;
         }
-        let base = self.frames.tree.factors(axes);
+        let base = self.frames.factors(axes);
         let terms = self.behind(&base, &vector.terms)?;
         Some(VectorInFrames { axes, terms })
     }
@@ -105,7 +105,7 @@ impl Geometry {
         if terms.iter().any(|term| matches!(term, Term::Rate(..))) || self.turn_with(terms, frame) {
             return frame;
         }
-        let next = self.frames.tree.behind(frame);
+        let next = self.frames.behind(frame);
         let mut next = next.into_iter().map(|(next, _)| next);
         next.find(|next| self.turn_with(terms, *next))
             .unwrap_or(frame)
@@ -153,7 +153,7 @@ impl Geometry {
         let VectorInFrames { terms, .. } = along(Frame::INERTIAL, column)?;
         let back = rotations.iter().rev().map(MatrixFactor::transpose);
         let path = self.merged(back);
-        let axes = self.frames.tree.frame(&path);
+        let axes = self.frames.frame(&path);
         let turns = self.turn_with(&terms, axes);
         turns.then(|| self.column_of(VectorInFrames { axes, terms }))?
     }
@@ -217,14 +217,14 @@ impl Geometry {
     /// A sum of turned vectors and of angular velocities by frame, each as near to the inertial frame as its components stay
     /// the same.
     fn turns(&mut self, terms: &[Term]) -> Option<BTreeMap<Frame, Vector>> {
-        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
+        let coordinates = self.unresolved.as_ref()?.coordinates;
         let mut own = Vec::new();
         for term in terms {
             match *term {
                 Term::Rate(..) => return None,
                 Term::Fixed(frame, vector) => own.push((frame, vector)),
                 Term::AngularVelocity(frame, multiple) => {
-                    for (frame, factor) in self.frames.tree.path(frame) {
+                    for (frame, factor) in self.frames.path(frame) {
                         let rate = self.angular_velocity_of_product(&[factor], coordinates);
                         let rate = rate.ok()?.map(|x| self.graph.multiply(multiple, x));
                         own.push((frame, rate));
@@ -249,7 +249,7 @@ impl Geometry {
     fn raised(&mut self, mut frame: Frame, mut vector: Vector) -> Vec<(Frame, Vector)> {
         let mut parts = Vec::new();
         let zero = self.graph.zero();
-        while let Some((before, factor)) = self.frames.tree.before(frame) {
+        while let Some((before, factor)) = self.frames.before(frame) {
             if factor.is_constant(&self.graph) {
                 vector = factor.apply(&mut self.graph, vector);
             } else {
@@ -272,7 +272,7 @@ impl Geometry {
 
     /// The frame with whose angular velocity a sum of turned vectors agrees, if it is seen from there.
     fn frame_seen_from(&mut self, terms: &[Term]) -> Option<Frame> {
-        let frames = &self.frames.tree;
+        let frames = &self.frames;
         let paths = terms
             .iter()
             .map(|term| (frames.factors(term.frame()), term));
@@ -281,10 +281,10 @@ impl Geometry {
             return None;
         };
         let first = self.frame_that_turns(rate)?;
-        let base = self.frames.tree.factors(first);
+        let base = self.frames.factors(first);
         let back = path.iter().rev().map(MatrixFactor::transpose);
         let path = self.merged(base.into_iter().chain(back));
-        let frame = self.frames.tree.frame(&path);
+        let frame = self.frames.frame(&path);
         let terms = self.behind(&path, terms)?;
         self.turn_with(&terms, frame).then_some(frame)
     }
@@ -296,9 +296,9 @@ impl Geometry {
             let Term::Fixed(frame, vector) = *term else {
                 return None;
             };
-            let factors = self.frames.tree.factors(frame);
+            let factors = self.frames.factors(frame);
             let factors = self.merged(base.iter().copied().chain(factors));
-            let frame = self.frames.tree.frame(&factors);
+            let frame = self.frames.frame(&factors);
             self.graph.add_term(&mut behind, Term::Fixed(frame, vector));
         }
         Some(behind)
@@ -311,8 +311,8 @@ impl Geometry {
         if rate == [zero; 3] {
             return None;
         }
-        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
-        for (frame, factors) in self.frames.tree.nearest(MAX_TURNS_OF_A_BASE) {
+        let coordinates = self.unresolved.as_ref()?.coordinates;
+        for (frame, factors) in self.frames.nearest(MAX_TURNS_OF_A_BASE) {
             let known = self.angular_velocity_of_product(&factors, coordinates);
             if known == Ok(rate) {
                 return Some(frame);
@@ -329,7 +329,7 @@ impl Geometry {
             angle,
             reversed: false,
         });
-        Some(self.frames.tree.frame(&[rotation]))
+        Some(self.frames.frame(&[rotation]))
     }
 
     /// The functions of the coordinates with these rates, which are linear in the velocities with constant coefficients.
@@ -349,7 +349,7 @@ impl Geometry {
             }
             *integral = self.graph.sum(found);
         }
-        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
+        let coordinates = self.unresolved.as_ref()?.coordinates;
         let again = self.time_derivatives(&integrals, coordinates);
         (again == rates).then_some(integrals)
     }

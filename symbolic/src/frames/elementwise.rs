@@ -1,6 +1,6 @@
 //! Elementwise operations on matrices: sums, multiples, component products, time derivatives.
 
-use crate::matrix::dense::Matrix;
+use crate::frames::matrix::Matrix;
 use crate::{Expression, Geometry, Graph, Rational};
 
 impl Geometry {

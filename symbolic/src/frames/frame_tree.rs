@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::matrix::factor::MatrixFactor;
+use crate::frames::factor::MatrixFactor;
 
 /// A frame, by its position in the tree of frames.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -3,8 +3,8 @@
 //!
 //! A product is made block by block, so that rotations have their factors and places are vectors: R R′, R p′ + p.
 
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::MatrixFactor;
+use crate::frames::factor::MatrixFactor;
+use crate::frames::matrix::{Knowledge, Matrix};
 use crate::{Expression, Geometry, Graph, Rational};
 
 /// The blocks of a homogeneous matrix.
@@ -24,7 +24,7 @@ impl Geometry {
             let turned = self.matrix_product(&first.rotation, &vector)?;
             let moved = self.matrix_scaled(&first.place, last);
             let sum = self.matrix_sum(&[(&turned, Rational::ONE), (&moved, Rational::ONE)])?;
-            return joined(&sum, last);
+            return Some(extended(&sum, last));
         }
         let second = self.graph.blocks(right)?;
         let rotation = self.matrix_product(&first.rotation, &second.rotation)?;
@@ -60,7 +60,7 @@ impl Geometry {
         let columns: Vec<_> = columns.iter().map(|(x, c)| (x, c.clone())).collect();
         let vector = self.unresolved_sum(&columns)?;
         let last = self.graph.sum(last);
-        joined(&vector, last)
+        Some(extended(&vector, last))
     }
 
     /// c x of homogeneous coordinates of a vector that is resolved last.
@@ -72,7 +72,7 @@ impl Geometry {
         let (vector, last) = self.unresolved_coordinates(column)?;
         let vector = self.unresolved_multiple(&vector, factor)?;
         let last = self.graph.multiply(factor, last);
-        joined(&vector, last)
+        Some(extended(&vector, last))
     }
 
     /// The time derivative of homogeneous coordinates of a vector that is resolved last.
@@ -82,7 +82,7 @@ impl Geometry {
             return None;
         }
         let rate = self.unresolved_rate(&vector)?;
-        joined(&rate, self.graph.zero())
+        Some(extended(&rate, self.graph.zero()))
     }
 
     /// x · y of homogeneous coordinates of vectors that are resolved last.
@@ -98,7 +98,7 @@ impl Geometry {
 
     /// The vector and the last of four coordinates, where vectors are resolved last.
     fn unresolved_coordinates(&self, column: &Matrix) -> Option<(Matrix, Expression)> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         split(column)
     }
 }
@@ -115,13 +115,18 @@ impl Graph {
             (_, 3) => place.at(i, 0),
             _ => rotation.at(i, j),
         });
-        Some(elements)
+        let blocks = [rotation, place].map(Matrix::clone);
+        Some(elements.known_as(Knowledge::Homogeneous(Box::new(blocks))))
     }
 
     /// The blocks of a matrix of four rows whose last one is 0 0 0 1.
     fn blocks(&self, matrix: &Matrix) -> Option<Blocks> {
         if matrix.shape() != (4, 4) {
             return None;
+        }
+        if let Knowledge::Homogeneous(blocks) = &matrix.known {
+            let [rotation, place] = (**blocks).clone();
+            return Some(Blocks { rotation, place });
         }
         let (zero, one) = (self.zero(), self.one());
         let last = [zero, zero, zero, one];
@@ -138,17 +143,17 @@ impl Graph {
 /// The first three of four coordinates, and the last.
 fn split(column: &Matrix) -> Option<(Matrix, Expression)> {
     let is_column = column.shape() == (4, 1);
-    is_column.then(|| {
-        (
-            Matrix::vector(column.elements()[..3].to_vec()),
-            column.at(3, 0),
-        )
-    })
+    let vector = column.block((0, 0), (3, 1)).filter(|_| is_column)?;
+    Some((vector, column.at(3, 0)))
 }
 
-/// Four coordinates.
-fn joined(vector: &Matrix, last: Expression) -> Option<Matrix> {
+/// A vector with one more component.
+pub(crate) fn extended(vector: &Matrix, last: Expression) -> Matrix {
     let mut elements = vector.elements().to_vec();
     elements.push(last);
-    Matrix::new(4, 1, elements)
+    let extended = Matrix::vector(elements);
+    if vector.shape() == (3, 1) {
+        return extended.known_as(Knowledge::Coordinates(Box::new(vector.clone())));
+    }
+    extended
 }

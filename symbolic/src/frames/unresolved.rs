@@ -7,10 +7,10 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
+use crate::frames::matrix::Matrix;
 use crate::frames::vector_in_frames::{Term, VectorId, VectorInFrames};
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::MatrixFactor;
 use crate::{Expression, Geometry, Graph, Node, Rational, Symbol};
 
 type Vector = [Expression; 3];
@@ -22,7 +22,7 @@ impl Geometry {
         factors: &[MatrixFactor],
         column: &Matrix,
     ) -> Option<Matrix> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         let mut product = column.clone();
         let mut rest = factors;
         while let Some(last) = rest.last() {
@@ -44,7 +44,7 @@ impl Geometry {
     fn turned(&mut self, rotations: &[MatrixFactor], column: &Matrix) -> Option<Matrix> {
         let rotations = self.resolved_factors(rotations);
         let (axes, terms) = if let Some(vector) = self.unresolved_of(column) {
-            let before = self.frames.tree.factors(vector.axes);
+            let before = self.frames.factors(vector.axes);
             let back = rotations.iter().rev().map(MatrixFactor::transpose);
             (self.merged(before.into_iter().chain(back)), vector.terms)
         } else if let Some(turned) = self.turned_rate(&rotations, column) {
@@ -52,17 +52,17 @@ impl Geometry {
         } else {
             let components = column.components()?;
             let rotation = self.merged(rotations);
-            let frame = self.frames.tree.frame(&rotation);
+            let frame = self.frames.frame(&rotation);
             (Vec::new(), vec![Term::Fixed(frame, components)])
         };
-        let axes = self.frames.tree.frame(&axes);
+        let axes = self.frames.frame(&axes);
         self.column_of(VectorInFrames { axes, terms })
     }
 
     /// Σ cᵢ xᵢ of columns of three rows, if one of them is a vector that is resolved last and all others are resolved
     /// along the same axes, or free of velocities.
     pub(crate) fn unresolved_sum(&mut self, columns: &[(&Matrix, Rational)]) -> Option<Matrix> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         let known = columns.iter().filter_map(|(x, _)| self.unresolved_of(x));
         let known: Vec<_> = known.collect();
         let whole = known.iter().find(|vector| !vector.is_relative(&self.graph));
@@ -101,7 +101,7 @@ impl Geometry {
 
     /// The time derivative of a position that is resolved along inertial axes.
     pub(crate) fn unresolved_rate(&mut self, column: &Matrix) -> Option<Matrix> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         let position = match self.unresolved_of(column) {
             Some(vector) => vector,
             None if column.shape() == (3, 1) => along(Frame::INERTIAL, column)?,
@@ -159,13 +159,13 @@ impl Geometry {
         factors: &[MatrixFactor],
         is_inertial: bool,
     ) -> Option<Matrix> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         if !factors.iter().all(MatrixFactor::is_rotation) {
             return None;
         }
         let factors = self.resolved_factors(factors);
         let factors = self.merged(factors);
-        let frame = self.frames.tree.frame(&factors);
+        let frame = self.frames.frame(&factors);
         let axes = if is_inertial { Frame::INERTIAL } else { frame };
         let terms = vec![Term::AngularVelocity(frame, self.graph.one())];
         self.column_of(VectorInFrames { axes, terms })
@@ -173,7 +173,7 @@ impl Geometry {
 
     /// x · y of two vectors along the same axes, one of which moves, in the frame that is turned most.
     pub(crate) fn unresolved_dot_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         let (first, second) = match (self.unresolved_of(x), self.unresolved_of(y)) {
             (Some(first), Some(second)) => (first, second),
             (Some(first), None) if self.graph.has_velocity(y) => {
@@ -188,7 +188,7 @@ impl Geometry {
             return None;
         }
         let frames = terms().map(Term::frame);
-        let tree = &self.frames.tree;
+        let tree = &self.frames;
         let axes = frames.max_by_key(|frame| (tree.depth(*frame), *frame))?;
         let axes = self.turned_with(&first.terms, axes);
         let mut resolve = |vector: VectorInFrames| {
@@ -225,10 +225,10 @@ impl Geometry {
 
     /// The value of a component.
     fn component_value(&mut self, index: u32) -> Option<Expression> {
-        let vectors = self.frames.unresolved.as_ref()?;
+        let vectors = self.unresolved.as_ref()?;
         let (number, axis) = VectorId::of_component(index);
         let vector = vectors.vector(number).clone();
-        let axes = self.frames.tree.factors(vector.axes);
+        let axes = self.frames.factors(vector.axes);
         let mut sum = [self.graph.zero(); 3];
         for term in vector.terms {
             let value = self.term_value(&term)?;
@@ -242,8 +242,8 @@ impl Geometry {
 
     /// A term along inertial axes.
     fn term_value(&mut self, term: &Term) -> Option<Vector> {
-        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
-        let factors = self.frames.tree.factors(term.frame());
+        let coordinates = self.unresolved.as_ref()?.coordinates;
+        let factors = self.frames.factors(term.frame());
         let vector = match term {
             Term::Fixed(_, vector) | Term::Rate(_, vector) => *vector,
             Term::AngularVelocity(_, factor) => {
@@ -268,7 +268,7 @@ impl Geometry {
 
     /// The vector of which a column or row has the components.
     pub(crate) fn unresolved_of(&self, column: &Matrix) -> Option<VectorInFrames> {
-        let vectors = self.frames.unresolved.as_ref()?;
+        let vectors = self.unresolved.as_ref()?;
         let component = |x: &Expression| match self.graph.node(*x) {
             Node::Symbol(Symbol::PositionComponent(i) | Symbol::VelocityComponent(i)) => Some(*i),
             _ => None,
@@ -300,7 +300,7 @@ impl Geometry {
             _ => {}
         }
         let moves = vector.terms.iter().any(|term| term.moves(&self.graph));
-        let number = self.frames.unresolved.as_mut()?.number(vector);
+        let number = self.unresolved.as_mut()?.number(vector);
         let symbol = if moves {
             Symbol::VelocityComponent
         } else {

@@ -1,6 +1,6 @@
 //! Products of vectors, which may be rows or columns, and their norms.
 
-use crate::matrix::dense::Matrix;
+use crate::frames::matrix::Matrix;
 use crate::{Expression, Geometry, Graph, Rational};
 
 impl Geometry {

@@ -1,5 +1,6 @@
 //! The components of a value, from the components of the values of which it is an operation.
 
+use crate::frames::homogeneous::extended;
 use crate::typed::components::Components;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::{Expression, Geometry, Matrix, NoRotation, Rational};
@@ -96,11 +97,7 @@ impl Evaluation<'_> {
                 let matrix = self.array(*of)?;
                 matrix.block(*first, *size)
             }
-            Op::Extended(vector, last) => {
-                let mut elements = self.array(*vector)?.elements().to_vec();
-                elements.push(self.scalar(*last)?);
-                Some(Matrix::vector(elements))
-            }
+            Op::Extended(vector, last) => Some(extended(self.array(*vector)?, self.scalar(*last)?)),
             Op::Homogeneous(rotation, place) => {
                 let (rotation, place) = (self.array(*rotation)?, self.array(*place)?);
                 self.geometry.graph.homogeneous(rotation, place)

@@ -6,9 +6,9 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
 use crate::frames::vector_in_frames::{Term, VectorId};
-use crate::matrix::factor::MatrixFactor;
 use crate::mechanics::mechanism::reading::Reader;
 use crate::mechanics::mechanism::{Link, Vector};
 use crate::{Expression, Graph, Symbol};
@@ -232,7 +232,7 @@ impl Reader {
         // What lies along the axis of the turn is known in the frame before, too.
         let mut here = frame;
         let mut axis = None;
-        while let Some((before, factor)) = self.geometry.frames.tree.before(here) {
+        while let Some((before, factor)) = self.geometry.frames.before(here) {
             let Some(own_axis) = axis_of(&factor) else {
                 break;
             };
@@ -271,10 +271,10 @@ impl Reader {
     fn along_axes_before(&mut self, mut places: Places) -> Places {
         let zero = self.geometry.graph.zero();
         let mut frames: Vec<_> = places.keys().copied().collect();
-        let depth = |frame: &Frame| self.geometry.frames.tree.depth(*frame);
+        let depth = |frame: &Frame| self.geometry.frames.depth(*frame);
         frames.sort_by_key(|frame| core::cmp::Reverse((depth(frame), *frame)));
         for mut frame in frames {
-            while let Some((before, factor)) = self.geometry.frames.tree.before(frame)
+            while let Some((before, factor)) = self.geometry.frames.before(frame)
                 && let Some(axis) = axis_of(&factor)
                 && let Some(place) = places.get_mut(&frame)
                 && place[axis] != zero
@@ -298,7 +298,7 @@ impl Reader {
     /// The frame that is turned most.
     fn deepest(&self, places: &Places) -> Option<Frame> {
         let frames = places.keys().copied();
-        frames.max_by_key(|frame| (self.geometry.frames.tree.depth(*frame), *frame))
+        frames.max_by_key(|frame| (self.geometry.frames.depth(*frame), *frame))
     }
 
     /// The links from the first to this one.

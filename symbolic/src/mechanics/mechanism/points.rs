@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
-use crate::matrix::factor::MatrixFactor;
 use crate::mechanics::mechanism::reading::{Point, Reader};
 use crate::mechanics::mechanism::{Inertia, Link, Turn, Vector};
 use crate::{Expression, Graph, Node};
@@ -11,7 +11,7 @@ use crate::{Expression, Graph, Node};
 impl Reader {
     /// A link with the axes of a frame.
     pub(super) fn link_of(&mut self, frame: Frame) -> Option<usize> {
-        let path = self.geometry.frames.tree.path(frame);
+        let path = self.geometry.frames.path(frame);
         let known = path.iter().rev().find_map(|(frame, _)| {
             let link = self.frames.iter().position(|known| known == frame)?;
             Some((link, *frame))
@@ -85,8 +85,8 @@ impl Reader {
     /// have in common, and forth. Turns about one axis there and back are one, as of angles against the horizontal.
     fn steps(&mut self, here: Frame, there: Frame) -> Vec<(Frame, MatrixFactor)> {
         let (from, to) = (
-            self.geometry.frames.tree.path(here),
-            self.geometry.frames.tree.path(there),
+            self.geometry.frames.path(here),
+            self.geometry.frames.path(there),
         );
         let pairs = from.iter().zip(&to);
         let common = pairs.take_while(|(x, y)| x == y).count();
@@ -97,11 +97,11 @@ impl Reader {
         let back = back.map(|(_, factor)| factor.transpose());
         let forth = to[common..].iter().map(|(_, factor)| *factor);
         let factors = self.geometry.combined(back.chain(forth));
-        let mut path = self.geometry.frames.tree.factors(here);
+        let mut path = self.geometry.frames.factors(here);
         let mut steps = Vec::with_capacity(factors.len());
         for factor in factors {
             path.push(factor);
-            steps.push((self.geometry.frames.tree.frame(&path), factor));
+            steps.push((self.geometry.frames.frame(&path), factor));
         }
         if let Some((frame, _)) = steps.last_mut() {
             *frame = there;
@@ -115,7 +115,7 @@ impl Reader {
         if !self.varies(place) {
             return (frame, place);
         }
-        for (next, factor) in self.geometry.frames.tree.behind(frame) {
+        for (next, factor) in self.geometry.frames.behind(frame) {
             let turned = factor.transpose().apply(&mut self.geometry.graph, place);
             let turned = turned.map(|x| self.geometry.graph.reduced(x));
             if !self.varies(turned) {

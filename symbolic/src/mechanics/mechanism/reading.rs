@@ -41,7 +41,7 @@ impl Mechanism {
             constraints,
         } = model.declaration.as_ref()?.in_frames()?;
         let velocities = QuasiVelocities::declared(&mut geometry.graph, kinetic)?;
-        let vectors = geometry.frames.unresolved.clone()?;
+        let vectors = geometry.unresolved.clone()?;
         let mut reader = Reader {
             geometry,
             vectors,
@@ -213,7 +213,7 @@ impl Reader {
     fn turning_link(&mut self, rate: Expression) -> Option<(usize, usize)> {
         let zero = self.geometry.graph.zero();
         for (link, frame) in self.frames.clone().into_iter().enumerate() {
-            let factors = self.geometry.frames.tree.factors(frame);
+            let factors = self.geometry.frames.factors(frame);
             if factors.len() > MAX_TURNS_OF_A_BASE {
                 continue;
             }
@@ -270,7 +270,7 @@ impl Reader {
                 let [Term::Rate(frame, place)] = *self.vectors.vector(other).terms else {
                     return None;
                 };
-                let path = self.geometry.frames.tree.path(frame);
+                let path = self.geometry.frames.path(frame);
                 let is_before = |known: Frame| {
                     known == Frame::INERTIAL || path.iter().any(|(frame, _)| *frame == known)
                 };

@@ -4,7 +4,7 @@
 //!
 //! The links are those from which the program of inverse dynamics is made, before what they carry is regrouped.
 
-use crate::matrix::factor::MatrixFactor;
+use crate::frames::factor::MatrixFactor;
 use crate::mechanics::mechanism::{Inertia, Mechanism, Turn, Vector};
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::print::listing::composer::Composer;
