@@ -1,20 +1,21 @@
 //! The energies and constraints of a declaration, as the operations by which they were declared.
 //!
-//! As components along inertial axes, the velocity of each link of an arm contains all rotations before it. Evaluated in a
-//! graph of their own the energies keep whole vectors, from which the solver reads how links follow each other, and the
+//! As components along inertial axes, the velocity of each link of an arm contains all rotations before it. Evaluated once
+//! more the energies keep whole vectors, from which the solver reads how links follow each other, and the
 //! constraints the velocities of the points that they restrict.
 
 use crate::typed::components::Components;
 use crate::typed::evaluation::Evaluation;
-use crate::typed::graph::{Beginning, TypedGraph};
+use crate::typed::graph::TypedGraph;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::{Expression, Geometry, Graph};
 
 /// T, V and constraints in the part of a typed graph that they need.
 #[derive(Clone, Debug)]
 pub struct DeclaredSystem {
-    beginning: Beginning,
-    /// The operations behind the beginning.
+    /// The components of the first values, which are symbols.
+    given: Vec<Option<Components>>,
+    /// The operations behind them.
     operations: Vec<TypedOperation>,
     coordinates: u32,
     /// T and V.
@@ -23,10 +24,8 @@ pub struct DeclaredSystem {
     constraints: Vec<(Value, bool)>,
 }
 
-/// T, V and constraints in a graph of their own, in which [vectors are resolved last](Geometry::with_unresolved_vectors):
-/// symbols other than their components mean what they mean in the model.
+/// T, V and constraints with the components of vectors that are [resolved last](Geometry::with_unresolved_vectors).
 pub(crate) struct SystemInFrames {
-    pub(crate) geometry: Geometry,
     /// T.
     pub(crate) kinetic: Expression,
     /// V.
@@ -49,8 +48,8 @@ impl TypedGraph {
             .truncate(values.map(|value| value.0 as usize + 1).max().unwrap_or(0));
         let begin = self.beginning.components.len().min(self.operations.len());
         let system = DeclaredSystem {
+            given: self.beginning.components,
             operations: self.operations.split_off(begin),
-            beginning: self.beginning,
             coordinates: self.coordinates,
             energies,
             constraints,
@@ -60,14 +59,12 @@ impl TypedGraph {
 }
 
 impl DeclaredSystem {
-    /// The system with vectors that are resolved last; none if an energy cannot be evaluated so.
-    pub(crate) fn in_frames(&self) -> Option<SystemInFrames> {
-        let geometry = Geometry::from(self.beginning.graph.clone());
-        let mut geometry = geometry.with_unresolved_vectors(self.coordinates);
-        let mut known = self.beginning.components.clone();
+    /// The system in a geometry of its symbols in which vectors are resolved last; none if an energy cannot be evaluated so.
+    pub(crate) fn in_frames(&self, geometry: &mut Geometry) -> Option<SystemInFrames> {
+        let mut known = self.given.clone();
         for operation in &self.operations {
             let mut evaluation = Evaluation {
-                geometry: &mut geometry,
+                geometry,
                 coordinates: self.coordinates,
                 known: &known,
             };
@@ -92,7 +89,6 @@ impl DeclaredSystem {
         let constraints: Option<Vec<_>> = constraints.collect();
         Some(SystemInFrames {
             constraints: constraints.map(|constraints| constraints.concat()),
-            geometry,
             kinetic: kinetic?,
             potential: potential?,
         })

@@ -60,17 +60,6 @@ impl LinkedConstraint {
             })
             .collect()
     }
-
-    pub(super) fn for_each_expression(&mut self, mut visit: impl FnMut(&mut Expression)) {
-        visit(&mut self.rest);
-        for velocity in &mut self.velocities {
-            velocity.direction.iter_mut().for_each(&mut visit);
-            velocity.constant.iter_mut().flatten().for_each(&mut visit);
-            if let VelocityKind::Point(vector) | VelocityKind::Fixed(vector) = &mut velocity.kind {
-                vector.iter_mut().for_each(&mut visit);
-            }
-        }
-    }
 }
 
 /// A sum of vectors that are constant in frames.
