@@ -48,30 +48,18 @@ impl Geometry {
         self.graph.homogeneous(&back, &place)
     }
 
-    /// Σ cᵢ xᵢ of homogeneous coordinates, one of which is a vector that is resolved last.
-    pub(crate) fn homogeneous_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Option<Matrix> {
-        let mut columns = Vec::with_capacity(terms.len());
+    /// Σ fᵢ xᵢ of homogeneous coordinates, one of which is a vector that is resolved last.
+    pub(crate) fn homogeneous_sum(&mut self, terms: &[(&Matrix, Expression)]) -> Option<Matrix> {
+        let mut vectors = Vec::with_capacity(terms.len());
         let mut last = Vec::with_capacity(terms.len());
-        for (x, c) in terms {
+        for (x, factor) in terms {
             let (vector, w) = self.unresolved_coordinates(x)?;
-            columns.push((vector, c.clone()));
-            last.push((w, c.clone()));
+            vectors.push((vector, *factor));
+            last.push((*factor, w));
         }
-        let columns: Vec<_> = columns.iter().map(|(x, c)| (x, c.clone())).collect();
-        let vector = self.unresolved_sum(&columns)?;
-        let last = self.graph.sum(last);
-        Some(extended(&vector, last))
-    }
-
-    /// c x of homogeneous coordinates of a vector that is resolved last.
-    pub(crate) fn homogeneous_multiple(
-        &mut self,
-        column: &Matrix,
-        factor: Expression,
-    ) -> Option<Matrix> {
-        let (vector, last) = self.unresolved_coordinates(column)?;
-        let vector = self.unresolved_multiple(&vector, factor)?;
-        let last = self.graph.multiply(factor, last);
+        let vectors: Vec<_> = vectors.iter().map(|(x, factor)| (x, *factor)).collect();
+        let vector = self.unresolved_sum(&vectors)?;
+        let last = self.graph.sum_of_products(last);
         Some(extended(&vector, last))
     }
 

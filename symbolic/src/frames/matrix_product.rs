@@ -125,11 +125,7 @@ impl Graph {
         }
         let mut elements = Vec::new();
         for column in matrix.elements().chunks(3) {
-            let mut vector: [Expression; 3] = column.try_into().ok()?;
-            for factor in factors.iter().rev() {
-                vector = factor.apply(self, vector);
-            }
-            elements.extend(vector);
+            elements.extend(self.turned_by(factors, column.try_into().ok()?));
         }
         Matrix::new(3, matrix.columns(), elements)
     }

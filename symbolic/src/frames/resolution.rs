@@ -10,7 +10,7 @@ use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
 use crate::frames::matrix::{Knowledge, Matrix, Part};
 use crate::limits::{MAX_FACTORS, MAX_FACTORS_IN_SUM, MAX_FRAMES_IN_SUM};
-use crate::{Expression, Geometry, Graph, Rational};
+use crate::{Expression, Geometry, Graph};
 
 type Vector = [Expression; 3];
 
@@ -45,35 +45,39 @@ impl Geometry {
             let mut rotation = self.merged(factors.iter().copied().chain(own));
             let count = rotation.iter().take_while(|factor| factor.is_rotation());
             let others = rotation.split_off(count.count());
-            let vector = others.into_iter().rev().fold(vector, |vector, factor| {
-                factor.apply(&mut self.graph, vector)
-            });
+            let vector = self.graph.turned_by(&others, vector);
             parts.push((self.frames.frame(&rotation), vector));
         }
         self.graph.added_by_frame(parts)
     }
 
-    /// The parts of Σ cᵢ xᵢ of pairs (xᵢ, cᵢ).
-    pub(crate) fn parts_of_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Vec<Part> {
+    /// The parts of Σ fᵢ xᵢ of pairs (xᵢ, fᵢ).
+    fn parts_of_sum(&mut self, terms: &[(&Matrix, Expression)]) -> Vec<Part> {
         if terms.iter().all(|(x, _)| x.parts().is_empty()) {
             return Vec::new();
         }
         let mut parts = Vec::new();
-        for (x, c) in terms {
+        for (x, factor) in terms {
             for (frame, vector) in parts_of(x) {
-                parts.push((frame, vector.map(|x| self.graph.scale(x, c))));
+                parts.push((frame, vector.map(|x| self.graph.multiply(*factor, x))));
             }
         }
         self.graph.added_by_frame(parts)
     }
 
-    /// The parts of a multiple of a vector.
-    pub(crate) fn parts_scaled(&mut self, vector: &Matrix, factor: Expression) -> Vec<Part> {
-        let mut parts = vector.parts().to_vec();
-        for (_, vector) in &mut parts {
-            *vector = vector.map(|x| self.graph.multiply(factor, x));
+    /// The sum Σ fᵢ xᵢ with these elements, where it is resolved last or known in frames as its terms are.
+    pub(crate) fn sum_with(
+        &mut self,
+        terms: &[(&Matrix, Expression)],
+        elements: impl FnOnce(&mut Graph) -> Matrix,
+    ) -> Matrix {
+        let unresolved = self.unresolved_sum(terms);
+        if let Some(sum) = unresolved.or_else(|| self.homogeneous_sum(terms)) {
+            return sum;
         }
-        parts
+        let sum = elements(&mut self.graph);
+        let parts = self.parts_of_sum(terms);
+        self.with_parts(sum, parts)
     }
 
     /// The parts of the time derivative: of R v it is R (ω × v + v̇), with the angular velocity ω of R
@@ -137,7 +141,7 @@ impl Geometry {
     ///
     /// The vector with most factors is rotated first, so that vectors are added before they are rotated further
     /// together.
-    fn resolve_in(&mut self, frame: Frame, parts: &[Part]) -> Vector {
+    pub(crate) fn resolve_in(&mut self, frame: Frame, parts: &[Part]) -> Vector {
         let rotation = self.frames.factors(frame);
         let back: Vec<MatrixFactor> = rotation.iter().rev().map(MatrixFactor::transpose).collect();
         let mut waiting = Vec::with_capacity(parts.len());
@@ -179,7 +183,10 @@ fn parts_of(vector: &Matrix) -> Vec<Part> {
 
 impl Graph {
     /// The same vectors, those of one frame added up, without zeros.
-    fn added_by_frame<F: PartialEq>(&mut self, parts: Vec<(F, Vector)>) -> Vec<(F, Vector)> {
+    pub(crate) fn added_by_frame<F: PartialEq>(
+        &mut self,
+        parts: Vec<(F, Vector)>,
+    ) -> Vec<(F, Vector)> {
         let mut added: Vec<(F, Vector)> = Vec::new();
         for (frame, vector) in parts {
             match added.iter_mut().find(|(known, _)| *known == frame) {

@@ -59,44 +59,28 @@ impl Geometry {
         self.column_of(VectorInFrames { axes, terms })
     }
 
-    /// Σ cᵢ xᵢ of columns of three rows, if one of them is a vector that is resolved last and all others are resolved
-    /// along the same axes, or free of velocities.
-    pub(crate) fn unresolved_sum(&mut self, columns: &[(&Matrix, Rational)]) -> Option<Matrix> {
+    /// Σ fᵢ xᵢ of rows or columns of three components, if one of them is a vector that is resolved last and all others are
+    /// resolved along the same axes, or free of velocities; those with velocities have constant factors.
+    pub(crate) fn unresolved_sum(&mut self, terms: &[(&Matrix, Expression)]) -> Option<Matrix> {
         self.unresolved.as_ref()?;
-        let known = columns.iter().filter_map(|(x, _)| self.unresolved_of(x));
+        let known = terms.iter().filter_map(|(x, _)| self.unresolved_of(x));
         let known: Vec<_> = known.collect();
         let whole = known.iter().find(|vector| !vector.is_relative(&self.graph));
         let axes = whole.or(known.first())?.axes;
-        let mut terms = Vec::new();
-        for (x, c) in columns {
-            let factor = self.graph.constant(c);
+        let mut sum = Vec::new();
+        for (x, factor) in terms {
             let vector = match self.unresolved_of(x) {
                 Some(vector) => self.seen_from(vector, axes)?,
                 None => along(axes, x)?,
             };
             for term in vector.terms {
-                let term = self.graph.scaled_term(&term, factor)?;
-                self.graph.add_term(&mut terms, term);
+                let term = self.graph.scaled_term(&term, *factor)?;
+                self.graph.add_term(&mut sum, term);
             }
         }
-        self.column_of(VectorInFrames { axes, terms })
-    }
-
-    /// c x of a vector that is resolved last; of one with velocities, for constant c.
-    pub(crate) fn unresolved_multiple(
-        &mut self,
-        column: &Matrix,
-        factor: Expression,
-    ) -> Option<Matrix> {
-        let VectorInFrames { axes, terms } = self.unresolved_of(column)?;
-        let mut scaled = Vec::with_capacity(terms.len());
-        for term in terms {
-            scaled.push(self.graph.scaled_term(&term, factor)?);
-        }
-        self.column_of(VectorInFrames {
-            axes,
-            terms: scaled,
-        })
+        let column = self.column_of(VectorInFrames { axes, terms: sum })?;
+        let is_row = terms.iter().any(|(x, _)| x.columns() > 1);
+        Some(if is_row { column.transpose() } else { column })
     }
 
     /// The time derivative of a position that is resolved along inertial axes.
@@ -174,17 +158,13 @@ impl Geometry {
     /// x · y of two vectors along the same axes, one of which moves, in the frame that is turned most.
     pub(crate) fn unresolved_dot_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
         self.unresolved.as_ref()?;
-        let (first, second) = match (self.unresolved_of(x), self.unresolved_of(y)) {
-            (Some(first), Some(second)) => (first, second),
-            (Some(first), None) if self.graph.has_velocity(y) => {
-                let axes = first.axes;
-                (first, along(axes, y)?)
-            }
-            (None, Some(second)) if self.graph.has_velocity(x) => (along(second.axes, x)?, second),
-            _ => return None,
-        };
+        let is_velocity = |x| self.unresolved_of(x).is_some() || self.graph.has_velocity(x);
+        if !is_velocity(x) || !is_velocity(y) {
+            return None;
+        }
+        let [first, second] = self.along_common_axes(x, y)?;
         let terms = || first.terms.iter().chain(&second.terms);
-        if first.axes != second.axes || !terms().any(|term| term.moves(&self.graph)) {
+        if !terms().any(|term| term.moves(&self.graph)) {
             return None;
         }
         let frames = terms().map(Term::frame);
@@ -197,6 +177,15 @@ impl Geometry {
         };
         let (a, b) = (resolve(first)?, resolve(second)?);
         Some(self.graph.sum_of_products(a.into_iter().zip(b)))
+    }
+
+    /// Two vectors along the same axes, of which one is resolved last, and the other may be written along the axes of that.
+    pub(crate) fn along_common_axes(&self, x: &Matrix, y: &Matrix) -> Option<[VectorInFrames; 2]> {
+        let [first, second] = [x, y].map(|x| self.unresolved_of(x));
+        let axes = first.as_ref().or(second.as_ref())?.axes;
+        let first = first.or_else(|| along(axes, x))?;
+        let second = second.or_else(|| along(axes, y))?;
+        (first.axes == second.axes).then_some([first, second])
     }
 
     /// Expressions with the components of vectors that are resolved last in terms of q and q̇.
@@ -247,16 +236,11 @@ impl Geometry {
         let vector = match term {
             Term::Fixed(_, vector) | Term::Rate(_, vector) => *vector,
             Term::AngularVelocity(_, factor) => {
-                let velocity = self
-                    .angular_velocity_of_product(&factors, coordinates)
-                    .ok()?;
-                velocity.map(|x| self.graph.multiply(*factor, x))
+                let velocity = self.angular_velocity_of_product(&factors, coordinates);
+                velocity.ok()?.map(|x| self.graph.multiply(*factor, x))
             }
         };
-        let turns = factors.iter().rev();
-        let value = turns.fold(vector, |vector, factor| {
-            factor.apply(&mut self.graph, vector)
-        });
+        let value = self.graph.turned_by(&factors, vector);
         match term {
             Term::Rate(..) => {
                 let rates = self.time_derivatives(&value, coordinates);
@@ -345,6 +329,12 @@ impl Geometry {
 }
 
 impl Graph {
+    /// The product of factors with a vector, from the right to the left.
+    pub(crate) fn turned_by(&mut self, factors: &[MatrixFactor], vector: Vector) -> Vector {
+        let factors = factors.iter().rev();
+        factors.fold(vector, |vector, factor| factor.apply(self, vector))
+    }
+
     /// A multiple of a term; of one with velocities, by a constant.
     pub(crate) fn scaled_term(&mut self, term: &Term, factor: Expression) -> Option<Term> {
         let is_constant = !self.contents(factor).varies();

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
 use crate::frames::vector_in_frames::{Term, VectorId};
+use crate::mechanics::mechanism::points::Places;
 use crate::mechanics::mechanism::reading::Reader;
 use crate::mechanics::mechanism::{Link, Vector};
 use crate::{Expression, Graph, Symbol};
@@ -61,9 +62,6 @@ impl LinkedConstraint {
             .collect()
     }
 }
-
-/// A sum of vectors that are constant in frames.
-type Places = BTreeMap<Frame, Vector>;
 
 /// The components of vectors, along inertial axes or the axes of a link.
 #[derive(Clone, Copy)]
@@ -276,12 +274,6 @@ impl Reader {
             }
         }
         places
-    }
-
-    fn add_place(&mut self, places: &mut Places, frame: Frame, place: Vector) {
-        let zero = self.geometry.graph.zero();
-        let sum = places.entry(frame).or_insert([zero; 3]);
-        *sum = [0, 1, 2].map(|i| self.geometry.graph.add(sum[i], place[i]));
     }
 
     /// The frame that is turned most.

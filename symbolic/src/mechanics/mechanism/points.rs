@@ -8,6 +8,9 @@ use crate::mechanics::mechanism::reading::{Point, Reader};
 use crate::mechanics::mechanism::{Inertia, Link, Turn, Vector};
 use crate::{Expression, Graph, Node};
 
+/// A sum of vectors along the axes of frames.
+pub(super) type Places = BTreeMap<Frame, Vector>;
+
 impl Reader {
     /// A link with the axes of a frame.
     pub(super) fn link_of(&mut self, frame: Frame) -> Option<usize> {
@@ -28,11 +31,10 @@ impl Reader {
     /// New links are made for the frames on the way, and for a place that varies in the last.
     pub(super) fn point(&mut self, terms: &[(Frame, Vector)]) -> Option<Point> {
         let zero = self.geometry.graph.zero();
-        let mut places: BTreeMap<Frame, Vector> = BTreeMap::new();
+        let mut places = Places::new();
         for term in terms {
             let (frame, place) = self.carried(*term);
-            let sum = places.entry(frame).or_insert([zero; 3]);
-            *sum = [0, 1, 2].map(|i| self.geometry.graph.add(sum[i], place[i]));
+            self.add_place(&mut places, frame, place);
         }
         let place = places.remove(&Frame::INERTIAL).unwrap_or([zero; 3]);
         let mut place = place.map(|x| self.moving_part(x));
@@ -47,6 +49,12 @@ impl Reader {
             place = [zero; 3];
         }
         Some((link, place))
+    }
+
+    pub(super) fn add_place(&mut self, places: &mut Places, frame: Frame, place: Vector) {
+        let zero = self.geometry.graph.zero();
+        let sum = places.entry(frame).or_insert([zero; 3]);
+        *sum = [0, 1, 2].map(|i| self.geometry.graph.add(sum[i], place[i]));
     }
 
     /// A place along inertial axes without its constant terms, which no velocity shows.

@@ -12,7 +12,6 @@ use std::collections::BTreeMap;
 
 use crate::frames::frame_tree::Frame;
 use crate::frames::vector_in_frames::{Term, UnresolvedVectors, VectorId};
-use crate::limits::MAX_TURNS_OF_A_BASE;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Vector};
 use crate::typed::declared_system::SystemInFrames;
@@ -188,28 +187,14 @@ impl Reader {
 
     /// The link whose angular velocity has this component along an axis, and no others.
     fn turning_link(&mut self, rate: Expression) -> Option<(usize, usize)> {
-        let zero = self.geometry.graph.zero();
-        for (link, frame) in self.frames.clone().into_iter().enumerate() {
-            let factors = self.geometry.frames.factors(frame);
-            if factors.len() > MAX_TURNS_OF_A_BASE {
-                continue;
-            }
-            let coordinates = self.vectors.coordinates;
-            let velocity = self
-                .geometry
-                .angular_velocity_of_product(&factors, coordinates);
-            let Ok(velocity) = velocity else {
-                continue;
-            };
-            for axis in 0..3 {
-                let mut along = [zero; 3];
-                along[axis] = rate;
-                if velocity == along {
-                    return Some((link, axis));
-                }
-            }
-        }
-        None
+        (0..3).find_map(|axis| {
+            let mut along = [self.geometry.graph.zero(); 3];
+            along[axis] = rate;
+            let frames = self.geometry.frames_that_turn(along).into_iter();
+            let mut links =
+                frames.filter_map(|frame| self.frames.iter().position(|known| *known == frame));
+            links.next().map(|link| (link, axis))
+        })
     }
 
     /// The mass of ½ m |v|² of the velocity v of a point; nothing of an angular velocity along the axes of its frame.
