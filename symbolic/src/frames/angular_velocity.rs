@@ -58,8 +58,7 @@ impl Geometry {
         }
         // In the body frame, the inertial frame rotates with the opposite angular velocity.
         let opposite = self.angular_velocity(&rotation.transpose(), coordinates)?;
-        let velocity = opposite.elements().iter().map(|x| self.graph.negate(*x));
-        let velocity = Matrix::vector(velocity.collect());
+        let velocity = opposite.map(|x| self.graph.negate(x));
         // Known as the one in the body frame, rotated.
         let body = self.angular_velocity(rotation, coordinates)?;
         let parts = self.rotated_parts(&factors, &body);

@@ -30,9 +30,7 @@ impl Geometry {
             return matrix.clone();
         }
         self.sum_with(&[(matrix, factor)], |graph| {
-            Matrix::from_function(matrix.rows(), matrix.columns(), |i, j| {
-                graph.multiply(factor, matrix.at(i, j))
-            })
+            matrix.map(|x| graph.multiply(factor, x))
         })
     }
 

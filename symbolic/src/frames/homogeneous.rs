@@ -7,36 +7,27 @@ use crate::frames::factor::MatrixFactor;
 use crate::frames::matrix::{Knowledge, Matrix};
 use crate::{Expression, Geometry, Graph, Rational};
 
-/// The blocks of a homogeneous matrix.
-struct Blocks {
-    /// R.
-    rotation: Matrix,
-    /// p.
-    place: Matrix,
-}
-
 impl Geometry {
     /// A homogeneous matrix times another one, or times homogeneous coordinates.
     pub(crate) fn homogeneous_product(&mut self, left: &Matrix, right: &Matrix) -> Option<Matrix> {
-        let first = self.graph.blocks(left)?;
+        let [first, origin] = self.graph.blocks(left)?;
         if right.shape() == (4, 1) {
             let (vector, last) = split(right)?;
-            let turned = self.matrix_product(&first.rotation, &vector)?;
-            let moved = self.matrix_scaled(&first.place, last);
+            let turned = self.matrix_product(&first, &vector)?;
+            let moved = self.matrix_scaled(&origin, last);
             let sum = self.matrix_sum(&[(&turned, Rational::ONE), (&moved, Rational::ONE)])?;
             return Some(extended(&sum, last));
         }
-        let second = self.graph.blocks(right)?;
-        let rotation = self.matrix_product(&first.rotation, &second.rotation)?;
-        let turned = self.matrix_product(&first.rotation, &second.place)?;
-        let terms = [(&first.place, Rational::ONE), (&turned, Rational::ONE)];
-        let place = self.matrix_sum(&terms)?;
+        let [second, place] = self.graph.blocks(right)?;
+        let rotation = self.matrix_product(&first, &second)?;
+        let turned = self.matrix_product(&first, &place)?;
+        let place = self.matrix_sum(&[(&origin, Rational::ONE), (&turned, Rational::ONE)])?;
         self.graph.homogeneous(&rotation, &place)
     }
 
     /// The inverse [Rᵀ −Rᵀ p; 0 1] of a homogeneous matrix whose R is a product of rotations.
     pub(crate) fn homogeneous_inverse(&mut self, matrix: &Matrix) -> Option<Matrix> {
-        let Blocks { rotation, place } = self.graph.blocks(matrix)?;
+        let [rotation, place] = self.graph.blocks(matrix)?;
         let factors = self.matrix_factors(&rotation)?;
         if !factors.iter().all(MatrixFactor::is_rotation) {
             return None;
@@ -107,24 +98,14 @@ impl Graph {
         Some(elements.known_as(Knowledge::Homogeneous(Box::new(blocks))))
     }
 
-    /// The blocks of a matrix of four rows whose last one is 0 0 0 1.
-    fn blocks(&self, matrix: &Matrix) -> Option<Blocks> {
-        if matrix.shape() != (4, 4) {
-            return None;
-        }
-        if let Knowledge::Homogeneous(blocks) = &matrix.known {
-            let [rotation, place] = (**blocks).clone();
-            return Some(Blocks { rotation, place });
-        }
+    /// The blocks R and p of a matrix of four rows whose last one is 0 0 0 1.
+    fn blocks(&self, matrix: &Matrix) -> Option<[Matrix; 2]> {
         let (zero, one) = (self.zero(), self.one());
         let last = [zero, zero, zero, one];
-        if (0..4).any(|j| matrix.at(3, j) != last[j]) {
+        if matrix.shape() != (4, 4) || (0..4).any(|j| matrix.at(3, j) != last[j]) {
             return None;
         }
-        Some(Blocks {
-            rotation: Matrix::from_function(3, 3, |i, j| matrix.at(i, j)),
-            place: Matrix::from_function(3, 1, |i, _| matrix.at(i, 3)),
-        })
+        Some([matrix.block((0, 0), (3, 3))?, matrix.block((0, 3), (3, 1))?])
     }
 }
 

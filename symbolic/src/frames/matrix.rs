@@ -175,6 +175,12 @@ impl Matrix {
         Self::from_function(self.columns, self.rows, |i, j| self.at(j, i)).known_as(known)
     }
 
+    /// The matrix of the values of a function of each element.
+    pub(crate) fn map(&self, function: impl FnMut(Expression) -> Expression) -> Self {
+        let elements = self.elements.iter().copied().map(function);
+        Self::with_elements(self.rows, self.columns, elements.collect())
+    }
+
     /// The elements on the diagonal of a square matrix, as a column vector.
     #[must_use]
     pub fn diagonal(&self) -> Option<Self> {

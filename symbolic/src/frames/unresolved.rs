@@ -337,18 +337,15 @@ impl Graph {
 
     /// A multiple of a term; of one with velocities, by a constant.
     pub(crate) fn scaled_term(&mut self, term: &Term, factor: Expression) -> Option<Term> {
-        let is_constant = !self.contents(factor).varies();
-        match *term {
-            Term::Fixed(frame, vector) => {
-                Some(Term::Fixed(frame, vector.map(|x| self.multiply(factor, x))))
-            }
-            Term::Rate(frame, vector) => {
-                is_constant.then(|| Term::Rate(frame, vector.map(|x| self.multiply(factor, x))))
-            }
-            Term::AngularVelocity(frame, known) => {
-                is_constant.then(|| Term::AngularVelocity(frame, self.multiply(factor, known)))
-            }
+        if !matches!(term, Term::Fixed(..)) && self.contents(factor).varies() {
+            return None;
         }
+        let mut scaled = |x: Expression| self.multiply(factor, x);
+        Some(match *term {
+            Term::Fixed(frame, vector) => Term::Fixed(frame, vector.map(scaled)),
+            Term::Rate(frame, vector) => Term::Rate(frame, vector.map(scaled)),
+            Term::AngularVelocity(frame, known) => Term::AngularVelocity(frame, scaled(known)),
+        })
     }
 
     /// Adds a term to others, of which one may be of the same kind and frame.
