@@ -5,8 +5,8 @@
 //! position. As expressions of q and q̇ the two do not differ: hence the operations are evaluated in a graph of their own.
 
 use crate::Geometry;
-use crate::typed::components::Components;
-use crate::typed::evaluation::{Evaluation, NoValue};
+use crate::typed::components::{Components, NoValue};
+use crate::typed::evaluation::Evaluation;
 use crate::typed::graph::TypedGraph;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::typed::rest::Rest;

@@ -1,7 +1,7 @@
 //! The typed graph of a declaration.
 
-use crate::typed::components::Components;
-use crate::typed::evaluation::{Evaluation, NoValue};
+use crate::typed::components::{Components, NoValue};
+use crate::typed::evaluation::Evaluation;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::{Expression, Geometry, Graph, Rational};
 
