@@ -76,20 +76,11 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
     let turning = mem::take(&mut lowerer.turning);
     let constraints = lowerer.known_constraints.take().unwrap_or_default();
     let typed = lowerer.typed;
-    let model = parts.complete().filter(|_| complete).map(|parts| Model {
-        coordinates,
-        inputs: count(quantities.inputs.len()),
-        energies: parts.energies,
-        evaluated: None,
-        dissipation: parts.dissipation,
-        forces: parts.forces,
-        constraints: constraints.components.clone(),
-        outputs: components(&typed, &[parts.outputs, parts.events].concat()),
-        in_frames: parts
-            .of_rotations
-            .and_then(|energies| typed.in_frames(energies, &constraints.values())),
-        graph: typed.geometry.graph,
-    });
+    let model = if complete {
+        parts.model(typed, &quantities, &constraints)
+    } else {
+        None
+    };
     Lowered {
         model,
         scope: lowerer.scope,
@@ -121,24 +112,33 @@ struct Parts {
     events: Vec<Option<Value>>,
 }
 
-struct CompleteParts {
-    energies: Energies,
-    of_rotations: Option<[Value; 2]>,
-    dissipation: Expression,
-    forces: Vec<Expression>,
-    outputs: Vec<Value>,
-    events: Vec<Value>,
-}
-
 impl Parts {
-    fn complete(self) -> Option<CompleteParts> {
-        Some(CompleteParts {
+    fn model(
+        self,
+        typed: TypedGraph,
+        quantities: &Quantities,
+        constraints: &Constraints,
+    ) -> Option<Model> {
+        let observed = self.outputs.into_iter().chain(self.events);
+        let outputs = components(&typed, &observed.collect::<Option<Vec<_>>>()?);
+        let (graph, declaration) = match self.of_rotations {
+            Some(energies) => {
+                let (graph, system) = typed.into_system(energies, constraints.values());
+                (graph, Some(system))
+            }
+            None => (typed.geometry.graph, None),
+        };
+        Some(Model {
+            graph,
+            coordinates: count(quantities.coordinates.len()),
+            inputs: count(quantities.inputs.len()),
             energies: self.energies?,
-            of_rotations: self.of_rotations,
+            evaluated: None,
             dissipation: self.dissipation?,
             forces: self.forces?,
-            outputs: self.outputs.into_iter().collect::<Option<_>>()?,
-            events: self.events.into_iter().collect::<Option<_>>()?,
+            constraints: constraints.components.clone(),
+            outputs,
+            declaration,
         })
     }
 }

@@ -1,6 +1,9 @@
 //! Vector algebra: products, rotations, angular velocities, and vectors in frames.
 
+pub(crate) mod axis;
+pub(crate) mod factor;
 pub(crate) mod frame_tree;
+pub(crate) mod matrix;
 pub(crate) mod vector_in_frames;
 pub(crate) mod geometry;
 pub(crate) mod elementwise;

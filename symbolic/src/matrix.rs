@@ -1,8 +1,5 @@
-//! Matrices of expressions: their elements, determinants and factorizations.
+//! Systems of linear equations in expressions: determinants, elimination and factorizations.
 
-pub(crate) mod axis;
-pub(crate) mod factor;
-pub(crate) mod dense;
 pub(crate) mod rows;
 pub(crate) mod determinant;
 pub(crate) mod block_triangular;

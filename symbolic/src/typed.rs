@@ -10,7 +10,7 @@ pub(crate) mod operation;
 pub(crate) mod array_function;
 pub(crate) mod graph;
 pub(crate) mod evaluation;
-pub(crate) mod in_frames;
+pub(crate) mod declared_system;
 pub(crate) mod at_rest;
 pub(crate) mod rest;
 pub(crate) mod virtual_work;

@@ -18,7 +18,7 @@ mod rotation;
 
 pub(crate) use component::base_and_indices;
 use lagrangian_symbolic::{
-    Components, Expression, Graph, Rational, TypedGraph, TypedOperation, Value,
+    Components, Contents, Expression, Graph, Rational, TypedGraph, TypedOperation, Value,
 };
 use proc_macro2::Ident;
 use quote::ToTokens;
@@ -122,6 +122,24 @@ impl Lowerer<'_> {
 
     pub(crate) fn is_empty_sum(&self, value: Value) -> bool {
         *self.typed.components(value) == Components::EmptySum
+    }
+
+    /// The values of expressions, each by `lower`; `None` if errors were reported, in any of them.
+    pub(crate) fn each<'e>(
+        &mut self,
+        expressions: impl IntoIterator<Item = &'e Expr>,
+        context: ExpressionContext,
+        lower: impl Fn(&mut Self, &Expr, ExpressionContext) -> Option<Value>,
+    ) -> Option<Vec<Value>> {
+        let values = expressions.into_iter();
+        let values: Vec<_> = values.map(|one| lower(self, one, context)).collect();
+        values.into_iter().collect()
+    }
+
+    /// Whether a component of a value contains something.
+    pub(crate) fn contains(&self, value: Value, what: fn(Contents) -> bool) -> bool {
+        let mut components = self.elements(value).iter();
+        components.any(|component| what(self.graph().contents(*component)))
     }
 
     /// The value of an expression where only a scalar fits.
@@ -344,8 +362,7 @@ impl Lowerer<'_> {
     }
 
     pub(crate) fn has_acceleration(&self, value: Value) -> bool {
-        let mut components = self.elements(value).iter();
-        components.any(|component| self.graph().contents(*component).has_acceleration())
+        self.contains(value, Contents::has_acceleration)
     }
 }
 

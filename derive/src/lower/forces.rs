@@ -5,7 +5,7 @@
 //! power F·w, of which F·b is the power of the prescribed motion, and Q = Aᵀ F: the principle of virtual power
 //! (Jourdain, 1909). A vector or family with a velocity in any component is a velocity as a whole.
 
-use lagrangian_symbolic::{AtRest, Expression, Node, Symbol, Value};
+use lagrangian_symbolic::{AtRest, Contents, Expression, Node, Symbol, Value};
 
 use crate::lower::expression::{ExpressionContext, Lowerer};
 use crate::lower::hints;
@@ -265,8 +265,7 @@ impl Lowerer<'_> {
     }
 
     fn has_velocity(&self, value: Value) -> bool {
-        let mut components = self.elements(value).iter();
-        components.any(|component| self.graph().contents(*component).has_velocity())
+        self.contains(value, Contents::has_velocity)
     }
 
     /// A position or a velocity, where a force can act on it.

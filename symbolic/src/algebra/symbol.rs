@@ -32,8 +32,8 @@ pub enum Symbol {
     QuasiVelocityRate(u32),
     /// A component rᵢ of the right-hand side of M x = r, in [implicit equations](crate::ImplicitEquations).
     RightHandSide(u32),
-    /// A component of a vector that is not resolved yet and depends on positions alone, in energies
-    /// [in frames](crate::SystemInFrames).
+    /// A component of a vector that is not resolved yet and depends on positions alone, where a
+    /// [declared system](crate::DeclaredSystem) is evaluated with whole vectors.
     PositionComponent(u32),
     /// The same of a vector that depends on velocities.
     VelocityComponent(u32),

@@ -6,10 +6,10 @@
 //! its angle along its axis, a constant one adds nothing. Other matrices add the sum of vee(Aᵀ ∂A/∂q) q̇ over
 //! the symbols they depend on, each coefficient reduced.
 
+use crate::frames::axis::Axis;
+use crate::frames::factor::{ElementaryRotation, MatrixFactor};
+use crate::frames::matrix::Matrix;
 use crate::frames::rotation::NoRotation;
-use crate::matrix::axis::Axis;
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
 use crate::{Direction, Expression, Geometry, Graph, Rational, Symbol};
 
 type Vector = [Expression; 3];
@@ -58,8 +58,7 @@ impl Geometry {
         }
         // In the body frame, the inertial frame rotates with the opposite angular velocity.
         let opposite = self.angular_velocity(&rotation.transpose(), coordinates)?;
-        let velocity = opposite.elements().iter().map(|x| self.graph.negate(*x));
-        let velocity = Matrix::vector(velocity.collect());
+        let velocity = opposite.map(|x| self.graph.negate(x));
         // Known as the one in the body frame, rotated.
         let body = self.angular_velocity(rotation, coordinates)?;
         let parts = self.rotated_parts(&factors, &body);
@@ -73,7 +72,7 @@ impl Geometry {
         factors: &[MatrixFactor],
         coordinates: u32,
     ) -> Result<Vector, NoRotation> {
-        if self.frames.unresolved.is_some() {
+        if self.unresolved.is_some() {
             let factors = self.resolved_factors(factors);
             return self
                 .graph

@@ -7,15 +7,13 @@
 //! only, and of which no position is known, is seen from the last of their frames: the first is then the one that turns
 //! with what was declared for it. The components are the same, whatever the frames are called.
 
-use std::collections::BTreeMap;
-
+use crate::frames::axis::Axis;
+use crate::frames::factor::{ElementaryRotation, MatrixFactor};
 use crate::frames::frame_tree::Frame;
+use crate::frames::matrix::{Matrix, Part};
 use crate::frames::unresolved::along;
 use crate::frames::vector_in_frames::{Term, VectorInFrames};
 use crate::limits::MAX_TURNS_OF_A_BASE;
-use crate::matrix::axis::Axis;
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
 use crate::{Expression, Geometry, Graph, Rational, Symbol};
 
 type Vector = [Expression; 3];
@@ -37,7 +35,7 @@ impl Geometry {
     /// ω × r, or r × ω, of an angular velocity and a vector of the frame that turns with it: the rate of r, less that along
     /// the axes of the frame.
     pub(crate) fn unresolved_cross_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Matrix> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         if x.shape() != (3, 1) {
             return None;
         }
@@ -47,21 +45,17 @@ impl Geometry {
             [false, true] => (y, x, Rational::MINUS_ONE),
             _ => return None,
         };
-        let (rate, place) = match (self.unresolved_of(rate), self.unresolved_of(place)) {
-            (Some(rate), Some(place)) => (rate, place),
-            (Some(rate), None) => {
-                let axes = rate.axes;
-                (rate, along(axes, place)?)
-            }
-            (None, Some(place)) => (along(place.axes, rate)?, place),
-            (None, None) => {
+        let [rate, place] = match self.along_common_axes(rate, place) {
+            None if self
+                .unresolved_of(rate)
+                .or(self.unresolved_of(place))
+                .is_none() =>
+            {
                 let frame = self.frame_that_turns(rate.components()?)?;
-                (along(frame, rate)?, along(frame, place)?)
+                [along(frame, rate)?, along(frame, place)?]
             }
+            found => found?,
         };
-        if rate.axes != place.axes {
-            return None;
-        }
         let factor = self.graph.constant(&sign);
         let mut terms = Vec::new();
         for term in place.terms {
@@ -71,7 +65,7 @@ impl Geometry {
             if !self.turn_with(&rate.terms, frame) {
                 return None;
             }
-            let coordinates = self.frames.unresolved.as_ref()?.coordinates;
+            let coordinates = self.unresolved.as_ref()?.coordinates;
             let own = self.time_derivatives(&vector, coordinates);
             let own = <[_; 3]>::try_from(own).ok()?.map(|x| self.graph.negate(x));
             for term in [Term::Rate(frame, vector), Term::Fixed(frame, own)] {
@@ -95,7 +89,7 @@ impl Geometry {
         if !vector.is_relative(&self.graph) {
             return None;
         }
-        let base = self.frames.tree.factors(axes);
+        let base = self.frames.factors(axes);
         let terms = self.behind(&base, &vector.terms)?;
         Some(VectorInFrames { axes, terms })
     }
@@ -105,7 +99,7 @@ impl Geometry {
         if terms.iter().any(|term| matches!(term, Term::Rate(..))) || self.turn_with(terms, frame) {
             return frame;
         }
-        let next = self.frames.tree.behind(frame);
+        let next = self.frames.behind(frame);
         let mut next = next.into_iter().map(|(next, _)| next);
         next.find(|next| self.turn_with(terms, *next))
             .unwrap_or(frame)
@@ -126,19 +120,17 @@ impl Geometry {
             let terms = self.with_rates_of_places(vector.terms);
             return VectorInFrames { axes, terms };
         }
-        let of_frame = |frame: Frame, one: Expression| VectorInFrames {
-            axes: frame,
-            terms: vec![Term::AngularVelocity(frame, one)],
+        let frame = if self.turn_with(&vector.terms, vector.axes) {
+            Some(vector.axes)
+        } else if vector.is_relative(&self.graph) {
+            self.frame_seen_from(&vector.terms)
+        } else {
+            None
         };
-        if self.turn_with(&vector.terms, vector.axes) {
-            return of_frame(vector.axes, self.graph.one());
-        }
-        if vector.is_relative(&self.graph)
-            && let Some(frame) = self.frame_seen_from(&vector.terms)
-        {
-            return of_frame(frame, self.graph.one());
-        }
-        vector
+        frame.map_or(vector, |axes| VectorInFrames {
+            axes,
+            terms: vec![Term::AngularVelocity(axes, self.graph.one())],
+        })
     }
 
     /// A column that was written out along inertial axes, turned to those of a frame of which it is the angular velocity.
@@ -153,126 +145,67 @@ impl Geometry {
         let VectorInFrames { terms, .. } = along(Frame::INERTIAL, column)?;
         let back = rotations.iter().rev().map(MatrixFactor::transpose);
         let path = self.merged(back);
-        let axes = self.frames.tree.frame(&path);
+        let axes = self.frames.frame(&path);
         let turns = self.turn_with(&terms, axes);
         turns.then(|| self.column_of(VectorInFrames { axes, terms }))?
     }
 
-    /// Terms of which those with velocities are brought towards the inertial frame, where a velocity is the rate of a place.
+    /// Terms of which those with velocities are the rate of a place along inertial axes, if they are.
     fn with_rates_of_places(&mut self, terms: Vec<Term>) -> Vec<Term> {
-        let mut sum = Vec::with_capacity(terms.len());
-        for term in terms {
-            match term {
-                Term::Fixed(frame, vector) if term.moves(&self.graph) => {
-                    for (frame, vector) in self.raised(frame, vector) {
-                        self.graph.add_term(&mut sum, Term::Fixed(frame, vector));
-                    }
-                }
-                other => self.graph.add_term(&mut sum, other),
-            }
-        }
-        let own = |term: &Term| {
-            matches!(term, Term::Fixed(Frame::INERTIAL, _)) && term.moves(&self.graph)
+        let own = terms.iter().filter_map(|term| match term {
+            Term::Fixed(frame, vector) if term.moves(&self.graph) => Some((*frame, *vector)),
+            _ => None,
+        });
+        let own: Vec<_> = own.collect();
+        let velocity = self.sum_of_parts(&own);
+        let Some(place) = self.integral(velocity) else {
+            return terms;
         };
-        if let Some(i) = sum.iter().position(own)
-            && let Term::Fixed(_, vector) = sum[i]
-            && let Some(place) = self.integral(vector)
-        {
-            sum.swap_remove(i);
-            self.graph
-                .add_term(&mut sum, Term::Rate(Frame::INERTIAL, place));
-        }
+        let is_other = |term: &Term| !matches!(term, Term::Fixed(..)) || !term.moves(&self.graph);
+        let mut sum: Vec<_> = terms.into_iter().filter(is_other).collect();
+        self.graph
+            .add_term(&mut sum, Term::Rate(Frame::INERTIAL, place));
         sum
     }
 
-    /// Whether a sum of terms is the angular velocity of a frame.
+    /// Whether a sum of terms is the angular velocity of a frame: what is left of both is zero along its axes.
     fn turn_with(&mut self, terms: &[Term], frame: Frame) -> bool {
         if frame == Frame::INERTIAL {
             return false;
         }
-        let expected = [Term::AngularVelocity(frame, self.graph.one())];
-        let Some(found) = self.turns(terms) else {
+        let minus = self.graph.constant(&Rational::MINUS_ONE);
+        let opposite = Term::AngularVelocity(frame, minus);
+        let Some(difference) = self.turns(terms.iter().chain([&opposite])) else {
             return false;
         };
-        let Some(expected) = self.turns(&expected) else {
-            return false;
-        };
-        if !found.keys().eq(expected.keys()) {
-            return false;
-        }
-        let pairs = found
-            .into_values()
-            .flatten()
-            .zip(expected.into_values().flatten());
-        let mut residuals = Vec::new();
-        for (x, y) in pairs {
-            let difference = self.graph.subtract(x, y);
-            if !self.graph.is_zero(difference) {
-                residuals.push(difference);
-            }
-        }
-        residuals.is_empty() || self.graph.vanishes(&residuals)
+        let difference = self.resolve_in(frame, &difference);
+        difference.iter().all(|x| self.graph.is_zero(*x)) || self.graph.vanishes(&difference)
     }
 
-    /// A sum of turned vectors and of angular velocities by frame, each as near to the inertial frame as its components stay
-    /// the same.
-    fn turns(&mut self, terms: &[Term]) -> Option<BTreeMap<Frame, Vector>> {
-        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
-        let mut own = Vec::new();
+    /// A sum of turned vectors and of angular velocities as turned vectors alone: the angular velocity of a frame is the sum of
+    /// the turns of all frames before it.
+    fn turns<'t>(&mut self, terms: impl Iterator<Item = &'t Term>) -> Option<Vec<Part>> {
+        let coordinates = self.unresolved.as_ref()?.coordinates;
+        let mut turns = Vec::new();
         for term in terms {
             match *term {
                 Term::Rate(..) => return None,
-                Term::Fixed(frame, vector) => own.push((frame, vector)),
+                Term::Fixed(frame, vector) => turns.push((frame, vector)),
                 Term::AngularVelocity(frame, multiple) => {
-                    for (frame, factor) in self.frames.tree.path(frame) {
+                    for (frame, factor) in self.frames.path(frame) {
                         let rate = self.angular_velocity_of_product(&[factor], coordinates);
                         let rate = rate.ok()?.map(|x| self.graph.multiply(multiple, x));
-                        own.push((frame, rate));
+                        turns.push((frame, rate));
                     }
                 }
             }
         }
-        let mut sums: BTreeMap<Frame, Vector> = BTreeMap::new();
-        let zero = [self.graph.zero(); 3];
-        for (frame, vector) in own {
-            for (frame, vector) in self.raised(frame, vector) {
-                let sum = sums.entry(frame).or_insert(zero);
-                *sum = [0, 1, 2].map(|i| self.graph.add(sum[i], vector[i]));
-            }
-        }
-        sums.retain(|_, sum| *sum != zero);
-        Some(sums)
-    }
-
-    /// R v of a frame as a sum of vectors of this frame and of those before it: constant turns take all of v along, others
-    /// its component along their axis.
-    fn raised(&mut self, mut frame: Frame, mut vector: Vector) -> Vec<(Frame, Vector)> {
-        let mut parts = Vec::new();
-        let zero = self.graph.zero();
-        while let Some((before, factor)) = self.frames.tree.before(frame) {
-            if factor.is_constant(&self.graph) {
-                vector = factor.apply(&mut self.graph, vector);
-            } else {
-                let MatrixFactor::Elementary(rotation) = factor else {
-                    break;
-                };
-                let [k, ..] = rotation.axis.cycle();
-                let along = core::mem::replace(&mut vector[k], zero);
-                if vector != [zero; 3] {
-                    parts.push((frame, vector));
-                }
-                vector = [zero; 3];
-                vector[k] = along;
-            }
-            frame = before;
-        }
-        parts.push((frame, vector));
-        parts
+        Some(self.graph.added_by_frame(turns))
     }
 
     /// The frame with whose angular velocity a sum of turned vectors agrees, if it is seen from there.
     fn frame_seen_from(&mut self, terms: &[Term]) -> Option<Frame> {
-        let frames = &self.frames.tree;
+        let frames = &self.frames;
         let paths = terms
             .iter()
             .map(|term| (frames.factors(term.frame()), term));
@@ -281,10 +214,10 @@ impl Geometry {
             return None;
         };
         let first = self.frame_that_turns(rate)?;
-        let base = self.frames.tree.factors(first);
+        let base = self.frames.factors(first);
         let back = path.iter().rev().map(MatrixFactor::transpose);
         let path = self.merged(base.into_iter().chain(back));
-        let frame = self.frames.tree.frame(&path);
+        let frame = self.frames.frame(&path);
         let terms = self.behind(&path, terms)?;
         self.turn_with(&terms, frame).then_some(frame)
     }
@@ -296,9 +229,9 @@ impl Geometry {
             let Term::Fixed(frame, vector) = *term else {
                 return None;
             };
-            let factors = self.frames.tree.factors(frame);
+            let factors = self.frames.factors(frame);
             let factors = self.merged(base.iter().copied().chain(factors));
-            let frame = self.frames.tree.frame(&factors);
+            let frame = self.frames.frame(&factors);
             self.graph.add_term(&mut behind, Term::Fixed(frame, vector));
         }
         Some(behind)
@@ -311,12 +244,8 @@ impl Geometry {
         if rate == [zero; 3] {
             return None;
         }
-        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
-        for (frame, factors) in self.frames.tree.nearest(MAX_TURNS_OF_A_BASE) {
-            let known = self.angular_velocity_of_product(&factors, coordinates);
-            if known == Ok(rate) {
-                return Some(frame);
-            }
+        if let Some(frame) = self.frames_that_turn(rate).first() {
+            return Some(*frame);
         }
         let axis = Axis::ALL.into_iter().find(|axis| {
             let [_, j, k] = axis.cycle();
@@ -329,7 +258,18 @@ impl Geometry {
             angle,
             reversed: false,
         });
-        Some(self.frames.tree.frame(&[rotation]))
+        Some(self.frames.frame(&[rotation]))
+    }
+
+    /// The frames near the inertial one whose angular velocity along their own axes has these components.
+    pub(crate) fn frames_that_turn(&mut self, rate: Vector) -> Vec<Frame> {
+        let coordinates = self.unresolved.as_ref().map(|vectors| vectors.coordinates);
+        let mut frames = self.frames.nearest(MAX_TURNS_OF_A_BASE);
+        frames.retain(|(_, factors)| {
+            let known = coordinates.map(|n| self.angular_velocity_of_product(factors, n));
+            known == Some(Ok(rate))
+        });
+        frames.into_iter().map(|(frame, _)| frame).collect()
     }
 
     /// The functions of the coordinates with these rates, which are linear in the velocities with constant coefficients.
@@ -349,7 +289,7 @@ impl Geometry {
             }
             *integral = self.graph.sum(found);
         }
-        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
+        let coordinates = self.unresolved.as_ref()?.coordinates;
         let again = self.time_derivatives(&integrals, coordinates);
         (again == rates).then_some(integrals)
     }

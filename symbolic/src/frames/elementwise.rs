@@ -1,6 +1,6 @@
 //! Elementwise operations on matrices: sums, multiples, component products, time derivatives.
 
-use crate::matrix::dense::Matrix;
+use crate::frames::matrix::Matrix;
 use crate::{Expression, Geometry, Graph, Rational};
 
 impl Geometry {
@@ -15,22 +15,13 @@ impl Geometry {
         if others.is_empty() && number.is_one() {
             return Some((*first).clone());
         }
-        if let Some(sum) = self.unresolved_sum(terms) {
-            return Some(if first.shape() == (1, 3) {
-                sum.transpose()
-            } else {
-                sum
-            });
-        }
-        if let Some(sum) = self.homogeneous_sum(terms) {
-            return Some(sum);
-        }
-        let sum = Matrix::from_function(first.rows(), first.columns(), |i, j| {
-            self.graph
-                .sum(terms.iter().map(|(x, c)| (x.at(i, j), c.clone())))
-        });
-        let parts = self.parts_of_sum(terms);
-        Some(self.with_parts(sum, parts))
+        let factors = terms.iter().map(|(x, c)| (*x, self.graph.constant(c)));
+        let factors: Vec<_> = factors.collect();
+        Some(self.sum_with(&factors, |graph| {
+            Matrix::from_function(first.rows(), first.columns(), |i, j| {
+                graph.sum(terms.iter().map(|(x, c)| (x.at(i, j), c.clone())))
+            })
+        }))
     }
 
     /// A matrix with each of its elements multiplied by the same factor.
@@ -38,21 +29,9 @@ impl Geometry {
         if factor == self.graph.one() {
             return matrix.clone();
         }
-        if let Some(multiple) = self.unresolved_multiple(matrix, factor) {
-            return if matrix.shape() == (1, 3) {
-                multiple.transpose()
-            } else {
-                multiple
-            };
-        }
-        if let Some(multiple) = self.homogeneous_multiple(matrix, factor) {
-            return multiple;
-        }
-        let scaled = Matrix::from_function(matrix.rows(), matrix.columns(), |i, j| {
-            self.graph.multiply(factor, matrix.at(i, j))
-        });
-        let parts = self.parts_scaled(matrix, factor);
-        self.with_parts(scaled, parts)
+        self.sum_with(&[(matrix, factor)], |graph| {
+            matrix.map(|x| graph.multiply(factor, x))
+        })
     }
 
     /// The total time derivative of a matrix of a system with `coordinates` degrees of freedom.

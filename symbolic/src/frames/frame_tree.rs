@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::matrix::factor::MatrixFactor;
+use crate::frames::factor::MatrixFactor;
 
 /// A frame, by its position in the tree of frames.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -41,12 +41,12 @@ impl FrameTree {
         self.frames.get(frame.0.checked_sub(1)?).copied()
     }
 
-    /// The frames that are turned against this one, each with its factor.
+    /// The frames that are turned against this one, each with its factor, in the order of their declaration.
     pub(crate) fn behind(&self, frame: Frame) -> Vec<(Frame, MatrixFactor)> {
-        let children = self.children.iter();
-        let children = children.filter(|((before, _), _)| *before == frame);
+        let all = (1..).map(Frame).zip(&self.frames);
+        let children = all.filter(|(_, (before, _))| *before == frame);
         children
-            .map(|((_, factor), next)| (*next, *factor))
+            .map(|(next, (_, factor))| (next, *factor))
             .collect()
     }
 

@@ -1,18 +1,19 @@
 //! Vectors, matrices and rotations, with their frames, above the expressions of their components.
 
-use crate::frames::vector_in_frames::{KnownFrames, UnresolvedVectors};
+use crate::frames::frame_tree::FrameTree;
+use crate::frames::vector_in_frames::UnresolvedVectors;
 use crate::{Expression, Graph};
 
-/// An arena of expressions, and what is known of vectors and matrices of them besides their components: the frames in
-/// which they are constant, the rotations of which they are products.
+/// An arena of expressions, and the frames in which [vectors and matrices](crate::Matrix) of them are known.
 ///
 /// A declaration is translated in one. The derivation of its equations needs only the [graph](Self::graph).
 #[derive(Clone, Debug, Default)]
 pub struct Geometry {
     /// The arena of the components.
     pub graph: Graph,
-    /// The frames, and what is known of vectors and matrices besides their elements.
-    pub(crate) frames: KnownFrames,
+    pub(crate) frames: FrameTree,
+    /// The vectors that are resolved last, where they are.
+    pub(crate) unresolved: Option<UnresolvedVectors>,
 }
 
 impl Geometry {
@@ -25,7 +26,7 @@ impl Geometry {
     /// An arena in which vectors in frames are resolved last, for a system with so many coordinates.
     #[must_use]
     pub fn with_unresolved_vectors(mut self, coordinates: u32) -> Self {
-        self.frames.unresolved = Some(UnresolvedVectors::new(coordinates));
+        self.unresolved = Some(UnresolvedVectors::new(coordinates));
         self
     }
 
@@ -41,7 +42,7 @@ impl From<Graph> for Geometry {
     fn from(graph: Graph) -> Self {
         Self {
             graph,
-            frames: KnownFrames::default(),
+            ..Self::default()
         }
     }
 }

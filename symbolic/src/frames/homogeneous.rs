@@ -3,40 +3,31 @@
 //!
 //! A product is made block by block, so that rotations have their factors and places are vectors: R R′, R p′ + p.
 
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::MatrixFactor;
+use crate::frames::factor::MatrixFactor;
+use crate::frames::matrix::{Knowledge, Matrix};
 use crate::{Expression, Geometry, Graph, Rational};
-
-/// The blocks of a homogeneous matrix.
-struct Blocks {
-    /// R.
-    rotation: Matrix,
-    /// p.
-    place: Matrix,
-}
 
 impl Geometry {
     /// A homogeneous matrix times another one, or times homogeneous coordinates.
     pub(crate) fn homogeneous_product(&mut self, left: &Matrix, right: &Matrix) -> Option<Matrix> {
-        let first = self.graph.blocks(left)?;
+        let [first, origin] = self.graph.blocks(left)?;
         if right.shape() == (4, 1) {
             let (vector, last) = split(right)?;
-            let turned = self.matrix_product(&first.rotation, &vector)?;
-            let moved = self.matrix_scaled(&first.place, last);
+            let turned = self.matrix_product(&first, &vector)?;
+            let moved = self.matrix_scaled(&origin, last);
             let sum = self.matrix_sum(&[(&turned, Rational::ONE), (&moved, Rational::ONE)])?;
-            return joined(&sum, last);
+            return Some(extended(&sum, last));
         }
-        let second = self.graph.blocks(right)?;
-        let rotation = self.matrix_product(&first.rotation, &second.rotation)?;
-        let turned = self.matrix_product(&first.rotation, &second.place)?;
-        let terms = [(&first.place, Rational::ONE), (&turned, Rational::ONE)];
-        let place = self.matrix_sum(&terms)?;
+        let [second, place] = self.graph.blocks(right)?;
+        let rotation = self.matrix_product(&first, &second)?;
+        let turned = self.matrix_product(&first, &place)?;
+        let place = self.matrix_sum(&[(&origin, Rational::ONE), (&turned, Rational::ONE)])?;
         self.graph.homogeneous(&rotation, &place)
     }
 
     /// The inverse [Rᵀ −Rᵀ p; 0 1] of a homogeneous matrix whose R is a product of rotations.
     pub(crate) fn homogeneous_inverse(&mut self, matrix: &Matrix) -> Option<Matrix> {
-        let Blocks { rotation, place } = self.graph.blocks(matrix)?;
+        let [rotation, place] = self.graph.blocks(matrix)?;
         let factors = self.matrix_factors(&rotation)?;
         if !factors.iter().all(MatrixFactor::is_rotation) {
             return None;
@@ -48,31 +39,19 @@ impl Geometry {
         self.graph.homogeneous(&back, &place)
     }
 
-    /// Σ cᵢ xᵢ of homogeneous coordinates, one of which is a vector that is resolved last.
-    pub(crate) fn homogeneous_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Option<Matrix> {
-        let mut columns = Vec::with_capacity(terms.len());
+    /// Σ fᵢ xᵢ of homogeneous coordinates, one of which is a vector that is resolved last.
+    pub(crate) fn homogeneous_sum(&mut self, terms: &[(&Matrix, Expression)]) -> Option<Matrix> {
+        let mut vectors = Vec::with_capacity(terms.len());
         let mut last = Vec::with_capacity(terms.len());
-        for (x, c) in terms {
+        for (x, factor) in terms {
             let (vector, w) = self.unresolved_coordinates(x)?;
-            columns.push((vector, c.clone()));
-            last.push((w, c.clone()));
+            vectors.push((vector, *factor));
+            last.push((*factor, w));
         }
-        let columns: Vec<_> = columns.iter().map(|(x, c)| (x, c.clone())).collect();
-        let vector = self.unresolved_sum(&columns)?;
-        let last = self.graph.sum(last);
-        joined(&vector, last)
-    }
-
-    /// c x of homogeneous coordinates of a vector that is resolved last.
-    pub(crate) fn homogeneous_multiple(
-        &mut self,
-        column: &Matrix,
-        factor: Expression,
-    ) -> Option<Matrix> {
-        let (vector, last) = self.unresolved_coordinates(column)?;
-        let vector = self.unresolved_multiple(&vector, factor)?;
-        let last = self.graph.multiply(factor, last);
-        joined(&vector, last)
+        let vectors: Vec<_> = vectors.iter().map(|(x, factor)| (x, *factor)).collect();
+        let vector = self.unresolved_sum(&vectors)?;
+        let last = self.graph.sum_of_products(last);
+        Some(extended(&vector, last))
     }
 
     /// The time derivative of homogeneous coordinates of a vector that is resolved last.
@@ -82,7 +61,7 @@ impl Geometry {
             return None;
         }
         let rate = self.unresolved_rate(&vector)?;
-        joined(&rate, self.graph.zero())
+        Some(extended(&rate, self.graph.zero()))
     }
 
     /// x · y of homogeneous coordinates of vectors that are resolved last.
@@ -98,7 +77,7 @@ impl Geometry {
 
     /// The vector and the last of four coordinates, where vectors are resolved last.
     fn unresolved_coordinates(&self, column: &Matrix) -> Option<(Matrix, Expression)> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         split(column)
     }
 }
@@ -115,40 +94,35 @@ impl Graph {
             (_, 3) => place.at(i, 0),
             _ => rotation.at(i, j),
         });
-        Some(elements)
+        let blocks = [rotation, place].map(Matrix::clone);
+        Some(elements.known_as(Knowledge::Homogeneous(Box::new(blocks))))
     }
 
-    /// The blocks of a matrix of four rows whose last one is 0 0 0 1.
-    fn blocks(&self, matrix: &Matrix) -> Option<Blocks> {
-        if matrix.shape() != (4, 4) {
-            return None;
-        }
+    /// The blocks R and p of a matrix of four rows whose last one is 0 0 0 1.
+    fn blocks(&self, matrix: &Matrix) -> Option<[Matrix; 2]> {
         let (zero, one) = (self.zero(), self.one());
         let last = [zero, zero, zero, one];
-        if (0..4).any(|j| matrix.at(3, j) != last[j]) {
+        if matrix.shape() != (4, 4) || (0..4).any(|j| matrix.at(3, j) != last[j]) {
             return None;
         }
-        Some(Blocks {
-            rotation: Matrix::from_function(3, 3, |i, j| matrix.at(i, j)),
-            place: Matrix::from_function(3, 1, |i, _| matrix.at(i, 3)),
-        })
+        Some([matrix.block((0, 0), (3, 3))?, matrix.block((0, 3), (3, 1))?])
     }
 }
 
 /// The first three of four coordinates, and the last.
 fn split(column: &Matrix) -> Option<(Matrix, Expression)> {
     let is_column = column.shape() == (4, 1);
-    is_column.then(|| {
-        (
-            Matrix::vector(column.elements()[..3].to_vec()),
-            column.at(3, 0),
-        )
-    })
+    let vector = column.block((0, 0), (3, 1)).filter(|_| is_column)?;
+    Some((vector, column.at(3, 0)))
 }
 
-/// Four coordinates.
-fn joined(vector: &Matrix, last: Expression) -> Option<Matrix> {
+/// A vector with one more component.
+pub(crate) fn extended(vector: &Matrix, last: Expression) -> Matrix {
     let mut elements = vector.elements().to_vec();
     elements.push(last);
-    Matrix::new(4, 1, elements)
+    let extended = Matrix::vector(elements);
+    if vector.shape() == (3, 1) {
+        return extended.known_as(Knowledge::Coordinates(Box::new(vector.clone())));
+    }
+    extended
 }

@@ -3,10 +3,10 @@
 //! The inverse is the adjugate over the determinant, both [expanded in minors](crate::matrix::determinant), and for
 //! that reason limited in size. A larger matrix is eliminated numerically.
 
+use crate::frames::factor::MatrixFactor;
+use crate::frames::matrix::Matrix;
 use crate::limits::MAX_DETERMINANT;
-use crate::matrix::dense::Matrix;
 use crate::matrix::determinant::determinant;
-use crate::matrix::factor::MatrixFactor;
 use crate::{Expression, Geometry, Graph, Rational};
 
 /// Why a matrix has no inverse.
@@ -24,7 +24,7 @@ impl Geometry {
         if !is_small_square(matrix) {
             return None;
         }
-        if self.is_product_of_rotations(matrix) {
+        if is_product_of_rotations(matrix) {
             return Some(self.graph.one());
         }
         let all: Vec<usize> = (0..matrix.rows()).collect();
@@ -38,7 +38,7 @@ impl Geometry {
     ///
     /// If the matrix has another shape, or if its determinant vanishes identically.
     pub fn inverse(&mut self, matrix: &Matrix) -> Result<Matrix, NoInverse> {
-        if self.is_product_of_rotations(matrix) {
+        if is_product_of_rotations(matrix) {
             return Ok(matrix.transpose());
         }
         if let Some(inverse) = self.homogeneous_inverse(matrix) {
@@ -62,12 +62,6 @@ impl Geometry {
             }
         }))
     }
-
-    /// Whether a matrix was computed as a product of rotations, whose inverse is its transpose.
-    fn is_product_of_rotations(&self, matrix: &Matrix) -> bool {
-        let factors = self.known_factors(matrix);
-        factors.is_some_and(|factors| factors.iter().all(MatrixFactor::is_rotation))
-    }
 }
 
 impl Graph {
@@ -76,6 +70,12 @@ impl Graph {
         let diagonal = matrix.diagonal()?;
         Some(self.sum(diagonal.elements().iter().map(|x| (*x, Rational::ONE))))
     }
+}
+
+/// Whether a matrix was computed as a product of rotations, whose inverse is its transpose.
+fn is_product_of_rotations(matrix: &Matrix) -> bool {
+    let factors = matrix.factors();
+    factors.is_some_and(|factors| factors.iter().all(MatrixFactor::is_rotation))
 }
 
 /// Whether a matrix is square and small enough for a determinant in minors.

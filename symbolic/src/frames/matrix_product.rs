@@ -1,11 +1,11 @@
 //! Products of matrices.
 //!
-//! The factors of a product of rotations are known by its elements. A vector is multiplied by one factor after the other where that
+//! A product of rotations knows its factors. A vector is multiplied by one factor after the other where that
 //! costs no more than the product with the elements.
 
+use crate::frames::factor::MatrixFactor;
+use crate::frames::matrix::{Knowledge, Matrix};
 use crate::limits::MAX_SUCCESSIVE_FACTORS;
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::MatrixFactor;
 use crate::{Expression, Geometry, Graph, Rational};
 
 impl Geometry {
@@ -49,8 +49,8 @@ impl Geometry {
             return product;
         }
         let mut product = self.graph.product_of_elements(matrix, columns);
-        if let Some(factors) = self.known_factors(matrix)
-            && let Some(successive) = self.graph.rotated(&factors, columns)
+        if let Some(factors) = matrix.factors()
+            && let Some(successive) = self.graph.rotated(factors, columns)
             && self.graph.cost(successive.elements()) <= self.graph.cost(product.elements())
         {
             product = successive;
@@ -58,9 +58,8 @@ impl Geometry {
         if columns.columns() != 1 {
             return product;
         }
-        let is_known = self.is_known_in_frames(columns);
         let parts = self.rotated_parts(factors, columns);
-        if is_known {
+        if !columns.parts().is_empty() {
             let sum = self.sum_of_parts(&parts);
             if self.graph.cost(&sum) < self.graph.cost(product.elements()) {
                 product = Matrix::vector(sum.to_vec());
@@ -83,7 +82,7 @@ impl Geometry {
             return self.product_of(factors);
         }
         let product = self.graph.product_of_elements(left, right);
-        self.with_factors(product, factors)
+        product.known_as(Knowledge::Product(factors))
     }
 
     /// The matrix that is the product of these factors, from the left to the right.
@@ -94,15 +93,7 @@ impl Geometry {
             let factor = Matrix::with_elements(3, 3, elements);
             product = self.graph.product_of_elements(&product, &factor);
         }
-        self.with_factors(product, factors)
-    }
-
-    /// The same matrix, whose factors are known from now on.
-    fn with_factors(&mut self, product: Matrix, factors: Vec<MatrixFactor>) -> Matrix {
-        if let Ok(elements) = product.elements().try_into() {
-            self.frames.factors.insert(elements, factors);
-        }
-        product
+        product.known_as(Knowledge::Product(factors))
     }
 }
 
@@ -134,11 +125,7 @@ impl Graph {
         }
         let mut elements = Vec::new();
         for column in matrix.elements().chunks(3) {
-            let mut vector: [Expression; 3] = column.try_into().ok()?;
-            for factor in factors.iter().rev() {
-                vector = factor.apply(self, vector);
-            }
-            elements.extend(vector);
+            elements.extend(self.turned_by(factors, column.try_into().ok()?));
         }
         Matrix::new(3, matrix.columns(), elements)
     }

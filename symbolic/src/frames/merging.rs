@@ -1,6 +1,6 @@
 //! Products of rotations with fewer factors.
 
-use crate::matrix::factor::MatrixFactor;
+use crate::frames::factor::MatrixFactor;
 use crate::{Geometry, Graph};
 
 impl Geometry {
@@ -10,7 +10,7 @@ impl Geometry {
         &mut self,
         factors: impl IntoIterator<Item = MatrixFactor>,
     ) -> Vec<MatrixFactor> {
-        let keeps_joints = self.frames.unresolved.is_some();
+        let keeps_joints = self.unresolved.is_some();
         self.combined_where(factors, |graph, both| {
             !keeps_joints || both.is_constant(graph)
         })
@@ -34,7 +34,7 @@ impl Geometry {
         let mut merged: Vec<MatrixFactor> = Vec::new();
         for mut factor in factors {
             // Where vectors are resolved last, a turn back is one by the opposite angle: each frame has one path.
-            if self.frames.unresolved.is_some()
+            if self.unresolved.is_some()
                 && let MatrixFactor::Elementary(rotation) = &mut factor
                 && core::mem::take(&mut rotation.reversed)
             {

@@ -7,8 +7,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::matrix::axis::Axis;
-use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
+use crate::frames::axis::Axis;
+use crate::frames::factor::{ElementaryRotation, MatrixFactor};
 use crate::{Expression, Graph, Node, Symbol, Unary};
 
 impl Graph {

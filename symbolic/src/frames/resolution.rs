@@ -5,129 +5,87 @@
 //! matrices that are rotations for all values of their symbols count, no parameters that are trusted to be
 //! rotations: other matrices are part of vᵢ.
 
+use crate::frames::axis::Axis;
+use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
-use crate::frames::vector_in_frames::{Term, VectorInFrames};
+use crate::frames::matrix::{Knowledge, Matrix, Part};
 use crate::limits::{MAX_FACTORS, MAX_FACTORS_IN_SUM, MAX_FRAMES_IN_SUM};
-use crate::matrix::axis::Axis;
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::MatrixFactor;
-use crate::{Expression, Geometry, Graph, Node, Rational};
+use crate::{Expression, Geometry, Graph};
 
 type Vector = [Expression; 3];
 
-/// A vector R v, by the frame of R and its components v there.
-type Part = (Frame, Vector);
-
 impl Geometry {
-    /// Whether a vector is known as a sum of vectors in frames.
-    pub(crate) fn is_known_in_frames(&self, vector: &Matrix) -> bool {
-        self.frames.vectors.contains_key(vector.elements())
-    }
-
-    /// The same vector, known as the sum of these parts from now on, unless they are many, none is rotated, or its components
-    /// are numbers and parameters.
-    pub(crate) fn with_parts(&mut self, vector: Matrix, parts: Vec<Part>) -> Matrix {
+    /// The same vector, known as the sum of these parts, unless they are many or none is rotated.
+    pub(crate) fn with_parts(&self, vector: Matrix, parts: Vec<Part>) -> Matrix {
         let most_factors = if parts.len() > 1 {
             MAX_FACTORS_IN_SUM
         } else {
             MAX_FACTORS
         };
-        let tree = &self.frames.tree;
         let is_short = parts.len() <= MAX_FRAMES_IN_SUM
             && parts
                 .iter()
-                .all(|(frame, _)| tree.depth(*frame) <= most_factors);
+                .all(|(frame, _)| self.frames.depth(*frame) <= most_factors);
         let is_rotated = parts.iter().any(|(frame, _)| *frame != Frame::INERTIAL);
-        // Such as (0, 0, 1), which may mean another vector elsewhere.
-        let is_written = |x: &Expression| {
-            let is_leaf = matches!(self.graph.node(*x), Node::Constant(_) | Node::Symbol(_));
-            is_leaf && !self.graph.contents(*x).varies()
-        };
-        if let Some(components) = vector.components()
-            && is_short
-            && is_rotated
-            && !components.iter().all(is_written)
-        {
-            let terms = parts.into_iter();
-            let known = VectorInFrames {
-                axes: Frame::INERTIAL,
-                terms: terms.map(|(frame, v)| Term::Fixed(frame, v)).collect(),
-            };
-            self.frames.vectors.insert(components, known);
+        if vector.components().is_some() && is_short && is_rotated {
+            return vector.known_as(Knowledge::Sum(parts));
         }
         vector
-    }
-
-    /// The parts of a vector of three components that is known in frames; otherwise none.
-    fn known_parts(&self, vector: &Matrix) -> Vec<Part> {
-        let known = self.frames.vectors.get(vector.elements());
-        let terms = known.map_or(&[][..], |known| &known.terms);
-        let parts = terms.iter().filter_map(|term| match term {
-            Term::Fixed(frame, v) => Some((*frame, *v)),
-            Term::Rate(..) | Term::AngularVelocity(..) => None,
-        });
-        parts.collect()
-    }
-
-    /// The parts of a vector of three components: the known ones, or itself.
-    fn parts_of(&self, vector: &Matrix) -> Vec<Part> {
-        let mut parts = self.known_parts(vector);
-        if parts.is_empty() {
-            let components = vector.components().into_iter();
-            parts.extend(components.map(|components| (Frame::INERTIAL, components)));
-        }
-        parts
     }
 
     /// Σ A Rᵢ vᵢ, where A is the product of `factors`, of a vector that may be known in frames.
     pub(crate) fn rotated_parts(&mut self, factors: &[MatrixFactor], vector: &Matrix) -> Vec<Part> {
         // Where vectors are resolved last, only they make frames.
-        if self.frames.unresolved.is_some() {
+        if self.unresolved.is_some() {
             return Vec::new();
         }
         let mut parts = Vec::new();
-        for (frame, vector) in self.parts_of(vector) {
-            let own = self.frames.tree.factors(frame);
+        for (frame, vector) in parts_of(vector) {
+            let own = self.frames.factors(frame);
             let mut rotation = self.merged(factors.iter().copied().chain(own));
             let count = rotation.iter().take_while(|factor| factor.is_rotation());
             let others = rotation.split_off(count.count());
-            let vector = others.into_iter().rev().fold(vector, |vector, factor| {
-                factor.apply(&mut self.graph, vector)
-            });
-            parts.push((self.frames.tree.frame(&rotation), vector));
+            let vector = self.graph.turned_by(&others, vector);
+            parts.push((self.frames.frame(&rotation), vector));
         }
         self.graph.added_by_frame(parts)
     }
 
-    /// The parts of Σ cᵢ xᵢ of pairs (xᵢ, cᵢ).
-    pub(crate) fn parts_of_sum(&mut self, terms: &[(&Matrix, Rational)]) -> Vec<Part> {
-        if !terms.iter().any(|(x, _)| self.is_known_in_frames(x)) {
+    /// The parts of Σ fᵢ xᵢ of pairs (xᵢ, fᵢ).
+    fn parts_of_sum(&mut self, terms: &[(&Matrix, Expression)]) -> Vec<Part> {
+        if terms.iter().all(|(x, _)| x.parts().is_empty()) {
             return Vec::new();
         }
         let mut parts = Vec::new();
-        for (x, c) in terms {
-            for (frame, vector) in self.parts_of(x) {
-                parts.push((frame, vector.map(|x| self.graph.scale(x, c))));
+        for (x, factor) in terms {
+            for (frame, vector) in parts_of(x) {
+                parts.push((frame, vector.map(|x| self.graph.multiply(*factor, x))));
             }
         }
         self.graph.added_by_frame(parts)
     }
 
-    /// The parts of a multiple of a vector.
-    pub(crate) fn parts_scaled(&mut self, vector: &Matrix, factor: Expression) -> Vec<Part> {
-        let mut parts = self.known_parts(vector);
-        for (_, vector) in &mut parts {
-            *vector = vector.map(|x| self.graph.multiply(factor, x));
+    /// The sum Σ fᵢ xᵢ with these elements, where it is resolved last or known in frames as its terms are.
+    pub(crate) fn sum_with(
+        &mut self,
+        terms: &[(&Matrix, Expression)],
+        elements: impl FnOnce(&mut Graph) -> Matrix,
+    ) -> Matrix {
+        let unresolved = self.unresolved_sum(terms);
+        if let Some(sum) = unresolved.or_else(|| self.homogeneous_sum(terms)) {
+            return sum;
         }
-        parts
+        let sum = elements(&mut self.graph);
+        let parts = self.parts_of_sum(terms);
+        self.with_parts(sum, parts)
     }
 
     /// The parts of the time derivative: of R v it is R (ω × v + v̇), with the angular velocity ω of R
     /// in the frame of R.
     pub(crate) fn parts_of_derivative(&mut self, vector: &Matrix, coordinates: u32) -> Vec<Part> {
-        let mut parts = self.known_parts(vector);
+        let mut parts = vector.parts().to_vec();
         for (frame, vector) in &mut parts {
-            let factors = self.frames.tree.factors(*frame);
+            let factors = self.frames.factors(*frame);
             let Ok(velocity) = self.angular_velocity_of_product(&factors, coordinates) else {
                 return Vec::new();
             };
@@ -140,7 +98,7 @@ impl Geometry {
 
     /// The parts of x × y: R a × R b is R (a × b), for the rotation R that both begin with.
     pub(crate) fn parts_of_cross_product(&mut self, x: &Matrix, y: &Matrix) -> Vec<Part> {
-        let [first, second] = [x, y].map(|x| self.parts_of(x));
+        let [first, second] = [x, y].map(parts_of);
         let frame = self.common_frame(&first, &second);
         if frame == Frame::INERTIAL {
             return Vec::new();
@@ -152,7 +110,7 @@ impl Geometry {
     /// The cheapest x · y in the frame that all parts of both have in common, or in that of one of the parts;
     /// none where the frames are independent, for which the elements are cheaper.
     pub(crate) fn dot_product_of_parts(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
-        let [first, second] = [x, y].map(|x| self.parts_of(x));
+        let [first, second] = [x, y].map(parts_of);
         let common = self.common_frame(&first, &second);
         if common == Frame::INERTIAL {
             return None;
@@ -183,12 +141,12 @@ impl Geometry {
     ///
     /// The vector with most factors is rotated first, so that vectors are added before they are rotated further
     /// together.
-    fn resolve_in(&mut self, frame: Frame, parts: &[Part]) -> Vector {
-        let rotation = self.frames.tree.factors(frame);
+    pub(crate) fn resolve_in(&mut self, frame: Frame, parts: &[Part]) -> Vector {
+        let rotation = self.frames.factors(frame);
         let back: Vec<MatrixFactor> = rotation.iter().rev().map(MatrixFactor::transpose).collect();
         let mut waiting = Vec::with_capacity(parts.len());
         for (frame, vector) in parts {
-            let own = self.frames.tree.factors(*frame);
+            let own = self.frames.factors(*frame);
             let relative = self.merged(back.iter().copied().chain(own));
             waiting.push((relative, *vector));
         }
@@ -211,13 +169,24 @@ impl Geometry {
     /// The last frame that all parts have in common.
     fn common_frame(&self, first: &[Part], second: &[Part]) -> Frame {
         let frames = first.iter().chain(second).map(|(frame, _)| *frame);
-        self.frames.tree.last_in_common(frames)
+        self.frames.last_in_common(frames)
+    }
+}
+
+/// The parts of a vector of three components: the known ones, or itself.
+fn parts_of(vector: &Matrix) -> Vec<Part> {
+    match (vector.parts(), vector.components()) {
+        ([], Some(components)) => vec![(Frame::INERTIAL, components)],
+        (parts, _) => parts.to_vec(),
     }
 }
 
 impl Graph {
     /// The same vectors, those of one frame added up, without zeros.
-    fn added_by_frame<F: PartialEq>(&mut self, parts: Vec<(F, Vector)>) -> Vec<(F, Vector)> {
+    pub(crate) fn added_by_frame<F: PartialEq>(
+        &mut self,
+        parts: Vec<(F, Vector)>,
+    ) -> Vec<(F, Vector)> {
         let mut added: Vec<(F, Vector)> = Vec::new();
         for (frame, vector) in parts {
             match added.iter_mut().find(|(known, _)| *known == frame) {

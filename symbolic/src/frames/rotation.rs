@@ -1,11 +1,11 @@
 //! Rotation matrices, and whether a matrix is one.
 
+use crate::frames::axis::Axis;
+use crate::frames::factor::{ElementaryRotation, MatrixFactor};
+use crate::frames::matrix::Matrix;
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::residue;
 use crate::limits::ROUNDED_CONSTANT;
-use crate::matrix::axis::Axis;
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
 use crate::{Expression, Geometry, Graph, Symbol};
 
 /// Why a matrix is no rotation.
@@ -37,23 +37,13 @@ impl Geometry {
         self.product_of(factors)
     }
 
-    /// The factors of a 3 × 3 matrix that was computed as a product, or whose transpose was.
-    pub(crate) fn known_factors(&self, matrix: &Matrix) -> Option<Vec<MatrixFactor>> {
-        let known = &self.frames.factors;
-        if let Some(factors) = known.get(matrix.elements()) {
-            return Some(factors.clone());
-        }
-        let factors = known.get(matrix.transpose().elements())?;
-        Some(factors.iter().rev().map(MatrixFactor::transpose).collect())
-    }
-
     /// The factors of a 3 × 3 matrix: the known ones, or itself.
     pub(crate) fn matrix_factors(&self, matrix: &Matrix) -> Option<Vec<MatrixFactor>> {
         if matrix.shape() != (3, 3) {
             return None;
         }
-        if let Some(factors) = self.known_factors(matrix) {
-            return Some(factors);
+        if let Some(factors) = matrix.factors() {
+            return Some(factors.to_vec());
         }
         let elements = matrix.elements().try_into().ok()?;
         Some(vec![if self.graph.is_rotation(&elements) {

@@ -7,10 +7,10 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
+use crate::frames::matrix::Matrix;
 use crate::frames::vector_in_frames::{Term, VectorId, VectorInFrames};
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::MatrixFactor;
 use crate::{Expression, Geometry, Graph, Node, Rational, Symbol};
 
 type Vector = [Expression; 3];
@@ -22,7 +22,7 @@ impl Geometry {
         factors: &[MatrixFactor],
         column: &Matrix,
     ) -> Option<Matrix> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         let mut product = column.clone();
         let mut rest = factors;
         while let Some(last) = rest.last() {
@@ -44,7 +44,7 @@ impl Geometry {
     fn turned(&mut self, rotations: &[MatrixFactor], column: &Matrix) -> Option<Matrix> {
         let rotations = self.resolved_factors(rotations);
         let (axes, terms) = if let Some(vector) = self.unresolved_of(column) {
-            let before = self.frames.tree.factors(vector.axes);
+            let before = self.frames.factors(vector.axes);
             let back = rotations.iter().rev().map(MatrixFactor::transpose);
             (self.merged(before.into_iter().chain(back)), vector.terms)
         } else if let Some(turned) = self.turned_rate(&rotations, column) {
@@ -52,56 +52,40 @@ impl Geometry {
         } else {
             let components = column.components()?;
             let rotation = self.merged(rotations);
-            let frame = self.frames.tree.frame(&rotation);
+            let frame = self.frames.frame(&rotation);
             (Vec::new(), vec![Term::Fixed(frame, components)])
         };
-        let axes = self.frames.tree.frame(&axes);
+        let axes = self.frames.frame(&axes);
         self.column_of(VectorInFrames { axes, terms })
     }
 
-    /// Σ cᵢ xᵢ of columns of three rows, if one of them is a vector that is resolved last and all others are resolved
-    /// along the same axes, or free of velocities.
-    pub(crate) fn unresolved_sum(&mut self, columns: &[(&Matrix, Rational)]) -> Option<Matrix> {
-        self.frames.unresolved.as_ref()?;
-        let known = columns.iter().filter_map(|(x, _)| self.unresolved_of(x));
+    /// Σ fᵢ xᵢ of rows or columns of three components, if one of them is a vector that is resolved last and all others are
+    /// resolved along the same axes, or free of velocities; those with velocities have constant factors.
+    pub(crate) fn unresolved_sum(&mut self, terms: &[(&Matrix, Expression)]) -> Option<Matrix> {
+        self.unresolved.as_ref()?;
+        let known = terms.iter().filter_map(|(x, _)| self.unresolved_of(x));
         let known: Vec<_> = known.collect();
         let whole = known.iter().find(|vector| !vector.is_relative(&self.graph));
         let axes = whole.or(known.first())?.axes;
-        let mut terms = Vec::new();
-        for (x, c) in columns {
-            let factor = self.graph.constant(c);
+        let mut sum = Vec::new();
+        for (x, factor) in terms {
             let vector = match self.unresolved_of(x) {
                 Some(vector) => self.seen_from(vector, axes)?,
                 None => along(axes, x)?,
             };
             for term in vector.terms {
-                let term = self.graph.scaled_term(&term, factor)?;
-                self.graph.add_term(&mut terms, term);
+                let term = self.graph.scaled_term(&term, *factor)?;
+                self.graph.add_term(&mut sum, term);
             }
         }
-        self.column_of(VectorInFrames { axes, terms })
-    }
-
-    /// c x of a vector that is resolved last; of one with velocities, for constant c.
-    pub(crate) fn unresolved_multiple(
-        &mut self,
-        column: &Matrix,
-        factor: Expression,
-    ) -> Option<Matrix> {
-        let VectorInFrames { axes, terms } = self.unresolved_of(column)?;
-        let mut scaled = Vec::with_capacity(terms.len());
-        for term in terms {
-            scaled.push(self.graph.scaled_term(&term, factor)?);
-        }
-        self.column_of(VectorInFrames {
-            axes,
-            terms: scaled,
-        })
+        let column = self.column_of(VectorInFrames { axes, terms: sum })?;
+        let is_row = terms.iter().any(|(x, _)| x.columns() > 1);
+        Some(if is_row { column.transpose() } else { column })
     }
 
     /// The time derivative of a position that is resolved along inertial axes.
     pub(crate) fn unresolved_rate(&mut self, column: &Matrix) -> Option<Matrix> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         let position = match self.unresolved_of(column) {
             Some(vector) => vector,
             None if column.shape() == (3, 1) => along(Frame::INERTIAL, column)?,
@@ -159,13 +143,13 @@ impl Geometry {
         factors: &[MatrixFactor],
         is_inertial: bool,
     ) -> Option<Matrix> {
-        self.frames.unresolved.as_ref()?;
+        self.unresolved.as_ref()?;
         if !factors.iter().all(MatrixFactor::is_rotation) {
             return None;
         }
         let factors = self.resolved_factors(factors);
         let factors = self.merged(factors);
-        let frame = self.frames.tree.frame(&factors);
+        let frame = self.frames.frame(&factors);
         let axes = if is_inertial { Frame::INERTIAL } else { frame };
         let terms = vec![Term::AngularVelocity(frame, self.graph.one())];
         self.column_of(VectorInFrames { axes, terms })
@@ -173,22 +157,18 @@ impl Geometry {
 
     /// x · y of two vectors along the same axes, one of which moves, in the frame that is turned most.
     pub(crate) fn unresolved_dot_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
-        self.frames.unresolved.as_ref()?;
-        let (first, second) = match (self.unresolved_of(x), self.unresolved_of(y)) {
-            (Some(first), Some(second)) => (first, second),
-            (Some(first), None) if self.graph.has_velocity(y) => {
-                let axes = first.axes;
-                (first, along(axes, y)?)
-            }
-            (None, Some(second)) if self.graph.has_velocity(x) => (along(second.axes, x)?, second),
-            _ => return None,
-        };
+        self.unresolved.as_ref()?;
+        let is_velocity = |x| self.unresolved_of(x).is_some() || self.graph.has_velocity(x);
+        if !is_velocity(x) || !is_velocity(y) {
+            return None;
+        }
+        let [first, second] = self.along_common_axes(x, y)?;
         let terms = || first.terms.iter().chain(&second.terms);
-        if first.axes != second.axes || !terms().any(|term| term.moves(&self.graph)) {
+        if !terms().any(|term| term.moves(&self.graph)) {
             return None;
         }
         let frames = terms().map(Term::frame);
-        let tree = &self.frames.tree;
+        let tree = &self.frames;
         let axes = frames.max_by_key(|frame| (tree.depth(*frame), *frame))?;
         let axes = self.turned_with(&first.terms, axes);
         let mut resolve = |vector: VectorInFrames| {
@@ -197,6 +177,15 @@ impl Geometry {
         };
         let (a, b) = (resolve(first)?, resolve(second)?);
         Some(self.graph.sum_of_products(a.into_iter().zip(b)))
+    }
+
+    /// Two vectors along the same axes, of which one is resolved last, and the other may be written along the axes of that.
+    pub(crate) fn along_common_axes(&self, x: &Matrix, y: &Matrix) -> Option<[VectorInFrames; 2]> {
+        let [first, second] = [x, y].map(|x| self.unresolved_of(x));
+        let axes = first.as_ref().or(second.as_ref())?.axes;
+        let first = first.or_else(|| along(axes, x))?;
+        let second = second.or_else(|| along(axes, y))?;
+        (first.axes == second.axes).then_some([first, second])
     }
 
     /// Expressions with the components of vectors that are resolved last in terms of q and q̇.
@@ -225,10 +214,10 @@ impl Geometry {
 
     /// The value of a component.
     fn component_value(&mut self, index: u32) -> Option<Expression> {
-        let vectors = self.frames.unresolved.as_ref()?;
+        let vectors = self.unresolved.as_ref()?;
         let (number, axis) = VectorId::of_component(index);
         let vector = vectors.vector(number).clone();
-        let axes = self.frames.tree.factors(vector.axes);
+        let axes = self.frames.factors(vector.axes);
         let mut sum = [self.graph.zero(); 3];
         for term in vector.terms {
             let value = self.term_value(&term)?;
@@ -242,21 +231,16 @@ impl Geometry {
 
     /// A term along inertial axes.
     fn term_value(&mut self, term: &Term) -> Option<Vector> {
-        let coordinates = self.frames.unresolved.as_ref()?.coordinates;
-        let factors = self.frames.tree.factors(term.frame());
+        let coordinates = self.unresolved.as_ref()?.coordinates;
+        let factors = self.frames.factors(term.frame());
         let vector = match term {
             Term::Fixed(_, vector) | Term::Rate(_, vector) => *vector,
             Term::AngularVelocity(_, factor) => {
-                let velocity = self
-                    .angular_velocity_of_product(&factors, coordinates)
-                    .ok()?;
-                velocity.map(|x| self.graph.multiply(*factor, x))
+                let velocity = self.angular_velocity_of_product(&factors, coordinates);
+                velocity.ok()?.map(|x| self.graph.multiply(*factor, x))
             }
         };
-        let turns = factors.iter().rev();
-        let value = turns.fold(vector, |vector, factor| {
-            factor.apply(&mut self.graph, vector)
-        });
+        let value = self.graph.turned_by(&factors, vector);
         match term {
             Term::Rate(..) => {
                 let rates = self.time_derivatives(&value, coordinates);
@@ -268,7 +252,7 @@ impl Geometry {
 
     /// The vector of which a column or row has the components.
     pub(crate) fn unresolved_of(&self, column: &Matrix) -> Option<VectorInFrames> {
-        let vectors = self.frames.unresolved.as_ref()?;
+        let vectors = self.unresolved.as_ref()?;
         let component = |x: &Expression| match self.graph.node(*x) {
             Node::Symbol(Symbol::PositionComponent(i) | Symbol::VelocityComponent(i)) => Some(*i),
             _ => None,
@@ -300,7 +284,7 @@ impl Geometry {
             _ => {}
         }
         let moves = vector.terms.iter().any(|term| term.moves(&self.graph));
-        let number = self.frames.unresolved.as_mut()?.number(vector);
+        let number = self.unresolved.as_mut()?.number(vector);
         let symbol = if moves {
             Symbol::VelocityComponent
         } else {
@@ -345,20 +329,23 @@ impl Geometry {
 }
 
 impl Graph {
+    /// The product of factors with a vector, from the right to the left.
+    pub(crate) fn turned_by(&mut self, factors: &[MatrixFactor], vector: Vector) -> Vector {
+        let factors = factors.iter().rev();
+        factors.fold(vector, |vector, factor| factor.apply(self, vector))
+    }
+
     /// A multiple of a term; of one with velocities, by a constant.
     pub(crate) fn scaled_term(&mut self, term: &Term, factor: Expression) -> Option<Term> {
-        let is_constant = !self.contents(factor).varies();
-        match *term {
-            Term::Fixed(frame, vector) => {
-                Some(Term::Fixed(frame, vector.map(|x| self.multiply(factor, x))))
-            }
-            Term::Rate(frame, vector) => {
-                is_constant.then(|| Term::Rate(frame, vector.map(|x| self.multiply(factor, x))))
-            }
-            Term::AngularVelocity(frame, known) => {
-                is_constant.then(|| Term::AngularVelocity(frame, self.multiply(factor, known)))
-            }
+        if !matches!(term, Term::Fixed(..)) && self.contents(factor).varies() {
+            return None;
         }
+        let mut scaled = |x: Expression| self.multiply(factor, x);
+        Some(match *term {
+            Term::Fixed(frame, vector) => Term::Fixed(frame, vector.map(scaled)),
+            Term::Rate(frame, vector) => Term::Rate(frame, vector.map(scaled)),
+            Term::AngularVelocity(frame, known) => Term::AngularVelocity(frame, scaled(known)),
+        })
     }
 
     /// Adds a term to others, of which one may be of the same kind and frame.

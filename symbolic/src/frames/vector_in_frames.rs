@@ -1,13 +1,11 @@
 //! Vectors as sums of vectors in frames, of their time derivatives, and of angular velocities.
 //!
-//! What is known of a vector stands beside its components in the [`KnownFrames`] of a [`Geometry`](crate::Geometry), or the
-//! vector is [resolved last](UnresolvedVectors): until then its components are symbols, so that an energy remains the quadratic
-//! form in the components of whole vectors as which it was declared.
+//! Such a vector is [resolved last](UnresolvedVectors): until then its components are symbols, so that an energy remains the
+//! quadratic form in the components of whole vectors as which it was declared.
 
 use std::collections::BTreeMap;
 
-use crate::frames::frame_tree::{Frame, FrameTree};
-use crate::matrix::factor::MatrixFactor;
+use crate::frames::frame_tree::Frame;
 use crate::{Expression, Graph};
 
 /// One term of a vector.
@@ -45,22 +43,6 @@ impl Term {
 pub(crate) struct VectorInFrames {
     pub(crate) axes: Frame,
     pub(crate) terms: Vec<Term>,
-}
-
-/// The frames of a geometry, and what is known of vectors and matrices beside their elements.
-///
-/// A product of rotations is found by its elements: operations that are cheap for each of its factors, such as the
-/// rotation of a vector or the angular velocity, need not use them. A vector is found by its components: what no
-/// rotation changes, such as its length, is then computed in the cheapest of the frames in which it is known.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct KnownFrames {
-    pub(crate) tree: FrameTree,
-    /// The factors of matrices of three rows and columns, by their elements, column by column.
-    pub(crate) factors: BTreeMap<[Expression; 9], Vec<MatrixFactor>>,
-    /// Vectors along inertial axes, by their components.
-    pub(crate) vectors: BTreeMap<[Expression; 3], VectorInFrames>,
-    /// The vectors that are resolved last, where they are.
-    pub(crate) unresolved: Option<UnresolvedVectors>,
 }
 
 /// A vector that is resolved last, by its number.

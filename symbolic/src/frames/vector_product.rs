@@ -1,25 +1,28 @@
 //! Products of vectors, which may be rows or columns, and their norms.
 
-use crate::matrix::dense::Matrix;
-use crate::{Expression, Geometry, Graph, Rational};
+use crate::frames::matrix::Matrix;
+use crate::{Expression, Geometry, Graph};
 
 impl Geometry {
     /// x · y of two rows or two columns of equal length.
     pub fn dot_product(&mut self, x: &Matrix, y: &Matrix) -> Option<Expression> {
-        if !x.is_vector() || x.shape() != y.shape() {
-            return None;
-        }
-        if let Some(product) = self.unresolved_dot_product(x, y) {
-            return Some(product);
-        }
-        if let Some(product) = self.homogeneous_dot_product(x, y) {
-            return Some(product);
+        let fits = x.is_vector() && x.shape() == y.shape();
+        fits.then(|| self.inner_product(x, y))
+    }
+
+    /// The sum of the products of elements in the same place, of matrices of one shape.
+    fn inner_product(&mut self, x: &Matrix, y: &Matrix) -> Expression {
+        let unresolved = self.unresolved_dot_product(x, y);
+        if let Some(product) = unresolved.or_else(|| self.homogeneous_dot_product(x, y)) {
+            return product;
         }
         let pairs = x.elements().iter().copied();
-        let product = self
-            .graph
-            .sum_of_products(pairs.zip(y.elements().iter().copied()));
-        Some(self.or_in_other_frames(product, x, y))
+        let pairs = pairs.zip(y.elements().iter().copied());
+        let product = self.graph.sum_of_products(pairs);
+        let other = self.dot_product_of_parts(x, y);
+        let cheaper =
+            other.filter(|other| self.graph.cost(&[*other]) < self.graph.cost(&[product]));
+        cheaper.unwrap_or(product)
     }
 
     /// x × y of two rows or two columns of three components.
@@ -38,29 +41,7 @@ impl Geometry {
 
     /// The sum of the squares of all elements.
     pub fn norm_squared(&mut self, matrix: &Matrix) -> Expression {
-        if let Some(square) = self.unresolved_dot_product(matrix, matrix) {
-            return square;
-        }
-        if let Some(square) = self.homogeneous_dot_product(matrix, matrix) {
-            return square;
-        }
-        let squares: Vec<_> = matrix
-            .elements()
-            .iter()
-            .map(|x| self.graph.square(*x))
-            .collect();
-        let sum = self
-            .graph
-            .sum(squares.into_iter().map(|square| (square, Rational::ONE)));
-        self.or_in_other_frames(sum, matrix, matrix)
-    }
-
-    /// x · y by the elements, unless it is cheaper in another frame.
-    fn or_in_other_frames(&mut self, product: Expression, x: &Matrix, y: &Matrix) -> Expression {
-        let other = self.dot_product_of_parts(x, y);
-        let cheaper =
-            other.filter(|other| self.graph.cost(&[*other]) < self.graph.cost(&[product]));
-        cheaper.unwrap_or(product)
+        self.inner_product(matrix, matrix)
     }
 
     /// The length of a vector: the root of the sum of the squares of all elements.

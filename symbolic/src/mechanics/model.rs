@@ -1,7 +1,7 @@
 //! A mechanical system as declared: what comes into the derivation.
 
 use crate::mechanics::constraints::Constraint;
-use crate::{Expression, Graph, Symbol, SystemInFrames};
+use crate::{DeclaredSystem, Expression, Graph, Symbol};
 
 /// The energies and forces of a system with `coordinates` degrees of freedom.
 ///
@@ -28,8 +28,9 @@ pub struct Model {
     pub constraints: Vec<Constraint>,
     /// Quantities for observers.
     pub outputs: Vec<Expression>,
-    /// The energies and constraints once more, with vectors that are resolved last; none where nothing turns.
-    pub in_frames: Option<SystemInFrames>,
+    /// The operations by which energies and constraints were declared, from which a mechanism is read; none where nothing
+    /// turns.
+    pub declaration: Option<DeclaredSystem>,
 }
 
 /// The Lagrangian function, as energies or directly.

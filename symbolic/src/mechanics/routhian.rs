@@ -132,7 +132,7 @@ impl Reduction {
             forces: system.forces,
             constraints,
             outputs: Vec::new(),
-            in_frames: None,
+            declaration: None,
             graph,
         };
         Ok(Self {

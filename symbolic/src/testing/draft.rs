@@ -164,7 +164,7 @@ impl Draft {
             forces: vec![zero; self.coordinates as usize],
             constraints: Vec::new(),
             outputs: Vec::new(),
-            in_frames: None,
+            declaration: None,
             graph,
         }
     }

@@ -1,8 +1,7 @@
 //! The functions of vectors and matrices: one row for each.
 
 use crate::limits::{MAX_ARRAY, MAX_DETERMINANT, MAX_DIAGONAL_ROWS};
-use crate::typed::components::Components;
-use crate::typed::evaluation::NoValue;
+use crate::typed::components::{Components, NoValue};
 use crate::{Geometry, Matrix, NoInverse, Rational};
 
 /// The value of a function, or what its arguments should be.

@@ -5,8 +5,8 @@
 //! position. As expressions of q and q̇ the two do not differ: hence the operations are evaluated in a graph of their own.
 
 use crate::Geometry;
-use crate::typed::components::Components;
-use crate::typed::evaluation::{Evaluation, NoValue};
+use crate::typed::components::{Components, NoValue};
+use crate::typed::evaluation::Evaluation;
 use crate::typed::graph::TypedGraph;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::typed::rest::Rest;
@@ -16,21 +16,19 @@ use crate::typed::rest::Rest;
 pub struct AtRest {
     geometry: Geometry,
     rest: Rest,
+    /// The components of the first values.
     known: Vec<Option<Components>>,
-    /// The first values, whose components are known.
-    evaluated: Vec<bool>,
 }
 
 impl AtRest {
-    /// The values of a graph at rest, which are evaluated where they are asked for.
+    /// The values of a graph at rest, which are evaluated as far as they are asked for.
     #[must_use]
     pub fn new(graph: &TypedGraph) -> Self {
-        let begin = graph.beginning.values;
+        let beginning = graph.beginning.clone();
         Self {
-            geometry: Geometry::from(graph.beginning.graph.clone()),
+            geometry: Geometry::from(beginning.graph),
             rest: Rest::default(),
-            known: graph.components[..begin].to_vec(),
-            evaluated: vec![true; begin],
+            known: beginning.components,
         }
     }
 
@@ -41,7 +39,12 @@ impl AtRest {
         value: Value,
         component: usize,
     ) -> bool {
-        self.evaluate(graph, value);
+        let begin = self.known.len();
+        let operations = graph.operations.iter().take(value.0 as usize + 1);
+        for operation in operations.skip(begin) {
+            let components = self.components_of(operation, graph.coordinates).ok();
+            self.known.push(components);
+        }
         let components = self.known[value.0 as usize].take();
         let depends = components.as_ref().is_none_or(|found| {
             let graph = &mut self.geometry.graph;
@@ -50,30 +53,6 @@ impl AtRest {
         });
         self.known[value.0 as usize] = components;
         depends
-    }
-
-    /// Evaluates a value, and what it is made of, unless they are.
-    fn evaluate(&mut self, graph: &TypedGraph, value: Value) {
-        let end = value.0 as usize + 1;
-        if self.evaluated.len() < end {
-            self.known.resize(end, None);
-            self.evaluated.resize(end, false);
-        }
-        let mut needed = vec![false; end];
-        needed[end - 1] = true;
-        for i in (0..end).rev() {
-            if needed[i] && !self.evaluated[i] {
-                for argument in graph.operations[i].arguments() {
-                    needed[argument.0 as usize] = true;
-                }
-            }
-        }
-        for (i, operation) in graph.operations[..end].iter().enumerate() {
-            if needed[i] && !self.evaluated[i] {
-                self.known[i] = self.components_of(operation, graph.coordinates).ok();
-                self.evaluated[i] = true;
-            }
-        }
     }
 
     /// The components of a value at rest: rates are unknown, and products with given vectors, which may be rates.

@@ -1,6 +1,6 @@
-//! The components of a value.
+//! The components of a value, or why it has none.
 
-use crate::{Expression, Matrix};
+use crate::{Expression, Matrix, NoRotation};
 
 /// The components of a value of a [typed graph](crate::TypedGraph).
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -11,6 +11,21 @@ pub enum Components {
     Array(Matrix),
     /// A sum without terms: the zero of whatever it is added to.
     EmptySum,
+}
+
+/// Why an operation has no value.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum NoValue {
+    /// Arguments should be something else: this.
+    Arguments(&'static str),
+    /// The array would have too many components.
+    Size,
+    /// A matrix has no inverse: its determinant vanishes identically.
+    Singular,
+    /// A matrix has no angular velocity.
+    NoRotation(NoRotation),
+    /// Shapes that do not fit, or an argument that has no value.
+    Shapes,
 }
 
 impl Components {

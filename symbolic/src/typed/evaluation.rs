@@ -1,23 +1,9 @@
 //! The components of a value, from the components of the values of which it is an operation.
 
-use crate::typed::components::Components;
+use crate::frames::homogeneous::extended;
+use crate::typed::components::{Components, NoValue};
 use crate::typed::operation::{TypedOperation, Value};
-use crate::{Expression, Geometry, Matrix, NoRotation, Rational};
-
-/// Why an operation has no value.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum NoValue {
-    /// Arguments should be something else: this.
-    Arguments(&'static str),
-    /// The array would have too many components.
-    Size,
-    /// A matrix has no inverse: its determinant vanishes identically.
-    Singular,
-    /// A matrix has no angular velocity.
-    NoRotation(NoRotation),
-    /// Shapes that do not fit, or an argument that has no value.
-    Shapes,
-}
+use crate::{Expression, Geometry, Matrix, Rational};
 
 /// An evaluation of a typed graph: the arena of the components, and the components that are known.
 pub(crate) struct Evaluation<'a> {
@@ -96,11 +82,7 @@ impl Evaluation<'_> {
                 let matrix = self.array(*of)?;
                 matrix.block(*first, *size)
             }
-            Op::Extended(vector, last) => {
-                let mut elements = self.array(*vector)?.elements().to_vec();
-                elements.push(self.scalar(*last)?);
-                Some(Matrix::vector(elements))
-            }
+            Op::Extended(vector, last) => Some(extended(self.array(*vector)?, self.scalar(*last)?)),
             Op::Homogeneous(rotation, place) => {
                 let (rotation, place) = (self.array(*rotation)?, self.array(*place)?);
                 self.geometry.graph.homogeneous(rotation, place)

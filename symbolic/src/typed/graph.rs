@@ -1,7 +1,7 @@
 //! The typed graph of a declaration.
 
-use crate::typed::components::Components;
-use crate::typed::evaluation::{Evaluation, NoValue};
+use crate::typed::components::{Components, NoValue};
+use crate::typed::evaluation::Evaluation;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::{Expression, Geometry, Graph, Rational};
 
@@ -20,11 +20,12 @@ pub struct TypedGraph {
     pub(crate) beginning: Beginning,
 }
 
-/// The graph of the symbols and functions of a declaration, before its definitions, and how many values there are.
+/// The symbols and functions of a declaration, before its definitions: where every evaluation begins.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Beginning {
     pub(crate) graph: Graph,
-    pub(crate) values: usize,
+    /// The components of the first values.
+    pub(crate) components: Vec<Option<Components>>,
 }
 
 impl TypedGraph {
@@ -40,12 +41,12 @@ impl TypedGraph {
         }
     }
 
-    /// Marks the beginning of definitions and energies. What is added before is shared by [systems in
-    /// frames](Self::in_frames) and [positions at rest](crate::AtRest), which evaluate what is added afterwards.
+    /// Marks the beginning of definitions and energies. What is added before is shared by [systems with whole
+    /// vectors](crate::DeclaredSystem) and [positions at rest](crate::AtRest), which evaluate what is added afterwards.
     pub fn begin_definitions(&mut self) {
         self.beginning = Beginning {
             graph: self.geometry.graph.clone(),
-            values: self.operations.len(),
+            components: self.components.clone(),
         };
     }
 

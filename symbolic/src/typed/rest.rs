@@ -52,9 +52,7 @@ impl Rest {
     pub(crate) fn rate(&mut self, graph: &mut Graph, value: &Components) -> Components {
         match value {
             Components::Scalar(x) => Components::Scalar(self.rate_of(graph, *x)),
-            Components::Array(matrix) => {
-                Components::Array(mapped(matrix, &mut |x| self.rate_of(graph, x)))
-            }
+            Components::Array(matrix) => Components::Array(matrix.map(|x| self.rate_of(graph, x))),
             Components::EmptySum => Components::EmptySum,
         }
     }
@@ -122,7 +120,7 @@ impl Rest {
         let products = contain(&|symbol| self.products.contains_key(&symbol));
         let moving = contain(&moves);
         if (rates[0] && !products[0]) || (rates[1] && !products[1]) {
-            return mapped(product, &mut |_| zero);
+            return product.map(|_| zero);
         }
         if products[0] || products[1] || moving[0] == moving[1] {
             return product.clone();
@@ -130,7 +128,7 @@ impl Rest {
         let position = vectors[usize::from(moving[1])];
         let number = self.unknowns;
         let mut components = position.elements().to_vec().into_iter();
-        mapped(product, &mut |x| {
+        product.map(|x| {
             let component = components.next().unwrap_or(zero);
             if !graph.contains(&[x], moves) {
                 return x;
@@ -250,11 +248,4 @@ impl Rest {
                 })
             })
     }
-}
-
-/// A matrix of the values of a function of elements, in their order.
-fn mapped(matrix: &Matrix, function: &mut dyn FnMut(Expression) -> Expression) -> Matrix {
-    let elements = matrix.elements().iter().map(|x| function(*x)).collect();
-    let (rows, columns) = matrix.shape();
-    Matrix::new(rows, columns, elements).unwrap_or_else(|| matrix.clone())
 }

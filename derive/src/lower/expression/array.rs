@@ -1,7 +1,7 @@
 //! Vectors and matrices: literals, and the functions of them.
 
 use lagrangian_symbolic::{
-    ArrayFunction, Components, MAX_ARRAY, MAX_DIAGONAL_ROWS, NoValue, TypedOperation, Value,
+    ArrayFunction, Contents, MAX_ARRAY, MAX_DIAGONAL_ROWS, NoValue, TypedOperation, Value,
 };
 use proc_macro2::Ident;
 use quote::ToTokens;
@@ -14,12 +14,7 @@ use crate::syntax::shape::Shape;
 impl Lowerer<'_> {
     /// `[x, y, z]`, or `[[a, b], [c, d]]` row by row.
     pub(super) fn array(&mut self, array: &ExprArray, context: ExpressionContext) -> Option<Value> {
-        let values: Vec<_> = array
-            .elems
-            .iter()
-            .map(|element| self.lower(element, context))
-            .collect();
-        let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
+        let values = self.each(&array.elems, context, Self::lower)?;
         if values.is_empty() {
             return self.reject(array, "write the components: `[x, y, z]`");
         }
@@ -33,13 +28,11 @@ impl Lowerer<'_> {
             }
         };
         // It may be a rotation that is written out, or a homogeneous matrix.
-        if let Components::Array(matrix) = self.typed.components(rows)
-            && matrix.rows() >= 3
-            && matrix.columns() >= 3
-            && matrix
-                .elements()
-                .iter()
-                .any(|x| self.graph().contents(*x).varies())
+        if let Shape::Array {
+            rows: 3..,
+            columns: 3..,
+        } = self.shape(rows)
+            && self.contains(rows, Contents::varies)
         {
             self.count_rotation(array)?;
         }

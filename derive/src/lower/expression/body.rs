@@ -20,33 +20,28 @@ use crate::syntax::body_quantity::BodyQuantity;
 use crate::syntax::shape::Shape;
 
 /// A function of a body and of where it is.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum BodyFunction {
-    KineticEnergy,
-    PotentialEnergy,
+struct BodyFunction {
+    name: &'static str,
+    arguments: &'static [&'static str],
+    /// What it takes beside a body and its rotation.
+    others: &'static str,
+    is_kinetic: bool,
 }
 
-impl BodyFunction {
-    fn named(name: &Ident) -> Option<Self> {
-        [Self::KineticEnergy, Self::PotentialEnergy]
-            .into_iter()
-            .find(|function| name == function.name())
-    }
-
-    const fn name(self) -> &'static str {
-        match self {
-            Self::KineticEnergy => "kinetic_energy",
-            Self::PotentialEnergy => "potential_energy",
-        }
-    }
-
-    const fn arguments(self) -> &'static [&'static str] {
-        match self {
-            Self::KineticEnergy => &["body", "r", "p"],
-            Self::PotentialEnergy => &["body", "r", "p", "gravity"],
-        }
-    }
-}
+static BODY_FUNCTIONS: [BodyFunction; 2] = [
+    BodyFunction {
+        name: "kinetic_energy",
+        arguments: &["body", "r", "p"],
+        others: "and the position p of their origin",
+        is_kinetic: true,
+    },
+    BodyFunction {
+        name: "potential_energy",
+        arguments: &["body", "r", "p", "gravity"],
+        others: "the position p of their origin, and the acceleration of gravity",
+        is_kinetic: false,
+    },
+];
 
 impl Lowerer<'_> {
     /// The body to which an expression refers; `None` if that is something else.
@@ -102,26 +97,21 @@ impl Lowerer<'_> {
         call: &dyn ToTokens,
         context: ExpressionContext,
     ) -> Option<Option<Value>> {
-        let function = BodyFunction::named(name)?;
+        let mut functions = BODY_FUNCTIONS.iter();
+        let function = functions.find(|function| name == function.name)?;
         Some(self.energy_of_body(function, arguments, call, context))
     }
 
     fn energy_of_body(
         &mut self,
-        function: BodyFunction,
+        function: &BodyFunction,
         arguments: &[&Expr],
         call: &dyn ToTokens,
         context: ExpressionContext,
     ) -> Option<Value> {
-        let name = function.name();
-        let expected = function.arguments();
+        let BodyFunction { name, others, .. } = function;
+        let expected = function.arguments;
         if arguments.len() != expected.len() {
-            let others = match function {
-                BodyFunction::KineticEnergy => "and the position p of their origin",
-                BodyFunction::PotentialEnergy => {
-                    "the position p of their origin, and the acceleration of gravity"
-                }
-            };
             let message = format!(
                 "`{name}` takes a body, its rotation r from its own axes to inertial ones, {others}: write \
                  `{name}({})`",
@@ -131,9 +121,10 @@ impl Lowerer<'_> {
         }
         let body = self.expected_body(name, arguments[0]);
         // What the kinetic energy is made of is differentiated.
-        let context_of_place = match function {
-            BodyFunction::KineticEnergy => ExpressionContext::Observation,
-            BodyFunction::PotentialEnergy => context,
+        let context_of_place = if function.is_kinetic {
+            ExpressionContext::Observation
+        } else {
+            context
         };
         let rotation = self.matrix_of(
             3,
@@ -147,21 +138,22 @@ impl Lowerer<'_> {
             "a position, which has three components,",
             context_of_place,
         );
-        match (function, arguments) {
-            (BodyFunction::PotentialEnergy, [.., gravity]) => {
-                let what =
-                    "the acceleration of gravity, which is a vector such as `[0.0, 0.0, -g]`,";
-                let gravity = self.matrix_of(1, gravity, what, context);
-                let rotation = rotation?;
-                if let Components::Array(matrix) = self.typed.components(rotation).clone()
-                    && let Err(reason) = self.typed.geometry.check_rotation(&matrix)
-                {
-                    return self.reject(arguments[1], no_rotation(reason));
-                }
-                self.potential_of_body(&body?, rotation, position?, gravity?)
-            }
-            _ => self.kinetic_of_body(&body?, (rotation?, arguments[1]), position?, call, context),
+        let [_, written, _, gravity @ ..] = arguments else {
+            return None;
+        };
+        let [gravity] = gravity else {
+            let rotation = (rotation?, *written);
+            return self.kinetic_of_body(&body?, rotation, position?, call, context);
+        };
+        let what = "the acceleration of gravity, which is a vector such as `[0.0, 0.0, -g]`,";
+        let gravity = self.matrix_of(1, gravity, what, context);
+        let rotation = rotation?;
+        if let Components::Array(matrix) = self.typed.components(rotation).clone()
+            && let Err(reason) = self.typed.geometry.check_rotation(&matrix)
+        {
+            return self.reject(written, no_rotation(reason));
         }
+        self.potential_of_body(&body?, rotation, position?, gravity?)
     }
 
     /// The body that an argument is.

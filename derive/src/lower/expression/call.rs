@@ -235,11 +235,7 @@ impl Lowerer<'_> {
                 format!("`{written}` takes {count}: write `{example}`"),
             );
         }
-        let values: Vec<_> = arguments
-            .iter()
-            .map(|argument| self.lower(argument, context))
-            .collect();
-        let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
+        let values = self.each(arguments.iter().copied(), context, Self::lower)?;
         match written.as_str() {
             "identity" => return self.identity(arguments[0]),
             "row" | "column" => {

@@ -1,6 +1,6 @@
 //! `dot(x)`: the total time derivative.
 
-use lagrangian_symbolic::{TypedOperation, Value};
+use lagrangian_symbolic::{Contents, TypedOperation, Value};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, ExprCall};
@@ -26,8 +26,7 @@ impl Lowerer<'_> {
             _ => return self.reject(call, "`dot` takes one argument: write `dot(theta)`"),
         };
         let value = self.lower(argument, ExpressionContext::Observation)?;
-        let mut components = self.elements(value).iter();
-        let varies = components.any(|component| self.graph().contents(*component).varies());
+        let varies = self.contains(value, Contents::varies);
         if !varies && !self.is_empty_sum(value) && !self.is_named(argument.to_token_stream()) {
             return self.reject(
                 argument,
@@ -55,8 +54,7 @@ impl Lowerer<'_> {
         if self.within_derivative {
             return self.reject(call, format!("no time passes in a function: {MADE_OF}"));
         }
-        let mut components = self.elements(value).iter();
-        if components.any(|component| self.graph().contents(*component).has_input()) {
+        if self.contains(value, Contents::has_input) {
             return self.reject(
                 call,
                 "this contains an input, whose rate of change is unknown: take `dot` of coordinates and of \

@@ -1,6 +1,6 @@
 //! External functions: the declaration of their derivatives, and their application.
 
-use lagrangian_symbolic::{ExternalFunction, Symbol, TypedOperation, Value};
+use lagrangian_symbolic::{Contents, ExternalFunction, Symbol, TypedOperation, Value};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Expr;
@@ -68,10 +68,7 @@ impl Lowerer<'_> {
             Some(
                 Binding::Quantity(Origin::Defined, _) | Binding::Family(..) | Binding::DefinedLater,
             ) => false,
-            Some(Binding::Quantity(_, value)) => {
-                let mut components = self.elements(value).iter();
-                !components.any(|component| self.graph().contents(*component).varies_in_time())
-            }
+            Some(Binding::Quantity(_, value)) => !self.contains(value, Contents::varies_in_time),
             _ => true,
         };
         if known {
@@ -106,11 +103,7 @@ impl Lowerer<'_> {
             );
             return self.reject(call, message);
         }
-        let values: Vec<_> = arguments
-            .iter()
-            .map(|argument| self.scalar(argument, context))
-            .collect();
-        let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
+        let values = self.each(arguments.iter().copied(), context, Self::scalar)?;
         self.add(TypedOperation::External(function, values))
     }
 }

@@ -13,8 +13,7 @@ use crate::syntax::shape::Shape;
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum RotationFunction {
     Rotation,
-    AngularVelocity,
-    AngularVelocityInertial,
+    AngularVelocity { is_inertial: bool },
 }
 
 /// The sequences of three axes: of proper Euler angles, then of Tait–Bryan angles.
@@ -32,12 +31,9 @@ impl Lowerer<'_> {
         context: ExpressionContext,
     ) -> Option<Option<Value>> {
         let written = name.to_string();
-        match written.as_str() {
-            "angular_velocity" | "angular_velocity_inertial" => {
-                let inertial = written != "angular_velocity";
-                return Some(self.angular_velocity(name, call, arguments, inertial, context));
-            }
-            _ => {}
+        if let "angular_velocity" | "angular_velocity_inertial" = written.as_str() {
+            let inertial = written != "angular_velocity";
+            return Some(self.angular_velocity(name, call, arguments, inertial, context));
         }
         let (function, letters) = parts(&written)?;
         Some(self.sequence(name, call, arguments, function, letters, context))
@@ -70,23 +66,16 @@ impl Lowerer<'_> {
         // The angles of an angular velocity are differentiated.
         let context_of_angles = match function {
             RotationFunction::Rotation => context,
-            _ => ExpressionContext::Observation,
+            RotationFunction::AngularVelocity { .. } => ExpressionContext::Observation,
         };
-        let angles: Vec<_> = arguments
-            .iter()
-            .map(|angle| self.scalar(angle, context_of_angles))
-            .collect();
-        let angles: Vec<Value> = angles.into_iter().collect::<Option<_>>()?;
+        let angles = self.each(arguments.iter().copied(), context_of_angles, Self::scalar)?;
         let factors: Vec<_> = axes.into_iter().zip(angles).collect();
         self.count_rotation(call)?;
         let rotation = self.add(TypedOperation::Rotation(factors))?;
         match function {
             RotationFunction::Rotation => Some(rotation),
-            RotationFunction::AngularVelocity => {
-                self.velocity(call, call, rotation, false, context)
-            }
-            RotationFunction::AngularVelocityInertial => {
-                self.velocity(call, call, rotation, true, context)
+            RotationFunction::AngularVelocity { is_inertial } => {
+                self.velocity(call, call, rotation, is_inertial, context)
             }
         }
     }
@@ -181,10 +170,10 @@ fn parts(name: &str) -> Option<(RotationFunction, &str)> {
         return Some((RotationFunction::Rotation, letters));
     }
     let letters = name.strip_prefix("angular_velocity_")?;
-    Some(match letters.strip_suffix("_inertial") {
-        Some(letters) => (RotationFunction::AngularVelocityInertial, letters),
-        None => (RotationFunction::AngularVelocity, letters),
-    })
+    let inertial = letters.strip_suffix("_inertial");
+    let is_inertial = inertial.is_some();
+    let function = RotationFunction::AngularVelocity { is_inertial };
+    Some((function, inertial.unwrap_or(letters)))
 }
 
 /// The axes of a sequence of one to three letters, of which neighbours differ.

@@ -1,10 +1,10 @@
 //! Vectors that are resolved last have the components that they have when resolved at once.
 
+use crate::frames::axis::Axis;
+use crate::frames::factor::{ElementaryRotation, MatrixFactor};
+use crate::frames::matrix::Matrix;
 use crate::frames::rotation::NoRotation;
 use crate::frames::vector_in_frames::Term;
-use crate::matrix::axis::Axis;
-use crate::matrix::dense::Matrix;
-use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
 use crate::{Expression, Geometry, Rational, Symbol, Unary};
 
 const COORDINATES: u32 = 4;

@@ -1,6 +1,6 @@
 //! What a link carries: mass, first moment and second moments about its origin.
 
-use crate::matrix::axis::Axis;
+use crate::frames::axis::Axis;
 use crate::mechanics::mechanism::{Vector, kept};
 use crate::{Expression, Graph, Rational};
 

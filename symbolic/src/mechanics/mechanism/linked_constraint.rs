@@ -6,9 +6,10 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
 use crate::frames::vector_in_frames::{Term, VectorId};
-use crate::matrix::factor::MatrixFactor;
+use crate::mechanics::mechanism::points::Places;
 use crate::mechanics::mechanism::reading::Reader;
 use crate::mechanics::mechanism::{Link, Vector};
 use crate::{Expression, Graph, Symbol};
@@ -60,21 +61,7 @@ impl LinkedConstraint {
             })
             .collect()
     }
-
-    pub(super) fn for_each_expression(&mut self, mut visit: impl FnMut(&mut Expression)) {
-        visit(&mut self.rest);
-        for velocity in &mut self.velocities {
-            velocity.direction.iter_mut().for_each(&mut visit);
-            velocity.constant.iter_mut().flatten().for_each(&mut visit);
-            if let VelocityKind::Point(vector) | VelocityKind::Fixed(vector) = &mut velocity.kind {
-                vector.iter_mut().for_each(&mut visit);
-            }
-        }
-    }
 }
-
-/// A sum of vectors that are constant in frames.
-type Places = BTreeMap<Frame, Vector>;
 
 /// The components of vectors, along inertial axes or the axes of a link.
 #[derive(Clone, Copy)]
@@ -232,7 +219,7 @@ impl Reader {
         // What lies along the axis of the turn is known in the frame before, too.
         let mut here = frame;
         let mut axis = None;
-        while let Some((before, factor)) = self.geometry.frames.tree.before(here) {
+        while let Some((before, factor)) = self.geometry.frames.before(here) {
             let Some(own_axis) = axis_of(&factor) else {
                 break;
             };
@@ -271,10 +258,10 @@ impl Reader {
     fn along_axes_before(&mut self, mut places: Places) -> Places {
         let zero = self.geometry.graph.zero();
         let mut frames: Vec<_> = places.keys().copied().collect();
-        let depth = |frame: &Frame| self.geometry.frames.tree.depth(*frame);
+        let depth = |frame: &Frame| self.geometry.frames.depth(*frame);
         frames.sort_by_key(|frame| core::cmp::Reverse((depth(frame), *frame)));
         for mut frame in frames {
-            while let Some((before, factor)) = self.geometry.frames.tree.before(frame)
+            while let Some((before, factor)) = self.geometry.frames.before(frame)
                 && let Some(axis) = axis_of(&factor)
                 && let Some(place) = places.get_mut(&frame)
                 && place[axis] != zero
@@ -289,16 +276,10 @@ impl Reader {
         places
     }
 
-    fn add_place(&mut self, places: &mut Places, frame: Frame, place: Vector) {
-        let zero = self.geometry.graph.zero();
-        let sum = places.entry(frame).or_insert([zero; 3]);
-        *sum = [0, 1, 2].map(|i| self.geometry.graph.add(sum[i], place[i]));
-    }
-
     /// The frame that is turned most.
     fn deepest(&self, places: &Places) -> Option<Frame> {
         let frames = places.keys().copied();
-        frames.max_by_key(|frame| (self.geometry.frames.tree.depth(*frame), *frame))
+        frames.max_by_key(|frame| (self.geometry.frames.depth(*frame), *frame))
     }
 
     /// The links from the first to this one.

@@ -2,16 +2,19 @@
 
 use std::collections::BTreeMap;
 
+use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
-use crate::matrix::factor::MatrixFactor;
 use crate::mechanics::mechanism::reading::{Point, Reader};
 use crate::mechanics::mechanism::{Inertia, Link, Turn, Vector};
 use crate::{Expression, Graph, Node};
 
+/// A sum of vectors along the axes of frames.
+pub(super) type Places = BTreeMap<Frame, Vector>;
+
 impl Reader {
     /// A link with the axes of a frame.
     pub(super) fn link_of(&mut self, frame: Frame) -> Option<usize> {
-        let path = self.geometry.frames.tree.path(frame);
+        let path = self.geometry.frames.path(frame);
         let known = path.iter().rev().find_map(|(frame, _)| {
             let link = self.frames.iter().position(|known| known == frame)?;
             Some((link, *frame))
@@ -28,11 +31,10 @@ impl Reader {
     /// New links are made for the frames on the way, and for a place that varies in the last.
     pub(super) fn point(&mut self, terms: &[(Frame, Vector)]) -> Option<Point> {
         let zero = self.geometry.graph.zero();
-        let mut places: BTreeMap<Frame, Vector> = BTreeMap::new();
+        let mut places = Places::new();
         for term in terms {
             let (frame, place) = self.carried(*term);
-            let sum = places.entry(frame).or_insert([zero; 3]);
-            *sum = [0, 1, 2].map(|i| self.geometry.graph.add(sum[i], place[i]));
+            self.add_place(&mut places, frame, place);
         }
         let place = places.remove(&Frame::INERTIAL).unwrap_or([zero; 3]);
         let mut place = place.map(|x| self.moving_part(x));
@@ -47,6 +49,12 @@ impl Reader {
             place = [zero; 3];
         }
         Some((link, place))
+    }
+
+    pub(super) fn add_place(&mut self, places: &mut Places, frame: Frame, place: Vector) {
+        let zero = self.geometry.graph.zero();
+        let sum = places.entry(frame).or_insert([zero; 3]);
+        *sum = [0, 1, 2].map(|i| self.geometry.graph.add(sum[i], place[i]));
     }
 
     /// A place along inertial axes without its constant terms, which no velocity shows.
@@ -85,8 +93,8 @@ impl Reader {
     /// have in common, and forth. Turns about one axis there and back are one, as of angles against the horizontal.
     fn steps(&mut self, here: Frame, there: Frame) -> Vec<(Frame, MatrixFactor)> {
         let (from, to) = (
-            self.geometry.frames.tree.path(here),
-            self.geometry.frames.tree.path(there),
+            self.geometry.frames.path(here),
+            self.geometry.frames.path(there),
         );
         let pairs = from.iter().zip(&to);
         let common = pairs.take_while(|(x, y)| x == y).count();
@@ -97,11 +105,11 @@ impl Reader {
         let back = back.map(|(_, factor)| factor.transpose());
         let forth = to[common..].iter().map(|(_, factor)| *factor);
         let factors = self.geometry.combined(back.chain(forth));
-        let mut path = self.geometry.frames.tree.factors(here);
+        let mut path = self.geometry.frames.factors(here);
         let mut steps = Vec::with_capacity(factors.len());
         for factor in factors {
             path.push(factor);
-            steps.push((self.geometry.frames.tree.frame(&path), factor));
+            steps.push((self.geometry.frames.frame(&path), factor));
         }
         if let Some((frame, _)) = steps.last_mut() {
             *frame = there;
@@ -115,7 +123,7 @@ impl Reader {
         if !self.varies(place) {
             return (frame, place);
         }
-        for (next, factor) in self.geometry.frames.tree.behind(frame) {
+        for (next, factor) in self.geometry.frames.behind(frame) {
             let turned = factor.transpose().apply(&mut self.geometry.graph, place);
             let turned = turned.map(|x| self.geometry.graph.reduced(x));
             if !self.varies(turned) {

@@ -12,10 +12,10 @@ use std::collections::BTreeMap;
 
 use crate::frames::frame_tree::Frame;
 use crate::frames::vector_in_frames::{Term, UnresolvedVectors, VectorId};
-use crate::limits::MAX_TURNS_OF_A_BASE;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
-use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Turn, Vector};
-use crate::{Expression, Geometry, Graph, Model, Node, Rational, Symbol, SystemInFrames};
+use crate::mechanics::mechanism::{Inertia, Link, Mechanism, Vector};
+use crate::typed::declared_system::SystemInFrames;
+use crate::{Expression, Geometry, Graph, Model, Node, Rational, Symbol};
 
 /// A link, or the inertial frame, and a place along its axes.
 pub(super) type Point = (Option<usize>, Vector);
@@ -33,79 +33,22 @@ impl Mechanism {
     }
 
     fn with_origins(model: &mut Model, keeps_origins: bool) -> Option<Self> {
-        let energies = model.in_frames.clone()?;
-        let SystemInFrames {
-            mut geometry,
-            kinetic,
-            potential,
-            constraints,
-        } = energies;
-        let velocities = QuasiVelocities::declared(&mut geometry.graph, kinetic)?;
-        let vectors = geometry.frames.unresolved.clone()?;
+        let declaration = model.declaration.as_ref()?;
+        // On a copy: what is read in vain stays out of the equations.
+        let geometry = Geometry::from(model.graph.clone());
+        let mut geometry = geometry.with_unresolved_vectors(model.coordinates);
+        let system = declaration.in_frames(&mut geometry)?;
         let mut reader = Reader {
+            vectors: geometry.unresolved.clone()?,
             geometry,
-            vectors,
             links: Vec::new(),
             frames: Vec::new(),
             masses: Vec::new(),
             keeps_origins,
         };
-        let kinetic = reader.read_inertia(&velocities)?;
-        let (base_acceleration, potential) = reader.uniform_gravity(potential);
-        let constraints = constraints.and_then(|velocities| {
-            let velocities = velocities.into_iter();
-            let linked = velocities.map(|velocity| reader.linked_constraint(velocity));
-            linked.collect::<Option<Vec<_>>>()
-        });
-        let rest = reader.geometry.resolved(&[kinetic, potential]);
-        let graph = &reader.geometry.graph;
-        let mechanism = Self {
-            links: reader.links,
-            base_acceleration,
-            other_kinetic: rest[0],
-            other_potential: rest[1],
-            moved: Vec::new(),
-            constraints,
-        };
-        let bodies = mechanism
-            .links
-            .iter()
-            .filter(|link| !link.inertia.vanishes(graph));
-        // A single body is solved through its angular velocity.
-        if bodies.count() < 2 {
-            return None;
-        }
-        Some(mechanism.imported(&mut model.graph, &reader.geometry.graph))
-    }
-
-    /// The same mechanism in another graph.
-    fn imported(mut self, graph: &mut Graph, from: &Graph) -> Self {
-        let mut all = Vec::new();
-        self.for_each_expression(|x| all.push(*x));
-        let mut copies = graph.imported(from, &all).into_iter();
-        self.for_each_expression(|x| *x = copies.next().unwrap_or(*x));
-        self
-    }
-
-    fn for_each_expression(&mut self, mut visit: impl FnMut(&mut Expression)) {
-        for link in &mut self.links {
-            link.place.iter_mut().for_each(&mut visit);
-            match &mut link.turn {
-                Turn::Identity => {}
-                Turn::Elementary(rotation) | Turn::Spin(rotation) => visit(&mut rotation.angle),
-                Turn::General(elements) => elements.iter_mut().for_each(&mut visit),
-            }
-            let inertia = &mut link.inertia;
-            visit(&mut inertia.mass);
-            inertia.first.iter_mut().for_each(&mut visit);
-            inertia.second.iter_mut().flatten().for_each(&mut visit);
-        }
-        self.base_acceleration.iter_mut().for_each(&mut visit);
-        visit(&mut self.other_kinetic);
-        visit(&mut self.other_potential);
-        for constraint in self.constraints.iter_mut().flatten() {
-            constraint.for_each_expression(&mut visit);
-        }
+        let mechanism = reader.mechanism(system)?;
+        model.graph = reader.geometry.graph;
+        Some(mechanism)
     }
 }
 
@@ -123,6 +66,35 @@ pub(super) struct Reader {
 }
 
 impl Reader {
+    /// The mechanism of a system, if it has several bodies.
+    fn mechanism(&mut self, system: SystemInFrames) -> Option<Mechanism> {
+        let velocities = QuasiVelocities::declared(&mut self.geometry.graph, system.kinetic)?;
+        let kinetic = self.read_inertia(&velocities)?;
+        let (base_acceleration, potential) = self.uniform_gravity(system.potential);
+        let constraints = system.constraints.and_then(|velocities| {
+            let velocities = velocities.into_iter();
+            let linked = velocities.map(|velocity| self.linked_constraint(velocity));
+            linked.collect::<Option<Vec<_>>>()
+        });
+        let rest = self.geometry.resolved(&[kinetic, potential]);
+        let links = core::mem::take(&mut self.links);
+        let bodies = links
+            .iter()
+            .filter(|link| !link.inertia.vanishes(&self.geometry.graph));
+        // A single body is solved through its angular velocity.
+        if bodies.count() < 2 {
+            return None;
+        }
+        Some(Mechanism {
+            links,
+            base_acceleration,
+            other_kinetic: rest[0],
+            other_potential: rest[1],
+            moved: Vec::new(),
+            constraints,
+        })
+    }
+
     /// Gives all links their inertia; the rest of T.
     fn read_inertia(&mut self, velocities: &QuasiVelocities) -> Option<Expression> {
         let mut blocks: BTreeMap<(VectorId, VectorId), [Vector; 3]> = BTreeMap::new();
@@ -181,6 +153,12 @@ impl Reader {
         (!symbols.any(|symbol| is_component(&symbol))).then_some(rest)
     }
 
+    /// Adds to what a link carries.
+    fn carry(&mut self, link: usize, inertia: &Inertia) {
+        let carried = &mut self.links[link].inertia;
+        carried.add(&mut self.geometry.graph, inertia);
+    }
+
     /// What T has besides, of terms ½ W u v: moments of inertia about axes that turn with u = v are those of their links.
     fn rest_of_kinetic(
         &mut self,
@@ -195,9 +173,7 @@ impl Reader {
                 let mut tensor = [[self.geometry.graph.zero(); 3]; 3];
                 tensor[axis][axis] = *entry;
                 let inertia = Inertia::of_tensor(&mut self.geometry.graph, &tensor);
-                self.links[link]
-                    .inertia
-                    .add(&mut self.geometry.graph, &inertia);
+                self.carry(link, &inertia);
                 continue;
             }
             let product = self
@@ -211,28 +187,14 @@ impl Reader {
 
     /// The link whose angular velocity has this component along an axis, and no others.
     fn turning_link(&mut self, rate: Expression) -> Option<(usize, usize)> {
-        let zero = self.geometry.graph.zero();
-        for (link, frame) in self.frames.clone().into_iter().enumerate() {
-            let factors = self.geometry.frames.tree.factors(frame);
-            if factors.len() > MAX_TURNS_OF_A_BASE {
-                continue;
-            }
-            let coordinates = self.vectors.coordinates;
-            let velocity = self
-                .geometry
-                .angular_velocity_of_product(&factors, coordinates);
-            let Ok(velocity) = velocity else {
-                continue;
-            };
-            for axis in 0..3 {
-                let mut along = [zero; 3];
-                along[axis] = rate;
-                if velocity == along {
-                    return Some((link, axis));
-                }
-            }
-        }
-        None
+        (0..3).find_map(|axis| {
+            let mut along = [self.geometry.graph.zero(); 3];
+            along[axis] = rate;
+            let frames = self.geometry.frames_that_turn(along).into_iter();
+            let mut links =
+                frames.filter_map(|frame| self.frames.iter().position(|known| *known == frame));
+            links.next().map(|link| (link, axis))
+        })
     }
 
     /// The mass of ½ m |v|² of the velocity v of a point; nothing of an angular velocity along the axes of its frame.
@@ -253,9 +215,7 @@ impl Reader {
         self.masses.push((point, mass));
         if let (Some(link), place) = point {
             let inertia = Inertia::point(&mut self.geometry.graph, mass, place);
-            self.links[link]
-                .inertia
-                .add(&mut self.geometry.graph, &inertia);
+            self.carry(link, &inertia);
         }
         Some(())
     }
@@ -270,7 +230,7 @@ impl Reader {
                 let [Term::Rate(frame, place)] = *self.vectors.vector(other).terms else {
                     return None;
                 };
-                let path = self.geometry.frames.tree.path(frame);
+                let path = self.geometry.frames.path(frame);
                 let is_before = |known: Frame| {
                     known == Frame::INERTIAL || path.iter().any(|(frame, _)| *frame == known)
                 };
@@ -292,9 +252,7 @@ impl Reader {
             .place
             .map(|x| self.geometry.graph.multiply(moment.mass, x));
         let inertia = inertia.moved(&mut self.geometry.graph, place);
-        self.links[link?]
-            .inertia
-            .add(&mut self.geometry.graph, &inertia);
+        self.carry(link?, &inertia);
         Some(())
     }
 
@@ -317,9 +275,7 @@ impl Reader {
             && let Some(link) = self.link_of(*frame)
         {
             let inertia = Inertia::of_tensor(&mut self.geometry.graph, tensor);
-            self.links[link]
-                .inertia
-                .add(&mut self.geometry.graph, &inertia);
+            self.carry(link, &inertia);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! How the axes of a link are turned against those of the link before.
 
-use crate::matrix::factor::{ElementaryRotation, MatrixFactor};
+use crate::frames::factor::{ElementaryRotation, MatrixFactor};
 use crate::mechanics::mechanism::Vector;
 use crate::{Expression, Graph, Node, Rational, Symbol, Unary};
 

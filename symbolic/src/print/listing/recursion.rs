@@ -4,7 +4,7 @@
 //!
 //! The links are those from which the program of inverse dynamics is made, before what they carry is regrouped.
 
-use crate::matrix::factor::MatrixFactor;
+use crate::frames::factor::MatrixFactor;
 use crate::mechanics::mechanism::{Inertia, Mechanism, Turn, Vector};
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::print::index::Index;
@@ -31,7 +31,7 @@ struct Recursion<'a> {
 impl Composer<'_> {
     /// The recursion, where the model is a mechanism, some of Lagrange's equations are left out, and all of it has room.
     pub(crate) fn recursion(&mut self, equations: &Equations, lagrange: &Section) -> Vec<Section> {
-        if self.model.in_frames.is_none() || lagrange.has_room_for_all(&self.letters) {
+        if self.model.declaration.is_none() || lagrange.has_room_for_all(&self.letters) {
             return Vec::new();
         }
         let sections = self.recursion_of_links(equations);

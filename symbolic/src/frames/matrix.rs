@@ -1,18 +1,45 @@
-//! Matrices of expressions.
-//!
-//! What is known of them besides, as the factors of a product of rotations or the frames of a vector, the graph finds by their
-//! [elements](crate::frames::vector_in_frames::KnownFrames).
+//! Matrices of expressions, and what is known of them beside their elements.
 
 use crate::Expression;
+use crate::frames::factor::MatrixFactor;
+use crate::frames::frame_tree::Frame;
 
 /// A matrix of expressions. A column vector is a matrix with one column.
-#[derive(Clone, PartialEq, Eq, Debug)]
+///
+/// Two are equal if their elements are, whatever is known of them besides.
+#[derive(Clone, Debug)]
 pub struct Matrix {
     rows: usize,
     columns: usize,
     /// Column by column.
     elements: Vec<Expression>,
+    pub(crate) known: Knowledge,
 }
+
+/// What is known of a matrix beside its elements: how it was computed, as far as that makes what is computed from it cheaper.
+#[derive(Clone, Debug)]
+pub(crate) enum Knowledge {
+    Nothing,
+    /// The factors of a matrix of three rows and columns.
+    Product(Vec<MatrixFactor>),
+    /// A vector along inertial axes, as the sum Σ R v of vectors in frames.
+    Sum(Vec<Part>),
+    /// R and p of a homogeneous matrix.
+    Homogeneous(Box<[Matrix; 2]>),
+    /// The first three of homogeneous coordinates, as a vector.
+    Coordinates(Box<Matrix>),
+}
+
+/// A vector R v, by the frame of R and its components v there.
+pub(crate) type Part = (Frame, [Expression; 3]);
+
+impl PartialEq for Matrix {
+    fn eq(&self, other: &Self) -> bool {
+        (self.shape(), self.elements()) == (other.shape(), other.elements())
+    }
+}
+
+impl Eq for Matrix {}
 
 impl Matrix {
     /// The matrix of these elements, column by column, unless their number is another one or zero.
@@ -38,7 +65,14 @@ impl Matrix {
             rows,
             columns,
             elements,
+            known: Knowledge::Nothing,
         }
+    }
+
+    /// The same matrix, of which this is known.
+    pub(crate) fn known_as(mut self, known: Knowledge) -> Self {
+        self.known = known;
+        self
     }
 
     /// The matrix with an element for each row and column.
@@ -115,13 +149,36 @@ impl Matrix {
             count > 0 && first.checked_add(count).is_some_and(|last| last <= end)
         };
         let fits = fits(row, rows, self.rows) && fits(column, columns, self.columns);
+        let part = match (&self.known, (row, column), (rows, columns)) {
+            (Knowledge::Homogeneous(blocks), (0, 0), (3, 3)) => Some(&blocks[0]),
+            (Knowledge::Homogeneous(blocks), (0, 3), (3, 1)) => Some(&blocks[1]),
+            (Knowledge::Coordinates(vector), (0, 0), (3, 1)) => Some(&**vector),
+            _ => None,
+        };
+        if let Some(part) = part {
+            return Some(part.clone());
+        }
         fits.then(|| Self::from_function(rows, columns, |i, j| self.at(row + i, column + j)))
     }
 
     /// The matrix with rows and columns exchanged.
     #[must_use]
     pub fn transpose(&self) -> Self {
-        Self::from_function(self.columns, self.rows, |i, j| self.at(j, i))
+        let known = match &self.known {
+            Knowledge::Product(factors) => {
+                let factors = factors.iter().rev().map(MatrixFactor::transpose);
+                Knowledge::Product(factors.collect())
+            }
+            sum @ Knowledge::Sum(_) => sum.clone(),
+            _ => Knowledge::Nothing,
+        };
+        Self::from_function(self.columns, self.rows, |i, j| self.at(j, i)).known_as(known)
+    }
+
+    /// The matrix of the values of a function of each element.
+    pub(crate) fn map(&self, function: impl FnMut(Expression) -> Expression) -> Self {
+        let elements = self.elements.iter().copied().map(function);
+        Self::with_elements(self.rows, self.columns, elements.collect())
     }
 
     /// The elements on the diagonal of a square matrix, as a column vector.
@@ -129,6 +186,22 @@ impl Matrix {
     pub fn diagonal(&self) -> Option<Self> {
         let diagonal = || (0..self.rows).map(|i| self.at(i, i)).collect();
         self.is_square().then(|| Self::vector(diagonal()))
+    }
+
+    /// The factors of a matrix that was computed as a product, or whose transpose was.
+    pub(crate) fn factors(&self) -> Option<&[MatrixFactor]> {
+        match &self.known {
+            Knowledge::Product(factors) => Some(factors),
+            _ => None,
+        }
+    }
+
+    /// The vectors in frames of which this one is the sum; none where it is known by its components alone.
+    pub(crate) fn parts(&self) -> &[Part] {
+        match &self.known {
+            Knowledge::Sum(parts) => parts,
+            _ => &[],
+        }
     }
 
     /// The three elements of a matrix that has three, and so only one row or column.

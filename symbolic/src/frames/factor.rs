@@ -1,6 +1,6 @@
 //! The factors of a product of 3 × 3 matrices, elementary rotations above all.
 
-use crate::matrix::axis::Axis;
+use crate::frames::axis::Axis;
 use crate::{Expression, Graph, Rational, Unary};
 
 /// A factor of a product of 3 × 3 matrices.
