@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use crate::identity::real_point::RealPoint;
 use crate::mechanics::model::Energies;
 use crate::validation::hyper_dual::HyperDual;
+use crate::validation::number::Number as _;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::sum_with_size::SumWithSize;
 use crate::validation::tape::{StandIns, Tape};

@@ -11,6 +11,7 @@ use crate::limits::{VALIDATED_POINTS, VALIDATION_ATTEMPTS};
 use crate::mechanics::model::Energies;
 use crate::mechanics::routhian::Reduction;
 use crate::validation::hyper_dual::HyperDual;
+use crate::validation::number::Number as _;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::tape::Tape;
 use crate::{Expression, Model, Symbol};
