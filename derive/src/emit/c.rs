@@ -124,29 +124,13 @@ impl<'a> Export<'a> {
         // Each function behind those that it calls, and none that is not called.
         let mut others = vec![("$_begin".to_owned(), self.begin())];
         others.extend(library::around_methods());
-        let methods = Self::METHODS.iter().rev();
-        let (factored, factors) = methods.clone().partition::<Vec<_>, _>(|method| {
-            matches!(
-                method,
-                EmittedMethod::Accelerations
-                    | EmittedMethod::InverseDynamics
-                    | EmittedMethod::Linearize
-                    | EmittedMethod::InputJacobian
-                    | EmittedMethod::Sensitivities
-                    | EmittedMethod::Energy
-                    | EmittedMethod::KineticEnergy
-                    | EmittedMethod::PotentialEnergy
-                    | EmittedMethod::Outputs
-                    | EmittedMethod::EventFunctions
-            )
-        });
         let named = |method: &EmittedMethod| {
             let function = self.method(*method)?;
             Some((format!("$_{}_at", method.row().name), function))
         };
-        others.extend(factored.into_iter().filter_map(named));
+        others.extend(Self::BEHIND_FACTORS.iter().rev().filter_map(named));
         others.push(("$_factor_at".to_owned(), self.factor_at()));
-        others.extend(factors.into_iter().filter_map(named));
+        others.extend(Self::OF_FACTORS.iter().rev().filter_map(named));
         others.push(("$_prepare".to_owned(), self.prepare()));
         for (name, text) in others {
             if body::mentions(&functions, &name) {
