@@ -73,6 +73,11 @@ impl<'a> Export<'a> {
         }
     }
 
+    /// A part of a text that only a model with parameters has.
+    fn with_parameters<'t>(&self, text: &'t str) -> &'t str {
+        if self.parameters.is_empty() { "" } else { text }
+    }
+
     fn is_constrained(&self) -> bool {
         self.emitter.is_constrained()
     }
@@ -143,11 +148,7 @@ impl<'a> Export<'a> {
 
     /// The struct of the point at which functions are evaluated.
     fn point(&self) -> String {
-        let parameters = if self.parameters.is_empty() {
-            ""
-        } else {
-            "    const $_parameters *p;\n"
-        };
+        let parameters = self.with_parameters("    const $_parameters *p;\n");
         format!(
             "/* Where functions are evaluated: parameters, what depends on them alone, time, state and inputs. */\n\
              typedef struct {{\n{parameters}    const double *z;\n    double t;\n    const double *q;\n    const double *v;\n    \

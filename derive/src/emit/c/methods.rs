@@ -46,11 +46,7 @@ impl Export<'_> {
         let mut body = self.body(method, &[]);
         let values = body.compute(invariants);
         body.assign("x", values.into_iter().enumerate());
-        let parameters = if self.parameters.is_empty() {
-            ""
-        } else {
-            "const $_parameters *p, "
-        };
+        let parameters = self.with_parameters("const $_parameters *p, ");
         body.into_function(&format!("static void $_prepare({parameters}double *x)"))
     }
 
