@@ -219,7 +219,7 @@ impl Div for HyperDual {
     type Output = Self;
 
     fn div(self, y: Self) -> Self {
-        self * y.reciprocal()
+        self * y.power(-1.0)
     }
 }
 
