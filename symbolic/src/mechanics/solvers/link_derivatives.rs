@@ -80,14 +80,6 @@ struct Carried {
     columns: Vec<Column>,
 }
 
-impl Carried {
-    /// The last column by a coordinate.
-    fn by_coordinate(&mut self, coordinate: usize) -> Option<&mut Column> {
-        let mut columns = self.columns.iter_mut().rev();
-        columns.find(|column| column.kind == 0 && column.coordinate == coordinate)
-    }
-}
-
 /// The power of a change of the wrench on what a coordinate moves, at the rate of this coordinate.
 #[derive(Clone)]
 struct Row {
@@ -195,9 +187,11 @@ impl<'a> DerivativesAlongLinks<'a> {
         }
         carried.columns.append(&mut columns);
         for (coordinate, slope) in slopes {
-            self.enter_powers(graph, (*coordinate, *slope), carried, |wrench| {
-                wrench.moment
-            });
+            for column in &carried.columns {
+                let pairs = slope.iter().copied().zip(column.wrench.moment);
+                let value = graph.sum_of_products(pairs);
+                self.enter(column.kind, column.coordinate, *coordinate, value);
+            }
             carried.rows.push(Row {
                 coordinate: *coordinate,
                 of_turning: body.coriolis.power_of_turning(graph, *slope),
@@ -207,28 +201,14 @@ impl<'a> DerivativesAlongLinks<'a> {
         self.enter_changes_of_slopes(graph, slopes, body.wrench.moment);
         // What the joint turns along with it.
         for (coordinate, slope) in slopes {
-            let Some(column) = carried.by_coordinate(*coordinate) else {
+            let own = |column: &&mut Column| column.kind == 0 && column.coordinate == *coordinate;
+            let Some(column) = carried.columns.iter_mut().rev().find(own) else {
                 continue;
             };
             let moment = graph.cross(*slope, body.wrench.moment);
             let force = graph.cross(*slope, body.wrench.force);
             let wrench = Wrench { moment, force };
             column.wrench = column.wrench.plus(graph, wrench);
-        }
-    }
-
-    /// The powers of the columns, by a part of their wrenches, at the rate of a coordinate.
-    fn enter_powers(
-        &mut self,
-        graph: &mut Graph,
-        (coordinate, slope): (usize, Vector),
-        carried: &Carried,
-        part: fn(&Wrench) -> Vector,
-    ) {
-        for column in &carried.columns {
-            let pairs = slope.into_iter().zip(part(&column.wrench));
-            let value = graph.sum_of_products(pairs);
-            self.enter(column.kind, column.coordinate, coordinate, value);
         }
     }
 
@@ -271,7 +251,11 @@ impl<'a> DerivativesAlongLinks<'a> {
         }
         carried.columns.append(&mut columns);
         for (coordinate, slope) in slopes {
-            self.enter_powers(graph, (*coordinate, *slope), carried, |wrench| wrench.force);
+            for column in &carried.columns {
+                let pairs = slope.iter().copied().zip(column.wrench.force);
+                let value = graph.sum_of_products(pairs);
+                self.enter(column.kind, column.coordinate, *coordinate, value);
+            }
             carried.rows.push(Row {
                 coordinate: *coordinate,
                 of_turning: body.coriolis.power_of_sliding(graph, *slope),
@@ -281,7 +265,8 @@ impl<'a> DerivativesAlongLinks<'a> {
         self.enter_changes_of_slopes(graph, slopes, body.wrench.force);
         // The lever of the force changes.
         for (coordinate, slope) in slopes {
-            if let Some(column) = carried.by_coordinate(*coordinate) {
+            let own = |column: &&mut Column| column.kind == 0 && column.coordinate == *coordinate;
+            if let Some(column) = carried.columns.iter_mut().rev().find(own) {
                 let lever = cross(graph, *slope, body.wrench.force);
                 let moment = column.wrench.moment;
                 column.wrench.moment = [0, 1, 2].map(|i| total(graph, &[moment[i], lever[i]]));
