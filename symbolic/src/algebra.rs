@@ -22,7 +22,6 @@ pub(crate) mod call;
 pub(crate) mod circular;
 pub(crate) mod guard;
 pub(crate) mod function;
-mod c_names;
 pub(crate) mod external_function;
 pub(crate) mod dependence;
 pub(crate) mod branches;

@@ -5,11 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
-use crate::plan::constants::{
-    CONSTANTS, CONSTANTS_OF_C, CONSTANTS_OF_CONSERVATION, CONSTANTS_OF_CONSTRAINTS,
-    CONSTANTS_OF_EVENTS, CONSTANTS_OF_FUNCTIONS, CONSTANTS_OF_INPUTS, CONSTANTS_OF_REDUCED_MODELS,
-    CONSTANTS_OF_REGRESSORS, CONSTANTS_OF_SENSITIVITIES, CONSTANTS_OF_SYSTEMS,
-};
+use crate::plan::constants::constants;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
 use crate::syntax::named::NamedExpression;
@@ -68,7 +64,10 @@ pub(super) fn refuse_reserved(name: &Ident, diagnostics: &mut Diagnostics) {
 
 /// Each coordinate, each input, each event and each constraint becomes a constant of the type, beside those that are always there.
 pub(super) fn check_constants(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    let mut taken = constants(declaration);
+    let constants = constants(declaration);
+    let constants =
+        constants.map(|(name, kind)| (name.to_owned(), format!("a constant of every {kind}")));
+    let mut taken: BTreeMap<String, String> = constants.collect();
     let clauses = &declaration.clauses;
     let coordinates = clauses.coordinates.iter();
     let coordinates = coordinates.map(|coordinate| (&coordinate.name, "coordinate"));
@@ -98,69 +97,4 @@ pub(super) fn check_constants(declaration: &Declaration, diagnostics: &mut Diagn
             diagnostics.error(name, message);
         }
     }
-}
-
-/// The constants that a model has, with what they are constants of.
-fn constants(declaration: &Declaration) -> BTreeMap<String, String> {
-    let clauses = &declaration.clauses;
-    let has_inputs = declaration.fields_with(Role::Input).next().is_some();
-    let has_functions = !clauses.functions.is_empty();
-    let has_events = !clauses.events.is_empty();
-    let has_constraints = !clauses.constraints.is_empty() || !clauses.nonholonomic.is_empty();
-    let every = "a constant of every model";
-    let all: [(&[&str], bool, &str); 11] = [
-        (&CONSTANTS, true, every),
-        (&CONSTANTS_OF_SYSTEMS, true, every),
-        (
-            &CONSTANTS_OF_CONSERVATION,
-            true,
-            "a constant of every model with constants of motion",
-        ),
-        (
-            &CONSTANTS_OF_REDUCED_MODELS,
-            clauses.routhian.is_some(),
-            "a constant of every reduced model",
-        ),
-        (
-            &CONSTANTS_OF_INPUTS,
-            has_inputs,
-            "a constant of every model with inputs",
-        ),
-        (
-            &CONSTANTS_OF_FUNCTIONS,
-            has_functions,
-            "a constant of every model with external functions",
-        ),
-        (
-            &CONSTANTS_OF_EVENTS,
-            has_events,
-            "a constant of every model with events",
-        ),
-        (
-            &CONSTANTS_OF_CONSTRAINTS,
-            has_constraints,
-            "a constant of every model with constraints",
-        ),
-        (
-            &CONSTANTS_OF_SENSITIVITIES,
-            declaration.clauses.sensitivities.is_some(),
-            "a constant of every model with `sensitivities`",
-        ),
-        (
-            &CONSTANTS_OF_REGRESSORS,
-            declaration.clauses.regressor.is_some(),
-            "a constant of every model with a `regressor`",
-        ),
-        (
-            &CONSTANTS_OF_C,
-            clauses.c.is_some(),
-            "a constant of every model with `c`",
-        ),
-    ];
-    let all = all.into_iter().filter(|(_, there, _)| *there);
-    all.flat_map(|(names, _, holder)| {
-        let names = names.iter();
-        names.map(move |name| ((*name).to_owned(), holder.to_owned()))
-    })
-    .collect()
 }

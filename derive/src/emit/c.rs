@@ -73,6 +73,11 @@ impl<'a> Export<'a> {
         }
     }
 
+    /// A part of a text that only a model with parameters has.
+    fn with_parameters<'t>(&self, text: &'t str) -> &'t str {
+        if self.parameters.is_empty() { "" } else { text }
+    }
+
     fn is_constrained(&self) -> bool {
         self.emitter.is_constrained()
     }
@@ -124,29 +129,13 @@ impl<'a> Export<'a> {
         // Each function behind those that it calls, and none that is not called.
         let mut others = vec![("$_begin".to_owned(), self.begin())];
         others.extend(library::around_methods());
-        let methods = Self::METHODS.iter().rev();
-        let (factored, factors) = methods.clone().partition::<Vec<_>, _>(|method| {
-            matches!(
-                method,
-                EmittedMethod::Accelerations
-                    | EmittedMethod::InverseDynamics
-                    | EmittedMethod::Linearize
-                    | EmittedMethod::InputJacobian
-                    | EmittedMethod::Sensitivities
-                    | EmittedMethod::Energy
-                    | EmittedMethod::KineticEnergy
-                    | EmittedMethod::PotentialEnergy
-                    | EmittedMethod::Outputs
-                    | EmittedMethod::EventFunctions
-            )
-        });
         let named = |method: &EmittedMethod| {
             let function = self.method(*method)?;
             Some((format!("$_{}_at", method.row().name), function))
         };
-        others.extend(factored.into_iter().filter_map(named));
+        others.extend(Self::BEHIND_FACTORS.iter().rev().filter_map(named));
         others.push(("$_factor_at".to_owned(), self.factor_at()));
-        others.extend(factors.into_iter().filter_map(named));
+        others.extend(Self::OF_FACTORS.iter().rev().filter_map(named));
         others.push(("$_prepare".to_owned(), self.prepare()));
         for (name, text) in others {
             if body::mentions(&functions, &name) {
@@ -159,11 +148,7 @@ impl<'a> Export<'a> {
 
     /// The struct of the point at which functions are evaluated.
     fn point(&self) -> String {
-        let parameters = if self.parameters.is_empty() {
-            ""
-        } else {
-            "    const $_parameters *p;\n"
-        };
+        let parameters = self.with_parameters("    const $_parameters *p;\n");
         format!(
             "/* Where functions are evaluated: parameters, what depends on them alone, time, state and inputs. */\n\
              typedef struct {{\n{parameters}    const double *z;\n    double t;\n    const double *q;\n    const double *v;\n    \

@@ -111,22 +111,6 @@ impl Emitter<'_> {
 }
 
 fn operation_count(count: &OperationCount) -> TokenStream {
-    let OperationCount {
-        additions,
-        multiplications,
-        divisions,
-        square_roots,
-        sines_and_cosines,
-        functions,
-    } = *count;
-    let counts = [
-        additions,
-        multiplications,
-        divisions,
-        square_roots,
-        sines_and_cosines,
-        functions,
-    ];
-    let counts = counts.map(Literal::usize_unsuffixed);
+    let counts = count.by_kind().map(Literal::usize_unsuffixed);
     quote!([#(#counts),*])
 }

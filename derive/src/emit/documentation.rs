@@ -4,8 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use lagrangian_symbolic::{
-    Declared, Equations, Expression, Graph, Listing, Model, Node, OperationCount, SolvedForm,
-    Symbol,
+    Declared, Equations, Expression, Graph, Listing, Model, Node, SolvedForm, Symbol,
 };
 
 use super::as_declared::as_declared;
@@ -30,20 +29,10 @@ pub(crate) fn of(emitter: &Emitter<'_>, equations: &str) -> String {
         "| method | + − | × | ÷ | √ | sin, cos | others |\n|---|---|---|---|---|---|---|\n",
     );
     for (name, method) in emitter.methods.counted() {
-        let OperationCount {
-            additions,
-            multiplications,
-            divisions,
-            square_roots,
-            sines_and_cosines,
-            functions,
-        } = method.map(|method| method.count).unwrap_or_default();
+        let count = method.map(|method| method.count).unwrap_or_default();
+        let counts = count.by_kind().map(|number| number.to_string()).join(" | ");
         // Writing to a `String` does not fail.
-        let _ = writeln!(
-            text,
-            "| `{name}` | {additions} | {multiplications} | {divisions} | {square_roots} | \
-             {sines_and_cosines} | {functions} |"
-        );
+        let _ = writeln!(text, "| `{name}` | {counts} |");
     }
     for (name, method) in emitter.methods.counted() {
         if let Some(MethodOutputs::ByColumns(columns)) = method.map(|method| &method.outputs) {

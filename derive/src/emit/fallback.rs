@@ -22,10 +22,7 @@ use super::inputs::{Indices, input_indices};
 use super::members_in_lanes::members_in_lanes;
 use super::signatures::Signatures;
 use crate::lower::Lowered;
-use crate::plan::constants::{
-    CONSTANTS, CONSTANTS_OF_C, CONSTANTS_OF_CONSTRAINTS, CONSTANTS_OF_EVENTS, CONSTANTS_OF_INPUTS,
-    CONSTANTS_OF_REGRESSORS, CONSTANTS_OF_SENSITIVITIES,
-};
+use crate::plan::constants::constants;
 use crate::plan::{EmittedMethod, Interface};
 use crate::syntax::coordinate::{Coordinate, indices};
 use crate::syntax::declaration::Declaration;
@@ -62,25 +59,8 @@ impl<'a> Fallback<'a> {
     fn new(declaration: &'a Declaration, lowered: &'a Lowered) -> Self {
         let scope = &lowered.scope;
         let declared = &declaration.clauses.coordinates;
-        let mut taken: BTreeSet<String> = CONSTANTS.into_iter().map(str::to_owned).collect();
-        if !lowered.events.is_empty() {
-            taken.extend(CONSTANTS_OF_EVENTS.map(str::to_owned));
-        }
-        if lowered.constraints.len() > 0 {
-            taken.extend(CONSTANTS_OF_CONSTRAINTS.map(str::to_owned));
-        }
-        if !lowered.quantities.inputs.is_empty() {
-            taken.extend(CONSTANTS_OF_INPUTS.map(str::to_owned));
-        }
-        if declaration.clauses.regressor.is_some() {
-            taken.extend(CONSTANTS_OF_REGRESSORS.map(str::to_owned));
-        }
-        if declaration.clauses.c.is_some() {
-            taken.extend(CONSTANTS_OF_C.map(str::to_owned));
-        }
-        if declaration.clauses.sensitivities.is_some() {
-            taken.extend(CONSTANTS_OF_SENSITIVITIES.map(str::to_owned));
-        }
+        let constants = constants(declaration);
+        let mut taken: BTreeSet<String> = constants.map(|(name, _)| name.to_owned()).collect();
         let coordinates: Vec<_> = indices(declared)
             .filter(|(coordinate, _)| taken.insert(constant_name(&coordinate.name)))
             .collect();

@@ -1,10 +1,59 @@
 //! The constants that a model has besides the indices of its coordinates and inputs.
 
-/// The constants of its type that every model has.
-pub(crate) const CONSTANTS: [&str; 4] = ["COORDINATES", "OPERATIONS", "EQUATIONS", "LATEX"];
+use crate::syntax::declaration::Declaration;
+use crate::syntax::field::Role;
+
+/// The constants of a declared model, each with the kind of models that have it.
+pub(crate) fn constants(
+    declaration: &Declaration,
+) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let clauses = &declaration.clauses;
+    let has_inputs = declaration.fields_with(Role::Input).next().is_some();
+    let has_constraints = !clauses.constraints.is_empty() || !clauses.nonholonomic.is_empty();
+    let has_sensitivities = clauses.sensitivities.is_some();
+    let rows: [(bool, &'static str, &'static [&'static str]); 11] = [
+        (
+            true,
+            "model",
+            &["COORDINATES", "OPERATIONS", "EQUATIONS", "LATEX"],
+        ),
+        (true, "model", &CONSTANTS_OF_TRAITS),
+        (
+            true,
+            "model with constants of motion",
+            &CONSTANTS_OF_CONSERVATION,
+        ),
+        (clauses.routhian.is_some(), "reduced model", &["ELIMINATED"]),
+        (has_inputs, "model with inputs", &["INPUTS"]),
+        (
+            !clauses.functions.is_empty(),
+            "model with external functions",
+            &["FUNCTIONS"],
+        ),
+        (!clauses.events.is_empty(), "model with events", &["EVENTS"]),
+        (has_constraints, "model with constraints", &["CONSTRAINTS"]),
+        (
+            has_sensitivities,
+            "model with `sensitivities`",
+            &["PARAMETERS"],
+        ),
+        (
+            clauses.regressor.is_some(),
+            "model with a `regressor`",
+            &["BASE_PARAMETERS", "WITHOUT_EFFECT"],
+        ),
+        (
+            clauses.c.is_some(),
+            "model with `c`",
+            &["C_SOURCE", "C_HEADER", "C_CASADI"],
+        ),
+    ];
+    let rows = rows.into_iter().filter(|(there, ..)| *there);
+    rows.flat_map(|(_, kind, names)| names.iter().map(move |name| (*name, kind)))
+}
 
 /// The constants of traits that a model has; a constant of the type would hide them.
-pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 6] = [
+const CONSTANTS_OF_TRAITS: [&str; 6] = [
     "ANGLES",
     "PERIODS",
     "IGNORABLE",
@@ -12,26 +61,11 @@ pub(crate) const CONSTANTS_OF_SYSTEMS: [&str; 6] = [
     "STAYS_REGULAR",
     "POLES",
 ];
+
 /// The constants of a model with constants of motion. Whether it has any is known after its equations: no model has
 /// others of these names.
-pub(crate) const CONSTANTS_OF_CONSERVATION: [&str; 3] = [
+const CONSTANTS_OF_CONSERVATION: [&str; 3] = [
     "CONSTANTS_OF_MOTION",
     "IGNORABLE_COORDINATES",
     "CONSERVES_ENERGY",
 ];
-/// The constants of a model with inputs.
-pub(crate) const CONSTANTS_OF_INPUTS: [&str; 1] = ["INPUTS"];
-/// The constants of a model with external functions.
-pub(crate) const CONSTANTS_OF_FUNCTIONS: [&str; 1] = ["FUNCTIONS"];
-/// The constants of a model with derivatives by parameters.
-pub(crate) const CONSTANTS_OF_SENSITIVITIES: [&str; 1] = ["PARAMETERS"];
-/// The constants of a model with a regressor.
-pub(crate) const CONSTANTS_OF_REGRESSORS: [&str; 2] = ["BASE_PARAMETERS", "WITHOUT_EFFECT"];
-/// The constants of a model that is written in C.
-pub(crate) const CONSTANTS_OF_C: [&str; 3] = ["C_SOURCE", "C_HEADER", "C_CASADI"];
-/// The constants of a reduced model.
-pub(crate) const CONSTANTS_OF_REDUCED_MODELS: [&str; 1] = ["ELIMINATED"];
-/// The constants of a model with events.
-pub(crate) const CONSTANTS_OF_EVENTS: [&str; 1] = ["EVENTS"];
-/// The constants of a model with constraints.
-pub(crate) const CONSTANTS_OF_CONSTRAINTS: [&str; 1] = ["CONSTRAINTS"];

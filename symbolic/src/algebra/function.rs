@@ -6,34 +6,80 @@
 
 use crate::{Expression, Graph, Rational};
 
-/// An elementary function of one argument.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-#[allow(missing_docs)] // Each is the function of that name.
-pub enum Unary {
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Sinh,
-    Cosh,
-    Tanh,
+macro_rules! table {
+    ($($(#[$about:meta])* $function:ident: $name:literal, $c_name:expr, $symmetry:ident, $cost:literal;)*) => {
+        /// An elementary function of one argument.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        #[allow(missing_docs)] // Each is the function of that name.
+        pub enum Unary {
+            $($(#[$about])* $function,)*
+        }
+
+        impl Unary {
+            /// All of them, in order.
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$function),*];
+
+            /// The name in a declaration and in Rust.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$function => $name,)*
+                }
+            }
+
+            /// The name in `<math.h>`; none where C has no such function, or one that rounds otherwise than that of Rust.
+            #[must_use]
+            pub const fn c_name(self) -> Option<&'static str> {
+                match self {
+                    $(Self::$function => $c_name,)*
+                }
+            }
+
+            /// How the function behaves when its argument changes sign.
+            #[must_use]
+            pub const fn symmetry(self) -> Symmetry {
+                match self {
+                    $(Self::$function => Symmetry::$symmetry,)*
+                }
+            }
+
+            /// The cost in multiplications: an estimate for x86-64 with the platform's library.
+            #[must_use]
+            pub const fn cost(self) -> usize {
+                match self {
+                    $(Self::$function => $cost,)*
+                }
+            }
+        }
+    };
+}
+
+table! {
+    // function  name         in C            symmetry cost
+    Sin:       "sin",       None,           Odd,  12;
+    Cos:       "cos",       None,           Even, 12;
+    Tan:       "tan",       Some("tan"),    Odd,  20;
+    Asin:      "asin",      Some("asin"),   Odd,  20;
+    Acos:      "acos",      Some("acos"),   None, 20;
+    Atan:      "atan",      Some("atan"),   Odd,  20;
+    Sinh:      "sinh",      Some("sinh"),   Odd,  20;
+    Cosh:      "cosh",      Some("cosh"),   Even, 20;
+    Tanh:      "tanh",      Some("tanh"),   Odd,  20;
     /// 1/cosh: what a quotient by a hyperbolic cosine becomes, see `algebra/hyperbolic.rs`.
-    Sech,
-    Asinh,
-    Acosh,
-    Atanh,
-    Exp,
-    Ln,
-    /// 1/(1 + e⁻ˣ): see `algebra/logistic.rs`.
-    Logistic,
-    /// ln(1 + eˣ), of which the logistic function is the derivative.
-    Softplus,
-    /// ln cosh x, which is the same with the other sign of x.
-    LogCosh,
-    Abs,
-    Signum,
+    Sech:      "sech",      None,           Even, 22;
+    Asinh:     "asinh",     Some("asinh"),  Odd,  20;
+    Acosh:     "acosh",     Some("acosh"),  None, 20;
+    Atanh:     "atanh",     Some("atanh"),  Odd,  20;
+    Exp:       "exp",       Some("exp"),    None, 12;
+    Ln:        "ln",        Some("log"),    None, 12;
+    /// 1/(1 + e⁻ˣ), an exponential and a quotient: see `algebra/logistic.rs`.
+    Logistic:  "logistic",  None,           None, 18;
+    /// ln(1 + eˣ), of which the logistic function is the derivative: an exponential and a logarithm.
+    Softplus:  "softplus",  None,           None, 26;
+    /// ln cosh x, which is the same with the other sign of x: an exponential and a logarithm.
+    LogCosh:   "log_cosh",  None,           Even, 26;
+    Abs:       "abs",       Some("fabs"),   Even, 1;
+    Signum:    "signum",    None,           Odd,  1;
 }
 
 /// An elementary function of two arguments.
@@ -64,30 +110,6 @@ pub enum Symmetry {
 }
 
 impl Unary {
-    /// All of them, in order.
-    pub const ALL: [Self; 20] = [
-        Self::Sin,
-        Self::Cos,
-        Self::Tan,
-        Self::Asin,
-        Self::Acos,
-        Self::Atan,
-        Self::Sinh,
-        Self::Cosh,
-        Self::Tanh,
-        Self::Sech,
-        Self::Asinh,
-        Self::Acosh,
-        Self::Atanh,
-        Self::Exp,
-        Self::Ln,
-        Self::Logistic,
-        Self::Softplus,
-        Self::LogCosh,
-        Self::Abs,
-        Self::Signum,
-    ];
-
     /// Whether a declaration can call the function by its name; the others stand for what is written by exponentials
     /// or hyperbolic cosines.
     #[must_use]
@@ -96,33 +118,6 @@ impl Unary {
             self,
             Self::Sech | Self::Logistic | Self::Softplus | Self::LogCosh
         )
-    }
-
-    /// The name in a declaration and in Rust.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sin => "sin",
-            Self::Cos => "cos",
-            Self::Tan => "tan",
-            Self::Asin => "asin",
-            Self::Acos => "acos",
-            Self::Atan => "atan",
-            Self::Sinh => "sinh",
-            Self::Cosh => "cosh",
-            Self::Tanh => "tanh",
-            Self::Sech => "sech",
-            Self::Asinh => "asinh",
-            Self::Acosh => "acosh",
-            Self::Atanh => "atanh",
-            Self::Exp => "exp",
-            Self::Ln => "ln",
-            Self::Logistic => "logistic",
-            Self::Softplus => "softplus",
-            Self::LogCosh => "log_cosh",
-            Self::Abs => "abs",
-            Self::Signum => "signum",
-        }
     }
 
     /// The value at `x`, in binary64, the same on every host.
@@ -226,26 +221,6 @@ impl Unary {
         }
     }
 
-    /// How the function behaves when its argument changes sign.
-    #[must_use]
-    pub const fn symmetry(self) -> Symmetry {
-        match self {
-            Self::Cos | Self::Cosh | Self::Sech | Self::LogCosh | Self::Abs => Symmetry::Even,
-            Self::Sin
-            | Self::Tan
-            | Self::Asin
-            | Self::Atan
-            | Self::Sinh
-            | Self::Tanh
-            | Self::Asinh
-            | Self::Atanh
-            | Self::Signum => Symmetry::Odd,
-            Self::Acos | Self::Acosh | Self::Exp | Self::Ln | Self::Logistic | Self::Softplus => {
-                Symmetry::None
-            }
-        }
-    }
-
     /// The value at an exact number, where that is exact too.
     #[must_use]
     pub fn exact(self, x: &Rational) -> Option<Rational> {
@@ -269,29 +244,6 @@ impl Unary {
             Self::Signum => Some(Rational::ONE),
         }
     }
-
-    /// The cost in multiplications: an estimate for x86-64 with the platform's library.
-    #[must_use]
-    pub const fn cost(self) -> usize {
-        match self {
-            Self::Abs | Self::Signum => 1,
-            Self::Sin | Self::Cos | Self::Exp | Self::Ln => 12,
-            Self::Sech => 22,
-            // An exponential and a quotient, or a logarithm.
-            Self::Logistic => 18,
-            Self::Softplus | Self::LogCosh => 26,
-            Self::Tan
-            | Self::Asin
-            | Self::Acos
-            | Self::Atan
-            | Self::Sinh
-            | Self::Cosh
-            | Self::Tanh
-            | Self::Asinh
-            | Self::Acosh
-            | Self::Atanh => 20,
-        }
-    }
 }
 
 impl Binary {
@@ -307,6 +259,18 @@ impl Binary {
             Self::Max => "max",
             Self::Power => "powf",
             Self::Scale => "common_scale",
+        }
+    }
+
+    /// The name in `<math.h>`; none where C has no such function.
+    #[must_use]
+    pub const fn c_name(self) -> Option<&'static str> {
+        match self {
+            Self::Atan2 => Some("atan2"),
+            Self::Min => Some("fmin"),
+            Self::Max => Some("fmax"),
+            Self::Power => Some("pow"),
+            Self::Scale => None,
         }
     }
 

@@ -44,14 +44,11 @@ impl Degrees {
                 }
             }),
             Node::Opaque(x) => self.of_expression(*x),
-            Node::Unary(_, x) => (self.of_expression(*x)? == 0).then_some(0),
-            Node::Binary(_, x, y) => {
-                let still = self.of_expression(*x)? == 0 && self.of_expression(*y)? == 0;
-                still.then_some(0)
-            }
-            Node::Application(_, arguments) => {
-                let mut degrees = arguments.iter().map(|x| self.of_expression(*x));
-                degrees.all(|degree| degree == Some(0)).then_some(0)
+            // Of what does not vary with velocities.
+            Node::Unary(..) | Node::Binary(..) | Node::Application(..) => {
+                let mut is_still = true;
+                node.for_each_operand(|x| is_still &= self.of_expression(x) == Some(0));
+                is_still.then_some(0)
             }
         }
     }

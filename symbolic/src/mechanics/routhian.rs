@@ -109,7 +109,11 @@ impl Reduction {
         if form == PoleForm::HalfAngles {
             poles.clear();
             evaluated = Some(reduced.energies.evaluated(&mut graph, direct, written[0]));
-            reduced.energies = reduced.energies.differentiated(&mut graph);
+            // Partial fractions have the shortest derivatives.
+            let form = HalfAngleForm::PartialFractions;
+            let differentiated =
+                |energies: &[Expression]| in_half_angles(&mut graph, energies, form).0;
+            reduced.energies = reduced.energies.written(differentiated);
             let evaluate = |graph: &mut Graph, expressions: &[Expression]| {
                 in_half_angles(graph, expressions, HalfAngleForm::Squares).0
             };
@@ -117,7 +121,6 @@ impl Reduction {
                 *velocity = evaluate(&mut graph, &[*velocity])[0];
             }
             // Forces are differentiated, too.
-            let form = HalfAngleForm::PartialFractions;
             system.forces = in_half_angles(&mut graph, &system.forces, form).0;
             for output in outputs.iter_mut().flatten() {
                 *output = evaluate(&mut graph, &[*output])[0];
@@ -172,20 +175,17 @@ fn in_half_angles(
 }
 
 impl Energies {
-    /// In partial fractions of half angles, which have the shortest derivatives.
-    fn differentiated(self, graph: &mut Graph) -> Self {
-        let form = HalfAngleForm::PartialFractions;
+    /// With T and V, or L, written otherwise.
+    fn written(self, write: impl FnOnce(&[Expression]) -> Vec<Expression>) -> Self {
         match self {
             Self::Natural { kinetic, potential } => {
-                let written = in_half_angles(graph, &[kinetic, potential], form).0;
+                let written = write(&[kinetic, potential]);
                 Self::Natural {
                     kinetic: written[0],
                     potential: written[1],
                 }
             }
-            Self::General(lagrangian) => {
-                Self::General(in_half_angles(graph, &[lagrangian], form).0[0])
-            }
+            Self::General(lagrangian) => Self::General(write(&[lagrangian])[0]),
         }
     }
 
@@ -207,8 +207,8 @@ impl Energies {
                     potential: graph.add(written, gyroscopic),
                 }
             }
-            Self::General(lagrangian) => {
-                Self::General(in_half_angles(graph, &[lagrangian], form).0[0])
+            general @ Self::General(_) => {
+                general.written(|lagrangian| in_half_angles(graph, lagrangian, form).0)
             }
         }
     }
@@ -371,18 +371,8 @@ impl Split {
         };
         reduced.velocities = graph.substitute(&reduced.velocities, &values);
         reduced.effective_potential = graph.substitute(&[reduced.effective_potential], &values)[0];
-        reduced.energies = match reduced.energies {
-            Energies::Natural { kinetic, potential } => {
-                let parts = graph.substitute(&[kinetic, potential], &values);
-                Energies::Natural {
-                    kinetic: parts[0],
-                    potential: parts[1],
-                }
-            }
-            Energies::General(lagrangian) => {
-                Energies::General(graph.substitute(&[lagrangian], &values)[0])
-            }
-        };
+        let renumbered = |energies: &[Expression]| graph.substitute(energies, &values);
+        reduced.energies = reduced.energies.written(renumbered);
     }
 }
 

@@ -6,33 +6,17 @@
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
 use crate::program::straight_line::{Operand, Operation, Program};
-use crate::{Binary, Expression, ExternalFunction, Graph, Rational, Symbol, Unary};
+use crate::{Expression, ExternalFunction, Graph, Rational, Symbol, Unary};
 
 /// An arithmetic in which a program is interpreted. `None` is an undefined value.
 trait Arithmetic {
     type Number: Copy;
 
-    fn constant(&mut self, value: &Rational) -> Option<Self::Number>;
-    fn pi(&mut self) -> Option<Self::Number>;
-    fn min_positive(&mut self) -> Option<Self::Number>;
-    fn symbol(&mut self, symbol: Symbol) -> Option<Self::Number>;
-    fn add(&mut self, x: Self::Number, y: Self::Number) -> Option<Self::Number>;
-    fn negate(&mut self, x: Self::Number) -> Option<Self::Number>;
-    fn multiply(&mut self, x: Self::Number, y: Self::Number) -> Option<Self::Number>;
-    fn divide(&mut self, x: Self::Number, y: Self::Number) -> Option<Self::Number>;
-    fn square_root(&mut self, x: Self::Number) -> Option<Self::Number>;
-    fn unary(&mut self, function: Unary, x: Self::Number) -> Option<Self::Number>;
-    fn binary(
-        &mut self,
-        function: Binary,
-        x: Self::Number,
-        y: Self::Number,
-    ) -> Option<Self::Number>;
-    fn apply(
-        &mut self,
-        function: ExternalFunction,
-        arguments: &[Self::Number],
-    ) -> Option<Self::Number>;
+    /// An operand that no instruction computes.
+    fn load(&mut self, operand: &Operand) -> Option<Self::Number>;
+    /// What an operation makes of its operands, of one where there are two results.
+    fn perform(&mut self, operation: &Operation, operands: &[Self::Number])
+    -> Option<Self::Number>;
 }
 
 impl Program {
@@ -89,10 +73,7 @@ fn fetch<A: Arithmetic>(
 ) -> Option<A::Number> {
     match operand {
         Operand::Value(number) => values.get(*number).copied(),
-        Operand::Constant(value) => arithmetic.constant(value),
-        Operand::Pi => arithmetic.pi(),
-        Operand::MinPositive => arithmetic.min_positive(),
-        Operand::Symbol(symbol) => arithmetic.symbol(*symbol),
+        other => arithmetic.load(other),
     }
 }
 
@@ -101,37 +82,17 @@ fn execute<A: Arithmetic>(
     operation: &Operation,
     values: &mut Vec<A::Number>,
 ) -> Option<()> {
-    if let Operation::Application(function, arguments) = operation {
-        let arguments = arguments.iter();
-        let arguments: Option<Vec<_>> = arguments.map(|x| fetch(arithmetic, x, values)).collect();
-        values.push(arithmetic.apply(*function, &arguments?)?);
+    let operands = operation.operands();
+    let operands: Option<Vec<_>> = operands.map(|x| fetch(arithmetic, x, values)).collect();
+    let operands = operands?;
+    if let Operation::SineAndCosine(x) = operation {
+        for function in [Unary::Sin, Unary::Cos] {
+            let operation = Operation::Unary(function, x.clone());
+            values.push(arithmetic.perform(&operation, &operands)?);
+        }
         return Some(());
     }
-    let mut operands = [None; 2];
-    for (slot, operand) in operands.iter_mut().zip(operation.operands()) {
-        *slot = fetch(arithmetic, operand, values);
-    }
-    let x = operands[0]?;
-    let y = |operands: [Option<A::Number>; 2]| operands[1];
-    let result = match operation {
-        Operation::Add(..) => arithmetic.add(x, y(operands)?)?,
-        Operation::Subtract(..) => {
-            let opposite = arithmetic.negate(y(operands)?)?;
-            arithmetic.add(x, opposite)?
-        }
-        Operation::Multiply(..) => arithmetic.multiply(x, y(operands)?)?,
-        Operation::Divide(..) => arithmetic.divide(x, y(operands)?)?,
-        Operation::Negate(_) => arithmetic.negate(x)?,
-        Operation::SquareRoot(_) => arithmetic.square_root(x)?,
-        Operation::SineAndCosine(_) => {
-            values.push(arithmetic.unary(Unary::Sin, x)?);
-            arithmetic.unary(Unary::Cos, x)?
-        }
-        Operation::Unary(function, _) => arithmetic.unary(*function, x)?,
-        Operation::Binary(function, ..) => arithmetic.binary(*function, x, y(operands)?)?,
-        Operation::Application(..) => return None,
-    };
-    values.push(result);
+    values.push(arithmetic.perform(operation, &operands)?);
     Some(())
 }
 
@@ -141,163 +102,97 @@ struct Binary64<F, G>(F, G);
 impl<F: Fn(Symbol) -> f64, G: Fn(ExternalFunction, &[f64]) -> f64> Arithmetic for Binary64<F, G> {
     type Number = f64;
 
-    fn constant(&mut self, value: &Rational) -> Option<f64> {
-        Some(value.to_f64())
+    fn load(&mut self, operand: &Operand) -> Option<f64> {
+        match operand {
+            Operand::Value(_) => None,
+            Operand::Constant(value) => Some(value.to_f64()),
+            Operand::Pi => Some(core::f64::consts::PI),
+            Operand::MinPositive => Some(f64::MIN_POSITIVE),
+            Operand::Symbol(symbol) => Some((self.0)(*symbol)),
+        }
     }
 
-    fn pi(&mut self) -> Option<f64> {
-        Some(core::f64::consts::PI)
-    }
-
-    fn min_positive(&mut self) -> Option<f64> {
-        Some(f64::MIN_POSITIVE)
-    }
-
-    fn symbol(&mut self, symbol: Symbol) -> Option<f64> {
-        Some((self.0)(symbol))
-    }
-
-    fn add(&mut self, x: f64, y: f64) -> Option<f64> {
-        Some(x + y)
-    }
-
-    fn negate(&mut self, x: f64) -> Option<f64> {
-        Some(-x)
-    }
-
-    fn multiply(&mut self, x: f64, y: f64) -> Option<f64> {
-        Some(x * y)
-    }
-
-    fn divide(&mut self, x: f64, y: f64) -> Option<f64> {
-        Some(x / y)
-    }
-
-    fn square_root(&mut self, x: f64) -> Option<f64> {
-        Some(x.sqrt())
-    }
-
-    fn unary(&mut self, function: Unary, x: f64) -> Option<f64> {
-        Some(function.value(x))
-    }
-
-    fn binary(&mut self, function: Binary, x: f64, y: f64) -> Option<f64> {
-        Some(function.value(x, y))
-    }
-
-    fn apply(&mut self, function: ExternalFunction, arguments: &[f64]) -> Option<f64> {
-        Some((self.1)(function, arguments))
+    fn perform(&mut self, operation: &Operation, operands: &[f64]) -> Option<f64> {
+        Some(match (operation, operands) {
+            (Operation::Add(..), [x, y]) => x + y,
+            (Operation::Subtract(..), [x, y]) => x - y,
+            (Operation::Multiply(..), [x, y]) => x * y,
+            (Operation::Divide(..), [x, y]) => x / y,
+            (Operation::Negate(_), [x]) => -x,
+            (Operation::SquareRoot(_), [x]) => x.sqrt(),
+            (Operation::Unary(function, _), [x]) => function.value(*x),
+            (Operation::Binary(function, ..), [x, y]) => function.value(*x, *y),
+            (Operation::Application(function, _), _) => (self.1)(*function, operands),
+            _ => return None,
+        })
     }
 }
 
 impl Arithmetic for Graph {
     type Number = Expression;
 
-    fn constant(&mut self, value: &Rational) -> Option<Expression> {
-        Some(Self::constant(self, value))
+    fn load(&mut self, operand: &Operand) -> Option<Expression> {
+        match operand {
+            Operand::Value(_) => None,
+            Operand::Constant(value) => Some(self.constant(value)),
+            Operand::Pi => Some(self.pi()),
+            Operand::MinPositive => Some(self.zero()),
+            Operand::Symbol(symbol) => Some(self.symbol(*symbol)),
+        }
     }
 
-    fn pi(&mut self) -> Option<Expression> {
-        Some(Self::pi(self))
-    }
-
-    fn min_positive(&mut self) -> Option<Expression> {
-        Some(self.zero())
-    }
-
-    fn symbol(&mut self, symbol: Symbol) -> Option<Expression> {
-        Some(Self::symbol(self, symbol))
-    }
-
-    fn add(&mut self, x: Expression, y: Expression) -> Option<Expression> {
-        Some(Self::add(self, x, y))
-    }
-
-    fn negate(&mut self, x: Expression) -> Option<Expression> {
-        Some(Self::negate(self, x))
-    }
-
-    fn multiply(&mut self, x: Expression, y: Expression) -> Option<Expression> {
-        Some(Self::multiply(self, x, y))
-    }
-
-    fn divide(&mut self, x: Expression, y: Expression) -> Option<Expression> {
-        Some(Self::divide(self, x, y))
-    }
-
-    fn square_root(&mut self, x: Expression) -> Option<Expression> {
-        Some(Self::square_root(self, x))
-    }
-
-    fn unary(&mut self, function: Unary, x: Expression) -> Option<Expression> {
-        Some(Self::unary(self, function, x))
-    }
-
-    fn binary(&mut self, function: Binary, x: Expression, y: Expression) -> Option<Expression> {
-        Some(Self::binary(self, function, x, y))
-    }
-
-    fn apply(
-        &mut self,
-        function: ExternalFunction,
-        arguments: &[Expression],
-    ) -> Option<Expression> {
-        Some(Self::apply(self, function, arguments))
+    fn perform(&mut self, operation: &Operation, operands: &[Expression]) -> Option<Expression> {
+        Some(match (operation, operands) {
+            (Operation::Add(..), [x, y]) => self.add(*x, *y),
+            (Operation::Subtract(..), [x, y]) => self.subtract(*x, *y),
+            (Operation::Multiply(..), [x, y]) => self.multiply(*x, *y),
+            (Operation::Divide(..), [x, y]) => self.divide(*x, *y),
+            (Operation::Negate(_), [x]) => self.negate(*x),
+            (Operation::SquareRoot(_), [x]) => self.square_root(*x),
+            (Operation::Unary(function, _), [x]) => self.unary(*function, *x),
+            (Operation::Binary(function, ..), [x, y]) => self.binary(*function, *x, *y),
+            (Operation::Application(function, _), _) => self.apply(*function, operands),
+            _ => return None,
+        })
     }
 }
 
 impl Arithmetic for ModularPoint {
     type Number = u64;
 
-    fn constant(&mut self, value: &Rational) -> Option<u64> {
-        ModularPoint::constant(*self, value)
+    fn load(&mut self, operand: &Operand) -> Option<u64> {
+        match operand {
+            Operand::Value(_) => None,
+            Operand::Constant(value) => ModularPoint::constant(*self, value),
+            Operand::Pi => Some(self.pi()),
+            Operand::MinPositive => Some(0),
+            Operand::Symbol(symbol) => Some(ModularPoint::symbol(*self, *symbol)),
+        }
     }
 
-    fn pi(&mut self) -> Option<u64> {
-        Some(Self::pi(*self))
-    }
-
-    fn min_positive(&mut self) -> Option<u64> {
-        Some(0)
-    }
-
-    fn symbol(&mut self, symbol: Symbol) -> Option<u64> {
-        Some(Self::symbol(*self, symbol))
-    }
-
-    fn add(&mut self, x: u64, y: u64) -> Option<u64> {
-        Some(residue::add(x, y, self.p()))
-    }
-
-    fn negate(&mut self, x: u64) -> Option<u64> {
-        Some(residue::negate(x, self.p()))
-    }
-
-    fn multiply(&mut self, x: u64, y: u64) -> Option<u64> {
-        Some(residue::multiply(x, y, self.p()))
-    }
-
-    fn divide(&mut self, x: u64, y: u64) -> Option<u64> {
-        Some(residue::multiply(
-            x,
-            residue::reciprocal(y, self.p())?,
-            self.p(),
-        ))
-    }
-
-    fn square_root(&mut self, x: u64) -> Option<u64> {
-        self.power(x, &Rational::HALF)
-    }
-
-    fn unary(&mut self, function: Unary, x: u64) -> Option<u64> {
-        Self::unary(*self, function, self.atom(x))
-    }
-
-    fn binary(&mut self, function: Binary, x: u64, y: u64) -> Option<u64> {
-        Some(Self::binary(*self, function, x, y))
-    }
-
-    fn apply(&mut self, function: ExternalFunction, arguments: &[u64]) -> Option<u64> {
-        Some(Self::apply(*self, function, arguments.iter().copied()))
+    fn perform(&mut self, operation: &Operation, operands: &[u64]) -> Option<u64> {
+        let p = self.p();
+        match (operation, operands) {
+            (Operation::Add(..), [x, y]) => Some(residue::add(*x, *y, p)),
+            (Operation::Subtract(..), [x, y]) => Some(residue::add(*x, residue::negate(*y, p), p)),
+            (Operation::Multiply(..), [x, y]) => Some(residue::multiply(*x, *y, p)),
+            (Operation::Divide(..), [x, y]) => {
+                Some(residue::multiply(*x, residue::reciprocal(*y, p)?, p))
+            }
+            (Operation::Negate(_), [x]) => Some(residue::negate(*x, p)),
+            (Operation::SquareRoot(_), [x]) => self.power(*x, &Rational::HALF),
+            (Operation::Unary(function, _), [x]) => {
+                let x = self.atom(*x);
+                ModularPoint::unary(*self, *function, x)
+            }
+            (Operation::Binary(function, ..), [x, y]) => {
+                Some(ModularPoint::binary(*self, *function, *x, *y))
+            }
+            (Operation::Application(function, _), _) => {
+                let arguments = operands.iter().copied();
+                Some(ModularPoint::apply(*self, *function, arguments))
+            }
+            _ => None,
+        }
     }
 }

@@ -23,15 +23,23 @@ pub struct OperationCount {
 }
 
 impl OperationCount {
+    /// The numbers in the order of the kinds.
+    #[must_use]
+    pub const fn by_kind(&self) -> [usize; 6] {
+        [
+            self.additions,
+            self.multiplications,
+            self.divisions,
+            self.square_roots,
+            self.sines_and_cosines,
+            self.functions,
+        ]
+    }
+
     /// The sum of all operations, each function counted as one.
     #[must_use]
-    pub const fn total(&self) -> usize {
-        self.additions
-            + self.multiplications
-            + self.divisions
-            + self.square_roots
-            + self.sines_and_cosines
-            + self.functions
+    pub fn total(&self) -> usize {
+        self.by_kind().iter().sum()
     }
 
     /// The cost of all operations, in additions.

@@ -8,8 +8,9 @@
 #[cfg(test)]
 mod tests;
 
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::validation::number::Number;
 use crate::{Binary, Unary};
 
 /// A number with derivatives along two directions.
@@ -28,15 +29,6 @@ pub(crate) struct HyperDual {
 pub(super) type Derivatives = [f64; 4];
 
 impl HyperDual {
-    pub(crate) const fn constant(value: f64) -> Self {
-        Self {
-            value,
-            first: 0.0,
-            second: 0.0,
-            mixed: 0.0,
-        }
-    }
-
     pub(crate) fn is_zero(self) -> bool {
         self == Self::default()
     }
@@ -46,16 +38,6 @@ impl HyperDual {
             && self.first.is_finite()
             && self.second.is_finite()
             && self.mixed.is_finite()
-    }
-
-    /// All parts times a number.
-    pub(crate) fn scaled(self, factor: f64) -> Self {
-        Self {
-            value: self.value * factor,
-            first: self.first * factor,
-            second: self.second * factor,
-            mixed: self.mixed * factor,
-        }
     }
 
     /// f(x) by f, f′ and f″ at the value of x.
@@ -68,31 +50,9 @@ impl HyperDual {
         }
     }
 
-    /// A function of which the value and the partial derivatives are known, at the arguments.
-    pub(crate) fn composed(value: f64, slopes: &[Self], arguments: &[Self]) -> Self {
-        let mut result = Self::constant(value);
-        for (slope, x) in slopes.iter().zip(arguments) {
-            result.first += slope.value * x.first;
-            result.second += slope.value * x.second;
-            result.mixed += slope.value * x.mixed + slope.second * x.first;
-        }
-        result
-    }
-
     /// 1/x.
     pub(crate) fn reciprocal(self) -> Self {
         self.power(-1.0)
-    }
-
-    /// x^k.
-    pub(crate) fn power(self, k: f64) -> Self {
-        // |x|ᵏ (x/|x|)ᵏ: higher powers of a large value, as in the derivatives of 1/x, are lost below the smallest number.
-        let Some((unit, size)) = self.by_size() else {
-            let [f, slope, curvature, _] = power_derivatives(self.value, k);
-            return self.lifted(f, slope, curvature);
-        };
-        let [f, slope, curvature, _] = power_derivatives(unit.value, k);
-        unit.lifted(f, slope, curvature).scaled(real_power(size, k))
     }
 
     /// x/2ⁿ and 2ⁿ for the 2ⁿ next to |x|, unless one of them is not in the range of numbers.
@@ -113,22 +73,10 @@ impl HyperDual {
         scaled.scaled(real_power(size, k - 1.0))
     }
 
-    /// f(x).
-    pub(crate) fn unary(self, function: Unary) -> Self {
-        let [f, slope, curvature, _] = derivatives(function, self.value);
-        self.lifted(f, slope, curvature)
-    }
-
     /// f′(x).
     pub(crate) fn slope(self, function: Unary) -> Self {
         let [_, slope, curvature, third] = derivatives(function, self.value);
         self.lifted(slope, curvature, third)
-    }
-
-    /// f(x, y).
-    pub(crate) fn binary(self, function: Binary, y: Self) -> Self {
-        let value = function.value(self.value, y.value);
-        Self::composed(value, &self.slopes(function, y), &[self, y])
     }
 
     /// ∂f/∂x and ∂f/∂y.
@@ -152,6 +100,68 @@ impl HyperDual {
                 [y * power * self.reciprocal(), power * logarithm]
             }
         }
+    }
+}
+
+impl Number for HyperDual {
+    fn constant(value: f64) -> Self {
+        Self {
+            value,
+            ..Self::default()
+        }
+    }
+
+    fn value(self) -> f64 {
+        self.value
+    }
+
+    fn scaled(self, factor: f64) -> Self {
+        Self {
+            value: self.value * factor,
+            first: self.first * factor,
+            second: self.second * factor,
+            mixed: self.mixed * factor,
+        }
+    }
+
+    fn shifted(self, distance: f64) -> Self {
+        let shift = Self {
+            value: distance,
+            first: distance,
+            second: distance,
+            mixed: distance,
+        };
+        self + shift
+    }
+
+    fn power(self, k: f64) -> Self {
+        // |x|ᵏ (x/|x|)ᵏ: higher powers of a large value, as in the derivatives of 1/x, are lost below the smallest number.
+        let Some((unit, size)) = self.by_size() else {
+            let [f, slope, curvature, _] = power_derivatives(self.value, k);
+            return self.lifted(f, slope, curvature);
+        };
+        let [f, slope, curvature, _] = power_derivatives(unit.value, k);
+        unit.lifted(f, slope, curvature).scaled(real_power(size, k))
+    }
+
+    fn unary(self, function: Unary) -> Self {
+        let [f, slope, curvature, _] = derivatives(function, self.value);
+        self.lifted(f, slope, curvature)
+    }
+
+    fn binary(self, function: Binary, y: Self) -> Self {
+        let value = function.value(self.value, y.value);
+        Self::composed(value, &self.slopes(function, y), &[self, y])
+    }
+
+    fn composed(value: f64, slopes: &[Self], arguments: &[Self]) -> Self {
+        let mut result = Self::constant(value);
+        for (slope, x) in slopes.iter().zip(arguments) {
+            result.first += slope.value * x.first;
+            result.second += slope.value * x.second;
+            result.mixed += slope.value * x.mixed + slope.second * x.first;
+        }
+        result
     }
 }
 
@@ -202,6 +212,14 @@ impl Mul for HyperDual {
                 + self.second * y.first
                 + self.value * y.mixed,
         }
+    }
+}
+
+impl Div for HyperDual {
+    type Output = Self;
+
+    fn div(self, y: Self) -> Self {
+        self * y.power(-1.0)
     }
 }
 

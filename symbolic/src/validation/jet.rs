@@ -5,6 +5,8 @@
 
 #![allow(clippy::float_cmp)] // Kinks are where arguments are equal.
 
+use core::ops::{Add, Div, Mul, Sub};
+
 use crate::validation::hyper_dual::{Derivatives, derivatives, power_derivatives};
 use crate::validation::number::Number;
 use crate::{Binary, Unary};
@@ -35,32 +37,12 @@ impl Jet {
 }
 
 impl Number for Jet {
-    const ZERO: Self = Self([0.0; 4]);
-
     fn constant(value: f64) -> Self {
         Self([value, 0.0, 0.0, 0.0])
     }
 
     fn value(self) -> f64 {
         self.0[0]
-    }
-
-    fn add(self, y: Self) -> Self {
-        self.zipped(y, |x, y| x + y)
-    }
-
-    fn subtract(self, y: Self) -> Self {
-        self.zipped(y, |x, y| x - y)
-    }
-
-    fn multiply(self, y: Self) -> Self {
-        Self(core::array::from_fn(|k| {
-            (0..=k).map(|i| self.0[i] * y.0[k - i]).sum()
-        }))
-    }
-
-    fn divide(self, y: Self) -> Self {
-        self.multiply(y.power(-1.0))
     }
 
     fn scaled(self, factor: f64) -> Self {
@@ -91,17 +73,17 @@ impl Number for Jet {
         match function {
             Binary::Atan2 => {
                 let value = function.value(self.value(), y.value());
-                let square = self.multiply(self).add(y.multiply(y));
-                let slopes = [y.divide(square), self.divide(square).scaled(-1.0)];
+                let square = self * self + y * y;
+                let slopes = [y / square, (self / square).scaled(-1.0)];
                 Self::composed(value, &slopes, &[self, y])
             }
-            Binary::Min | Binary::Max if self.value() == y.value() => self.add(y).scaled(0.5),
+            Binary::Min | Binary::Max if self.value() == y.value() => (self + y).scaled(0.5),
             Binary::Min if greater => y,
             Binary::Max if !greater => y,
             Binary::Min | Binary::Max => self,
             Binary::Scale => Self::constant(function.value(self.value(), y.value())),
             Binary::Power if y.is_constant() => self.power(y.value()),
-            Binary::Power => y.multiply(self.unary(Unary::Ln)).unary(Unary::Exp),
+            Binary::Power => (y * self.unary(Unary::Ln)).unary(Unary::Exp),
         }
     }
 
@@ -117,5 +99,39 @@ impl Number for Jet {
             }
         }
         Self(coefficients)
+    }
+}
+
+impl Add for Jet {
+    type Output = Self;
+
+    fn add(self, y: Self) -> Self {
+        self.zipped(y, |x, y| x + y)
+    }
+}
+
+impl Sub for Jet {
+    type Output = Self;
+
+    fn sub(self, y: Self) -> Self {
+        self.zipped(y, |x, y| x - y)
+    }
+}
+
+impl Mul for Jet {
+    type Output = Self;
+
+    fn mul(self, y: Self) -> Self {
+        Self(core::array::from_fn(|k| {
+            (0..=k).map(|i| self.0[i] * y.0[k - i]).sum()
+        }))
+    }
+}
+
+impl Div for Jet {
+    type Output = Self;
+
+    fn div(self, y: Self) -> Self {
+        self * y.power(-1.0)
     }
 }

@@ -7,9 +7,10 @@
 use std::collections::BTreeMap;
 
 use crate::identity::real_point::RealPoint;
-use crate::mechanics::model::Energies;
 use crate::validation::hyper_dual::HyperDual;
+use crate::validation::number::Number as _;
 use crate::validation::perturbation::Perturbation;
+use crate::validation::reduction_check::energy_roots;
 use crate::validation::sum_with_size::SumWithSize;
 use crate::validation::tape::{StandIns, Tape};
 use crate::{Expression, Graph, Model, Symbol};
@@ -105,10 +106,7 @@ impl Lagrange {
         multipliers: usize,
         stand_ins: &StandIns,
     ) -> Self {
-        let energies = match model.energies {
-            Energies::Natural { kinetic, potential } => vec![kinetic, potential],
-            Energies::General(lagrangian) => vec![lagrangian],
-        };
+        let (energies, _) = energy_roots(model.energies);
         let mut roots = energies.clone();
         roots.push(model.dissipation);
         roots.extend(&model.forces);

@@ -11,6 +11,7 @@ use crate::limits::{VALIDATED_POINTS, VALIDATION_ATTEMPTS};
 use crate::mechanics::model::Energies;
 use crate::mechanics::routhian::Reduction;
 use crate::validation::hyper_dual::HyperDual;
+use crate::validation::number::Number as _;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::tape::Tape;
 use crate::{Expression, Model, Symbol};
@@ -261,7 +262,7 @@ fn roots(model: &Model) -> (Vec<Expression>, &'static [f64]) {
 }
 
 /// T and V, or L, and their weights in L.
-fn energy_roots(energies: Energies) -> (Vec<Expression>, &'static [f64]) {
+pub(super) fn energy_roots(energies: Energies) -> (Vec<Expression>, &'static [f64]) {
     match energies {
         Energies::Natural { kinetic, potential } => (vec![kinetic, potential], &[1.0, -1.0]),
         Energies::General(lagrangian) => (vec![lagrangian], &[1.0]),

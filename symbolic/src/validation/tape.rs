@@ -117,7 +117,7 @@ impl Tape {
         symbol: &dyn Fn(Symbol) -> N,
         perturbation: Perturbation,
     ) -> Vec<N> {
-        let mut results = vec![N::ZERO; self.entries.len()];
+        let mut results = vec![N::constant(0.0); self.entries.len()];
         // Macros run without optimization: a plain loop over slices.
         let (values, entries) = (&mut results[..], &self.entries[..]);
         let mut position = 0;
@@ -125,10 +125,10 @@ impl Tape {
             let value = match entries[position] {
                 Entry::Symbol(x) => symbol(x),
                 Entry::Constant(x) => N::constant(x),
-                Entry::Add(x, y) => values[x as usize].add(values[y as usize]),
-                Entry::Subtract(x, y) => values[x as usize].subtract(values[y as usize]),
-                Entry::Multiply(x, y) => values[x as usize].multiply(values[y as usize]),
-                Entry::Divide(x, y) => values[x as usize].divide(values[y as usize]),
+                Entry::Add(x, y) => values[x as usize] + values[y as usize],
+                Entry::Subtract(x, y) => values[x as usize] - values[y as usize],
+                Entry::Multiply(x, y) => values[x as usize] * values[y as usize],
+                Entry::Divide(x, y) => values[x as usize] / values[y as usize],
                 Entry::Scale(factor, x) => values[x as usize].scaled(factor),
                 Entry::Power(k, x) => values[x as usize].power(k),
                 Entry::Unary(function, x) => values[x as usize].unary(function),
@@ -186,7 +186,7 @@ impl Tape {
         perturbation: Perturbation,
         receive: &mut dyn FnMut(Symbol, HyperDual),
     ) {
-        let mut adjoints = vec![HyperDual::ZERO; self.entries.len()];
+        let mut adjoints = vec![HyperDual::default(); self.entries.len()];
         let (adjoints, entries) = (&mut adjoints[..], &self.entries[..]);
         for (slot, weight) in weights {
             let adjoint = &mut adjoints[*slot as usize];

@@ -17,23 +17,20 @@ impl Export<'_> {
             return String::new();
         }
         let of_multipliers = |i: usize| self.is_of_multiplier(i);
-        let mut body = match outputs {
-            InputJacobianOutputs::Symbolic { derivatives, .. } => {
-                self.body(method, &[(derivatives, &of_multipliers)])
-            }
-            InputJacobianOutputs::Numerical { .. } => self.body(method, &[]),
-        };
+        let mut body;
         match outputs {
             InputJacobianOutputs::Symbolic {
                 pivots,
                 derivatives,
                 residuals,
             } => {
+                body = self.body(method, &[(derivatives, &of_multipliers)]);
                 let pivots = body.compute(pivots);
                 let parts = (derivatives, residuals.as_ref());
                 self.columns_or_solved(&mut body, &pivots, parts, inputs);
             }
             InputJacobianOutputs::Numerical { mass, residuals } => {
+                body = self.body(method, &[]);
                 self.factors(&mut body, mass, ParameterSource::Fields);
                 self.solved_columns(&mut body, residuals, inputs);
             }
@@ -64,13 +61,7 @@ impl Export<'_> {
                 let mut unneeded: Vec<_> = unless(reads, accelerations).into_iter().collect();
                 unneeded.push((derivatives, &of_multipliers));
                 body = self.body(method, &unneeded);
-                let pivots = body.compute(pivots);
-                if reads {
-                    let accelerations = body.compute(accelerations);
-                    body.line(&format!("double a[{}];", self.emitter.unknowns()));
-                    let found = (&pivots[..], accelerations);
-                    self.if_positive(&mut body, "a", found, ParameterSource::Fields);
-                }
+                let pivots = self.pivots(&mut body, pivots, accelerations);
                 let residuals = residuals.as_ref().and_then(|residuals| match residuals {
                     Residuals::Columns(columns) => Some(columns),
                     Residuals::AlongVariation(_) => None,
@@ -83,13 +74,7 @@ impl Export<'_> {
                 residuals,
             } => {
                 body = self.body(method, unless(reads, forcing).as_slice());
-                self.factors(&mut body, mass, ParameterSource::Fields);
-                if reads {
-                    let forcing = body.compute(forcing);
-                    body.line(&format!("double a[{}];", self.emitter.unknowns()));
-                    body.assign("a", forcing.into_iter().enumerate());
-                    body.line("$_solve(&factors, a);");
-                }
+                self.system(&mut body, mass, forcing);
                 self.solved_columns(&mut body, residuals, count);
             }
         }

@@ -6,7 +6,8 @@ use super::Export;
 use super::body::{Body, Unneeded};
 use super::methods::are_positive;
 use crate::plan::{
-    DerivativeOutputs, Method, OutputSlice, ParameterSource, Residuals, StateJacobian,
+    DerivativeOutputs, LowerTriangle, Method, OutputSlice, ParameterSource, Residuals,
+    StateJacobian,
 };
 
 /// The matrices of the derivatives by q and by q̇, and the vector of those by t.
@@ -28,13 +29,7 @@ impl Export<'_> {
                 residuals,
             } => {
                 let mut body = self.body(method, unless(reads, accelerations).as_slice());
-                let pivots = body.compute(pivots);
-                if reads {
-                    let accelerations = body.compute(accelerations);
-                    body.line(&format!("double a[{}];", self.emitter.unknowns()));
-                    let found = (&pivots[..], accelerations);
-                    self.if_positive(&mut body, "a", found, ParameterSource::Fields);
-                }
+                let pivots = self.pivots(&mut body, pivots, accelerations);
                 let residuals = residuals.as_ref().filter(|_| !pivots.is_empty());
                 self.derivatives(&mut body, method, &pivots, (derivatives, residuals));
                 body
@@ -45,13 +40,7 @@ impl Export<'_> {
                 residuals,
             } => {
                 let mut body = self.body(method, unless(reads, forcing).as_slice());
-                self.factors(&mut body, mass, ParameterSource::Fields);
-                if reads {
-                    let forcing = body.compute(forcing);
-                    body.line(&format!("double a[{}];", self.emitter.unknowns()));
-                    body.assign("a", forcing.into_iter().enumerate());
-                    body.line("$_solve(&factors, a);");
-                }
+                self.system(&mut body, mass, forcing);
                 self.solved(&mut body, method, residuals);
                 body
             }
@@ -59,6 +48,34 @@ impl Export<'_> {
         body.into_function(
             "static void $_linearize_at(const $_point *at, double *position, double *velocity, double *time)",
         )
+    }
+
+    /// Computes pivots, and the accelerations if derivatives read them.
+    pub(super) fn pivots(
+        &self,
+        body: &mut Body<'_>,
+        pivots: &OutputSlice,
+        accelerations: &OutputSlice,
+    ) -> Vec<String> {
+        let pivots = body.compute(pivots);
+        if body.reads_accelerations() {
+            let accelerations = body.compute(accelerations);
+            body.line(&format!("double a[{}];", self.emitter.unknowns()));
+            let found = (&pivots[..], accelerations);
+            self.if_positive(body, "a", found, ParameterSource::Fields);
+        }
+        pivots
+    }
+
+    /// Computes factors, and the accelerations if derivatives read them.
+    pub(super) fn system(&self, body: &mut Body<'_>, mass: &LowerTriangle, forcing: &OutputSlice) {
+        self.factors(body, mass, ParameterSource::Fields);
+        if body.reads_accelerations() {
+            let forcing = body.compute(forcing);
+            body.line(&format!("double a[{}];", self.emitter.unknowns()));
+            body.assign("a", forcing.into_iter().enumerate());
+            body.line("$_solve(&factors, a);");
+        }
     }
 
     /// Writes the derivatives where all pivots are positive, and elsewhere what is solved for numerically.

@@ -238,11 +238,7 @@ impl Export<'_> {
 
     /// The arguments that all functions take, after which others may follow.
     fn arguments(&self, moves: bool) -> String {
-        let parameters = if self.parameters.is_empty() {
-            ""
-        } else {
-            "const $_parameters *p, "
-        };
+        let parameters = self.with_parameters("const $_parameters *p, ");
         let inputs = if self.emitter.has_inputs() {
             ", const double *u"
         } else {
@@ -277,11 +273,7 @@ impl Export<'_> {
             .filter(|line| !line.is_empty())
             .partition(|line| is_declaration(line));
         lines.extend(declarations.into_iter().cloned());
-        let parameters = if self.parameters.is_empty() {
-            ""
-        } else {
-            "p, "
-        };
+        let parameters = self.with_parameters("p, ");
         let inputs = if self.emitter.has_inputs() {
             "u"
         } else {
@@ -295,11 +287,8 @@ impl Export<'_> {
 
     /// The function that notes the point at which others are evaluated.
     pub(super) fn begin(&self) -> String {
-        let (parameter, noted, argument) = if self.parameters.is_empty() {
-            ("", "", "")
-        } else {
-            ("const $_parameters *p, ", "    at->p = p;\n", "p, ")
-        };
+        let parts = ["const $_parameters *p, ", "    at->p = p;\n", "p, "];
+        let [parameter, noted, argument] = parts.map(|part| self.with_parameters(part));
         format!(
             "static void $_begin($_point *at, double *z, {parameter}double t, const double *q, const double *v, const double *u)\n\
              {{\n{noted}    at->z = z;\n    at->t = t;\n    at->q = q;\n    at->v = v;\n    at->u = u;\n    $_prepare({argument}z);\n}}\n"

@@ -11,8 +11,8 @@ use crate::plan::{
 use crate::syntax::shape::Shape;
 
 impl Export<'_> {
-    /// The methods that have a function, each behind those that it calls.
-    pub(super) const METHODS: [EmittedMethod; 18] = [
+    /// The methods whose functions compute what is factored and what is solved for, each behind those that it calls.
+    pub(super) const OF_FACTORS: [EmittedMethod; 8] = [
         EmittedMethod::Momenta,
         EmittedMethod::MassMatrix,
         EmittedMethod::Forcing,
@@ -21,6 +21,10 @@ impl Export<'_> {
         EmittedMethod::ConstraintPositions,
         EmittedMethod::ConstraintVelocities,
         EmittedMethod::Compliances,
+    ];
+
+    /// The methods whose functions may call the one that factors, each behind those that it calls.
+    pub(super) const BEHIND_FACTORS: [EmittedMethod; 10] = [
         EmittedMethod::Accelerations,
         EmittedMethod::InverseDynamics,
         EmittedMethod::Linearize,
@@ -42,11 +46,7 @@ impl Export<'_> {
         let mut body = self.body(method, &[]);
         let values = body.compute(invariants);
         body.assign("x", values.into_iter().enumerate());
-        let parameters = if self.parameters.is_empty() {
-            ""
-        } else {
-            "const $_parameters *p, "
-        };
+        let parameters = self.with_parameters("const $_parameters *p, ");
         body.into_function(&format!("static void $_prepare({parameters}double *x)"))
     }
 

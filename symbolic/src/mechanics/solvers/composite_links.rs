@@ -5,71 +5,68 @@
 //! body goes towards the root, turned and moved link by link, and its power at the rate of each joint on the way is an
 //! entry of M.
 
-use crate::mechanics::mechanism::{Inertia, Mechanism, Vector, kept};
-use crate::mechanics::solvers::newton_euler::{Joint, Wrench};
+use crate::mechanics::mechanism::{Inertia, Vector, kept};
+use crate::mechanics::solvers::link_equations::LinkEquations;
+use crate::mechanics::solvers::newton_euler::Wrench;
 use crate::{Expression, Graph, Rational};
 
-/// M, row by row.
-pub(crate) fn mass_matrix(
-    graph: &mut Graph,
-    mechanism: &Mechanism,
-    joints: &[Joint],
-    coordinates: usize,
-) -> Vec<Vec<Expression>> {
-    let count = mechanism.links.len();
-    let mut entries = vec![vec![Vec::new(); coordinates]; coordinates];
-    let links = mechanism.links.iter();
-    let mut composites: Vec<Inertia> = links.map(|link| link.inertia.clone()).collect();
-    let mut columns: Vec<Vec<Column>> = vec![Vec::new(); count];
-    for (i, (link, joint)) in mechanism.links.iter().zip(joints).enumerate().rev() {
-        let composite = composites[i].clone();
-        let mut carried = core::mem::take(&mut columns[i]);
-        for (coordinate, slope) in &joint.turning {
-            let momentum = composite.momentum_of_turning(graph, *slope);
-            carried.push(Column::new(*coordinate, momentum));
-            let last = carried.len() - 1;
-            for (position, column) in carried.iter().enumerate() {
-                let power = power(graph, *slope, column.momentum.moment);
-                column.enter(&mut entries, *coordinate, power, position == last);
+impl LinkEquations {
+    /// The part of M that links have, row by row.
+    pub(crate) fn mass_matrix(&self, graph: &mut Graph) -> Vec<Vec<Expression>> {
+        let coordinates = self.forces.len();
+        let links = &self.mechanism.links;
+        let mut entries = vec![vec![Vec::new(); coordinates]; coordinates];
+        let mut composites: Vec<Inertia> = links.iter().map(|link| link.inertia.clone()).collect();
+        let mut columns: Vec<Vec<Column>> = vec![Vec::new(); links.len()];
+        for (i, (link, joint)) in links.iter().zip(&self.joints).enumerate().rev() {
+            let composite = composites[i].clone();
+            let mut carried = core::mem::take(&mut columns[i]);
+            for (coordinate, slope) in &joint.turning {
+                let momentum = composite.momentum_of_turning(graph, *slope);
+                carried.push(Column::new(*coordinate, momentum));
+                let last = carried.len() - 1;
+                for (position, column) in carried.iter().enumerate() {
+                    let power = power(graph, *slope, column.momentum.moment);
+                    column.enter(&mut entries, *coordinate, power, position == last);
+                }
             }
-        }
-        if link.parent.is_none() && joint.sliding.is_empty() {
-            continue;
-        }
-        let composite = composite.turned(graph, &link.turn);
-        for column in &mut carried {
-            column.momentum.force = link.turn.outward(graph, column.momentum.force);
-            column.momentum.moment = link.turn.outward(graph, column.momentum.moment);
-        }
-        for (coordinate, slope) in &joint.sliding {
-            let momentum = composite.momentum_of_sliding(graph, *slope);
-            carried.push(Column::new(*coordinate, momentum));
-            let last = carried.len() - 1;
-            for (position, column) in carried.iter().enumerate() {
-                let power = power(graph, *slope, column.momentum.force);
-                column.enter(&mut entries, *coordinate, power, position == last);
+            if link.parent.is_none() && joint.sliding.is_empty() {
+                continue;
             }
+            let composite = composite.turned(graph, &link.turn);
+            for column in &mut carried {
+                column.momentum = column.momentum.turned(graph, &link.turn);
+            }
+            for (coordinate, slope) in &joint.sliding {
+                let momentum = composite.momentum_of_sliding(graph, *slope);
+                carried.push(Column::new(*coordinate, momentum));
+                let last = carried.len() - 1;
+                for (position, column) in carried.iter().enumerate() {
+                    let power = power(graph, *slope, column.momentum.force);
+                    column.enter(&mut entries, *coordinate, power, position == last);
+                }
+            }
+            let Some(parent) = link.parent else {
+                continue;
+            };
+            let mut moved = composite.moved(graph, link.place);
+            moved.keep(graph);
+            composites[parent].add(graph, &moved);
+            composites[parent].keep(graph);
+            for column in &mut carried {
+                column.momentum = column.momentum.moved(graph, link.place);
+            }
+            columns[parent].extend(carried);
         }
-        let Some(parent) = link.parent else {
-            continue;
-        };
-        let mut moved = composite.moved(graph, link.place);
-        moved.keep(graph);
-        composites[parent].add(graph, &moved);
-        composites[parent].keep(graph);
-        for column in &mut carried {
-            column.momentum = column.momentum.moved(graph, link.place);
-        }
-        columns[parent].extend(carried);
-    }
-    let sums = entries.into_iter().map(|row| {
-        let sums = row.into_iter().map(|terms: Vec<(Expression, Rational)>| {
-            let sum = graph.sum(terms);
-            kept(graph, sum)
+        let sums = entries.into_iter().map(|row| {
+            let sums = row.into_iter().map(|terms: Vec<(Expression, Rational)>| {
+                let sum = graph.sum(terms);
+                kept(graph, sum)
+            });
+            sums.collect()
         });
         sums.collect()
-    });
-    sums.collect()
+    }
 }
 
 /// The momentum that a unit rate of a joint gives to what is behind it.

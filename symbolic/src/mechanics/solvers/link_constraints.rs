@@ -5,7 +5,7 @@ use crate::mechanics::constraints::ConstraintEquations;
 use crate::mechanics::mechanism::{LinkedConstraint, Vector, VelocityKind, slopes};
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::link_vectors::Accelerations;
-use crate::mechanics::solvers::newton_euler::{Motion, Wrench, generalized_forces};
+use crate::mechanics::solvers::newton_euler::{Motion, Wrench};
 use crate::mechanics::solvers::twist_elimination::{Unknown, angular, linear};
 use crate::{Expression, Graph, Rational};
 
@@ -86,13 +86,7 @@ impl LinkEquations {
             };
             wrenches[*link] = wrenches[*link].plus(graph, wrench);
         }
-        let mut row = generalized_forces(
-            graph,
-            &self.mechanism,
-            &self.joints,
-            &wrenches,
-            self.forces.len(),
-        );
+        let mut row = self.generalized_forces(graph, &wrenches);
         for (i, coefficient) in coordinates {
             row[*i] = graph.add(row[*i], *coefficient);
         }

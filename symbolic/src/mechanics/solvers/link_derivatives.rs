@@ -277,18 +277,14 @@ impl<'a> DerivativesAlongLinks<'a> {
     /// Along the axes of the link before.
     fn turn(&mut self, graph: &mut Graph, index: usize, carried: &mut Carried) {
         let turn = self.equations.mechanism.links[index].turn;
-        let mut turned = |wrench: Wrench| Wrench {
-            force: turn.outward(graph, wrench.force),
-            moment: turn.outward(graph, wrench.moment),
-        };
         for row in &mut carried.rows {
-            row.momentum = turned(row.momentum);
+            row.momentum = row.momentum.turned(graph, &turn);
         }
         for column in &mut carried.columns {
-            column.wrench = turned(column.wrench);
+            column.wrench = column.wrench.turned(graph, &turn);
         }
         let body = &mut self.bodies[index];
-        body.wrench = turned(body.wrench);
+        body.wrench = body.wrench.turned(graph, &turn);
         body.inertia = body.inertia.turned(graph, &turn);
         body.coriolis = body.coriolis.turned(graph, &turn);
         for row in &mut carried.rows {

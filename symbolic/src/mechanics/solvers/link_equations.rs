@@ -2,11 +2,7 @@
 //! and Euler.
 
 use crate::mechanics::mechanism::Mechanism;
-use crate::mechanics::solvers::composite_links::mass_matrix;
-use crate::mechanics::solvers::link_momenta::energy_and_momenta;
-use crate::mechanics::solvers::newton_euler::{
-    Joint, Motion, Wrench, generalized_forces, joints, motions, wrenches,
-};
+use crate::mechanics::solvers::newton_euler::{Joint, Wrench};
 use crate::{Expression, Graph, LinearSystem, Model, Symbol};
 
 /// The equations of motion of a mechanism.
@@ -37,10 +33,11 @@ impl LinkEquations {
         let velocities: Vec<_> = (0..coordinates).map(Symbol::Velocity).collect();
         let momenta = graph.jacobian(&[rest], &velocities).concat();
         let other_mass = graph.jacobian(&momenta, &velocities);
-        let joints = joints(graph, &mechanism, coordinates);
+        let joints = mechanism.links.iter();
+        let joints = joints.map(|link| Joint::of(graph, link, coordinates));
         Self {
+            joints: joints.collect(),
             mechanism,
-            joints,
             coordinates,
             other_mass,
             forces,
@@ -53,7 +50,7 @@ impl LinkEquations {
         let inner = self.generalized_forces(graph, &wrenches);
         let pairs = self.forces.iter().zip(inner);
         let forcing = pairs.map(|(x, y)| graph.subtract(*x, y)).collect();
-        let mut mass = mass_matrix(graph, &self.mechanism, &self.joints, self.forces.len());
+        let mut mass = self.mass_matrix(graph);
         let others = self.other_mass.iter().flatten();
         for (entry, other) in mass.iter_mut().flatten().zip(others) {
             *entry = graph.add(*entry, *other);
@@ -91,50 +88,5 @@ impl LinkEquations {
             residuals.push(graph.subtract(others, *force));
         }
         residuals
-    }
-
-    /// T and ∂L/∂q̇.
-    pub(crate) fn energy_and_momenta(&self, graph: &mut Graph) -> (Expression, Vec<Expression>) {
-        let (energy, mut momenta) =
-            energy_and_momenta(graph, &self.mechanism, &self.joints, self.forces.len());
-        let Mechanism {
-            other_kinetic,
-            other_potential,
-            ..
-        } = self.mechanism;
-        let rest = graph.subtract(other_kinetic, other_potential);
-        let velocities: Vec<_> = (0..self.coordinates).map(Symbol::Velocity).collect();
-        let others = graph.jacobian(&[rest], &velocities).concat();
-        for (momentum, other) in momenta.iter_mut().zip(others) {
-            *momentum = graph.add(*momentum, other);
-        }
-        (graph.add(energy, other_kinetic), momenta)
-    }
-
-    fn generalized_forces(&self, graph: &mut Graph, wrenches: &[Wrench]) -> Vec<Expression> {
-        generalized_forces(
-            graph,
-            &self.mechanism,
-            &self.joints,
-            wrenches,
-            self.forces.len(),
-        )
-    }
-
-    /// The wrenches on the links that their motion takes.
-    pub(crate) fn wrenches(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Wrench> {
-        let motions = self.motions(graph, with_accelerations);
-        wrenches(graph, &self.mechanism, &motions)
-    }
-
-    /// How the links move.
-    pub(crate) fn motions(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Motion> {
-        motions(
-            graph,
-            &self.mechanism,
-            &self.joints,
-            self.coordinates,
-            with_accelerations,
-        )
     }
 }

@@ -5,8 +5,9 @@
 //! related to them as generalized forces are to wrenches.
 
 use crate::mechanics::mechanism::{Link, Mechanism, Vector, kept, total};
-use crate::mechanics::solvers::newton_euler::{Joint, Wrench, generalized_forces};
-use crate::{Expression, Graph, Rational};
+use crate::mechanics::solvers::link_equations::LinkEquations;
+use crate::mechanics::solvers::newton_euler::{Joint, Wrench};
+use crate::{Expression, Graph, Rational, Symbol};
 
 /// The angular velocity of a link and the velocity of its origin, along its axes.
 #[derive(Clone, Copy)]
@@ -15,38 +16,46 @@ struct Twist {
     moving: Vector,
 }
 
-/// T and ∂T/∂q̇.
-pub(crate) fn energy_and_momenta(
-    graph: &mut Graph,
-    mechanism: &Mechanism,
-    joints: &[Joint],
-    coordinates: usize,
-) -> (Expression, Vec<Expression>) {
-    let mut twists: Vec<Twist> = Vec::with_capacity(joints.len());
-    let mut momenta = Vec::with_capacity(joints.len());
-    let mut powers = Vec::new();
-    for (link, joint) in mechanism.links.iter().zip(joints) {
-        let still = [graph.zero(); 3];
-        let before = link.parent.map_or(
-            Twist {
-                turning: still,
-                moving: still,
-            },
-            |parent| twists[parent],
-        );
-        let twist = before.next(graph, link, joint);
-        let momentum = twist.momentum(graph, link);
-        let turning = twist.turning.into_iter().zip(momentum.moment);
-        let moving = twist.moving.into_iter().zip(momentum.force);
-        for (velocity, momentum) in turning.chain(moving) {
-            powers.push((graph.multiply(velocity, momentum), Rational::HALF));
+impl LinkEquations {
+    /// T and ∂L/∂q̇.
+    pub(crate) fn energy_and_momenta(&self, graph: &mut Graph) -> (Expression, Vec<Expression>) {
+        let mut twists: Vec<Twist> = Vec::with_capacity(self.joints.len());
+        let mut momenta = Vec::with_capacity(self.joints.len());
+        let mut powers = Vec::new();
+        for (link, joint) in self.mechanism.links.iter().zip(&self.joints) {
+            let still = [graph.zero(); 3];
+            let before = link.parent.map_or(
+                Twist {
+                    turning: still,
+                    moving: still,
+                },
+                |parent| twists[parent],
+            );
+            let twist = before.next(graph, link, joint);
+            let momentum = twist.momentum(graph, link);
+            let turning = twist.turning.into_iter().zip(momentum.moment);
+            let moving = twist.moving.into_iter().zip(momentum.force);
+            for (velocity, momentum) in turning.chain(moving) {
+                powers.push((graph.multiply(velocity, momentum), Rational::HALF));
+            }
+            twists.push(twist);
+            momenta.push(momentum);
         }
-        twists.push(twist);
-        momenta.push(momentum);
+        let energy = graph.sum(powers);
+        let mut momenta = self.generalized_forces(graph, &momenta);
+        let Mechanism {
+            other_kinetic,
+            other_potential,
+            ..
+        } = self.mechanism;
+        let rest = graph.subtract(other_kinetic, other_potential);
+        let velocities: Vec<_> = (0..self.coordinates).map(Symbol::Velocity).collect();
+        let others = graph.jacobian(&[rest], &velocities).concat();
+        for (momentum, other) in momenta.iter_mut().zip(others) {
+            *momentum = graph.add(*momentum, other);
+        }
+        (graph.add(energy, other_kinetic), momenta)
     }
-    let energy = graph.sum(powers);
-    let momenta = generalized_forces(graph, mechanism, joints, &momenta, coordinates);
-    (energy, momenta)
 }
 
 impl Twist {

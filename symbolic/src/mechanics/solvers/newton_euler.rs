@@ -8,7 +8,8 @@
 
 use std::rc::Rc;
 
-use crate::mechanics::mechanism::{Link, Mechanism, Vector, cross, kept, slopes, total};
+use crate::mechanics::mechanism::{Link, Mechanism, Turn, Vector, cross, kept, slopes, total};
+use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::{Expression, Graph, Rational};
 
 /// A moment about the origin of a link, and a force.
@@ -65,50 +66,71 @@ impl Joint {
     }
 }
 
-/// The joints of all links.
-pub(crate) fn joints(graph: &mut Graph, mechanism: &Mechanism, coordinates: u32) -> Vec<Joint> {
-    let links = mechanism.links.iter();
-    links
-        .map(|link| Joint::of(graph, link, coordinates))
-        .collect()
-}
-
-/// How the links move; with the accelerations of the coordinates as symbols, or with none.
-pub(crate) fn motions(
-    graph: &mut Graph,
-    mechanism: &Mechanism,
-    joints: &[Joint],
-    coordinates: u32,
-    with_accelerations: bool,
-) -> Vec<Motion> {
-    let direction = if with_accelerations {
-        graph.time_direction(coordinates)
-    } else {
-        Rc::new(graph.constant_velocity_direction(coordinates))
-    };
-    let mut motions: Vec<Motion> = Vec::with_capacity(joints.len());
-    for (link, joint) in mechanism.links.iter().zip(joints) {
-        let before = link.motion_before(graph, mechanism, &motions);
-        let mut change = |vector: Vector| -> Vector {
-            let rates = graph.directional_derivatives(&vector, &direction);
-            rates.try_into().unwrap_or(vector)
+impl LinkEquations {
+    /// How the links move; with the accelerations of the coordinates as symbols, or with none.
+    pub(crate) fn motions(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Motion> {
+        let direction = if with_accelerations {
+            graph.time_direction(self.coordinates)
+        } else {
+            Rc::new(graph.constant_velocity_direction(self.coordinates))
         };
-        let changes = [change(joint.rate), change(joint.speed)];
-        motions.push(before.next(graph, link, joint, changes));
+        let mut motions: Vec<Motion> = Vec::with_capacity(self.joints.len());
+        for (link, joint) in self.mechanism.links.iter().zip(&self.joints) {
+            let before = link.motion_before(graph, &self.mechanism, &motions);
+            let mut change = |vector: Vector| -> Vector {
+                let rates = graph.directional_derivatives(&vector, &direction);
+                rates.try_into().unwrap_or(vector)
+            };
+            let changes = [change(joint.rate), change(joint.speed)];
+            motions.push(before.next(graph, link, joint, changes));
+        }
+        motions
     }
-    motions
-}
 
-/// The wrenches on the links that their motion takes.
-pub(crate) fn wrenches(
-    graph: &mut Graph,
-    mechanism: &Mechanism,
-    motions: &[Motion],
-) -> Vec<Wrench> {
-    let pairs = mechanism.links.iter().zip(motions);
-    pairs
-        .map(|(link, motion)| motion.wrench(graph, link))
-        .collect()
+    /// The wrenches on the links that their motion takes.
+    pub(crate) fn wrenches(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Wrench> {
+        let motions = self.motions(graph, with_accelerations);
+        let pairs = self.mechanism.links.iter().zip(motions);
+        pairs
+            .map(|(link, motion)| motion.wrench(graph, link))
+            .collect()
+    }
+
+    /// The generalized forces that wrenches on the links are balanced by.
+    pub(crate) fn generalized_forces(
+        &self,
+        graph: &mut Graph,
+        wrenches: &[Wrench],
+    ) -> Vec<Expression> {
+        let mut terms = vec![Vec::new(); self.forces.len()];
+        let mut totals = wrenches.to_vec();
+        for (i, (link, joint)) in self
+            .mechanism
+            .links
+            .iter()
+            .zip(&self.joints)
+            .enumerate()
+            .rev()
+        {
+            let wrench = totals[i];
+            for (coordinate, slope) in &joint.turning {
+                let pairs = slope.iter().copied().zip(wrench.moment);
+                terms[*coordinate].push((graph.sum_of_products(pairs), Rational::ONE));
+            }
+            if link.parent.is_none() && joint.sliding.is_empty() {
+                continue;
+            }
+            let wrench = wrench.turned(graph, &link.turn).moved(graph, link.place);
+            for (coordinate, slope) in &joint.sliding {
+                let pairs = slope.iter().copied().zip(wrench.force);
+                terms[*coordinate].push((graph.sum_of_products(pairs), Rational::ONE));
+            }
+            if let Some(parent) = link.parent {
+                totals[parent] = totals[parent].plus(graph, wrench);
+            }
+        }
+        terms.into_iter().map(|terms| graph.sum(terms)).collect()
+    }
 }
 
 impl Link {
@@ -229,43 +251,13 @@ fn field(graph: &mut Graph, velocity: Vector, acceleration: Vector) -> ([Vector;
     (field, stretch)
 }
 
-/// The generalized forces that wrenches on the links are balanced by.
-pub(crate) fn generalized_forces(
-    graph: &mut Graph,
-    mechanism: &Mechanism,
-    joints: &[Joint],
-    wrenches: &[Wrench],
-    coordinates: usize,
-) -> Vec<Expression> {
-    let mut terms = vec![Vec::new(); coordinates];
-    let mut totals = wrenches.to_vec();
-    for (i, (link, joint)) in mechanism.links.iter().zip(joints).enumerate().rev() {
-        let Wrench { moment, force } = totals[i];
-        for (coordinate, slope) in &joint.turning {
-            let pairs = slope.iter().copied().zip(moment);
-            terms[*coordinate].push((graph.sum_of_products(pairs), Rational::ONE));
-        }
-        if link.parent.is_none() && joint.sliding.is_empty() {
-            continue;
-        }
-        let wrench = Wrench { moment, force }.outward(graph, link);
-        for (coordinate, slope) in &joint.sliding {
-            let pairs = slope.iter().copied().zip(wrench.force);
-            terms[*coordinate].push((graph.sum_of_products(pairs), Rational::ONE));
-        }
-        if let Some(parent) = link.parent {
-            totals[parent] = totals[parent].plus(graph, wrench);
-        }
-    }
-    terms.into_iter().map(|terms| graph.sum(terms)).collect()
-}
-
 impl Wrench {
-    /// About the origin and along the axes of the link before.
-    pub(crate) fn outward(self, graph: &mut Graph, link: &Link) -> Self {
-        let force = link.turn.outward(graph, self.force);
-        let moment = link.turn.outward(graph, self.moment);
-        Self { moment, force }.moved(graph, link.place)
+    /// Along the axes of the link before, which this turn leads from.
+    pub(crate) fn turned(self, graph: &mut Graph, turn: &Turn) -> Self {
+        Self {
+            force: turn.outward(graph, self.force),
+            moment: turn.outward(graph, self.moment),
+        }
     }
 
     /// About another origin, from which this one is at `place`.

@@ -193,11 +193,7 @@ impl<'a> Forces<'a> {
             row.forces.turn(graph, index, &link.turn);
             row.of_turning = link.turn.outward(graph, row.of_turning);
         }
-        let wrench = self.wrenches[index];
-        let wrench = Wrench {
-            moment: link.turn.outward(graph, wrench.moment),
-            force: link.turn.outward(graph, wrench.force),
-        };
+        let wrench = self.wrenches[index].turned(graph, &link.turn);
         let sliding = Meeting {
             rows: rows.clone(),
             columns: self.sliding_columns(graph, index, wrench.force),

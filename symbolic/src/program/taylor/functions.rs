@@ -33,8 +33,7 @@ impl Builder<'_> {
             Unary::Cosh => (Pair::HyperbolicSineCosine, Unary::Sinh, 1),
             _ => return self.unpaired(function, x, result),
         };
-        let operation = Operation::Unary(partner, x.constant.clone());
-        let partner = self.initial.emit(operation);
+        let partner = self.initial_value(partner, &x.constant);
         let constants = if index == 0 {
             [result.clone(), partner]
         } else {
@@ -64,8 +63,7 @@ impl Builder<'_> {
             Unary::Asinh => self.inverse_sine(x, result, Unary::Cosh),
             Unary::Acosh => self.inverse_sine(x, result, Unary::Sinh),
             Unary::Abs => {
-                let sign = Operation::Unary(Unary::Signum, x.constant.clone());
-                let sign = self.initial.emit(sign);
+                let sign = self.initial_value(Unary::Signum, &x.constant);
                 let sign = self.invariant(&sign);
                 self.multiply(&sign, &x.coefficient)
             }
@@ -150,10 +148,8 @@ impl Builder<'_> {
     /// Dw = g Dx with g = 1 ± w², where g = 1/cosh² x for tanh is free of cancellation.
     fn tangent(&mut self, x: &Series, result: &Operand, hyperbolic: bool) -> Operand {
         let function = if hyperbolic { Unary::Cosh } else { Unary::Cos };
-        let operation = Operation::Unary(function, x.constant.clone());
-        let cosine = self.initial.emit(operation);
-        let square = Operation::Multiply(cosine.clone(), cosine);
-        let square = self.initial.emit(square);
+        let cosine = self.initial_value(function, &x.constant);
+        let square = self.initial_product(&cosine, &cosine);
         let one = Operand::Constant(Rational::ONE);
         let constant = self.initial.emit(Operation::Divide(one, square));
         let g = self.unknown_factor();
@@ -211,17 +207,14 @@ impl Builder<'_> {
 
     /// (1 ± x²) Dw = Dx, where 1 − x² = (1 − x)(1 + x).
     fn inverse_tangent(&mut self, x: &Series, hyperbolic: bool) -> Operand {
-        let one = || Operand::Constant(Rational::ONE);
+        let one = Operand::Constant(Rational::ONE);
         let constant = if hyperbolic {
-            let difference = Operation::Subtract(one(), x.constant.clone());
-            let sum = Operation::Add(one(), x.constant.clone());
-            let factors = [self.initial.emit(difference), self.initial.emit(sum)];
-            let [first, second] = factors;
-            self.initial.emit(Operation::Multiply(first, second))
+            let difference = self.complement(&x.constant);
+            let sum = self.initial.emit(Operation::Add(one, x.constant.clone()));
+            self.initial_product(&difference, &sum)
         } else {
-            let square = Operation::Multiply(x.constant.clone(), x.constant.clone());
-            let square = self.initial.emit(square);
-            self.initial.emit(Operation::Add(one(), square))
+            let square = self.initial_product(&x.constant, &x.constant);
+            self.initial.emit(Operation::Add(one, square))
         };
         let mut square = self.product(x, x);
         if hyperbolic {
@@ -236,8 +229,7 @@ impl Builder<'_> {
     /// x = sin w, cos w, sinh w or cosh w: Dx = ±c Dw, where c, the other function of w, has Dc = ±x Dw.
     fn inverse_sine(&mut self, x: &Series, result: &Operand, derivative: Unary) -> Operand {
         // The derivative of the cosine is −sin w, whose derivative is −x; for a cosine take w to be −w.
-        let operation = Operation::Unary(derivative, result.clone());
-        let constant = self.initial.emit(operation);
+        let constant = self.initial_value(derivative, result);
         let change = self.times_order(&x.coefficient);
         let change = if derivative == Unary::Sin {
             self.negate(&change)
@@ -303,25 +295,21 @@ impl Builder<'_> {
 
     /// 1 where a term of order 0 is 0, and 0 elsewhere.
     fn is_zero(&mut self, constant: &Operand) -> Operand {
-        let sign = Operation::Unary(Unary::Signum, constant.clone());
-        let sign = self.initial.emit(sign);
-        let square = self.initial.emit(Operation::Multiply(sign.clone(), sign));
-        let one = Operand::Constant(Rational::ONE);
-        self.initial.emit(Operation::Subtract(one, square))
+        let sign = self.initial_value(Unary::Signum, constant);
+        let square = self.initial_product(&sign, &sign);
+        self.complement(&square)
     }
 
     /// w = exp(y ln x).
     fn general_power(&mut self, x: &Series, y: &Series, result: &Operand) -> Operand {
-        let operation = Operation::Unary(Unary::Ln, x.constant.clone());
-        let constant = self.initial.emit(operation);
+        let constant = self.initial_value(Unary::Ln, &x.constant);
         let coefficient = if x.varies() { self.logarithm(x) } else { ZERO };
         let logarithm = Series {
             constant,
             coefficient,
         };
         let coefficient = self.product(y, &logarithm);
-        let operation = Operation::Multiply(y.constant.clone(), logarithm.constant);
-        let constant = self.initial.emit(operation);
+        let constant = self.initial_product(&y.constant, &logarithm.constant);
         let exponent = Series {
             constant,
             coefficient,
@@ -333,11 +321,8 @@ impl Builder<'_> {
     /// neither too small nor too large.
     fn angle(&mut self, y: &Series, x: &Series) -> Operand {
         let [y, x] = &self.scaled_together([y, x]);
-        let squares = [y, x].map(|series| {
-            let constant = &series.constant;
-            let operation = Operation::Multiply(constant.clone(), constant.clone());
-            self.initial.emit(operation)
-        });
+        let constants = [&y.constant, &x.constant];
+        let squares = constants.map(|constant| self.initial_product(constant, constant));
         let constant = self.symmetric(Operation::Add, squares);
         let squares = [y, x].map(|series| self.product(series, series));
         let square = self.add(&squares[0], &squares[1]);
@@ -365,12 +350,9 @@ impl Builder<'_> {
         let scale = |x, y| Operation::Binary(Binary::Scale, x, y);
         let scale = self.symmetric(scale, constants);
         let of_recurrence = self.invariant(&scale);
-        series.map(|series| {
-            let constant = Operation::Multiply(series.constant.clone(), scale.clone());
-            Series {
-                constant: self.initial.emit(constant),
-                coefficient: self.multiply(&of_recurrence, &series.coefficient),
-            }
+        series.map(|series| Series {
+            constant: self.initial_product(&series.constant, &scale),
+            coefficient: self.multiply(&of_recurrence, &series.coefficient),
         })
     }
 
@@ -378,11 +360,9 @@ impl Builder<'_> {
     fn extremum(&mut self, x: &Series, y: &Series, greater: bool) -> Operand {
         let difference = Operation::Subtract(x.constant.clone(), y.constant.clone());
         let difference = self.initial.emit(difference);
-        let sign = self
-            .initial
-            .emit(Operation::Unary(Unary::Signum, difference));
+        let sign = self.initial_value(Unary::Signum, &difference);
         let half = || Operand::Constant(Rational::HALF.clone());
-        let part = self.initial.emit(Operation::Multiply(half(), sign));
+        let part = self.initial_product(&half(), &sign);
         let more = self.initial.emit(Operation::Add(half(), part.clone()));
         let less = self.initial.emit(Operation::Subtract(half(), part));
         let weights = if greater { [more, less] } else { [less, more] };

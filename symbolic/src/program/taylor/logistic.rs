@@ -18,11 +18,8 @@ impl Builder<'_> {
         if let Some(known) = self.known_secant(x) {
             return known;
         }
-        let tangent = Operation::Unary(Unary::Tanh, x.constant.clone());
-        let tangent = self.initial.emit(tangent);
-        let slopes =
-            [&tangent, result].map(|other| Operation::Multiply(result.clone(), other.clone()));
-        let slopes = slopes.map(|slope| self.initial.emit(slope));
+        let tangent = self.initial_value(Unary::Tanh, &x.constant);
+        let slopes = [&tangent, result].map(|other| self.initial_product(result, other));
         let factors = [self.unknown_factor(), self.unknown_factor()];
         let mut series = [result, &tangent].map(|constant| Series {
             constant: constant.clone(),
@@ -59,10 +56,8 @@ impl Builder<'_> {
             };
         }
         let opposite = self.initial.emit(Operation::Negate(x.constant.clone()));
-        let complement = Operation::Unary(Unary::Logistic, opposite);
-        let complement = self.initial.emit(complement);
-        let slope = Operation::Multiply(result.clone(), complement);
-        let slope = self.initial.emit(slope);
+        let complement = self.initial_value(Unary::Logistic, &opposite);
+        let slope = self.initial_product(result, &complement);
         let g = self.unknown_factor();
         let sum = self.times_change(g, &slope, &x.coefficient);
         let series = Series {
@@ -86,8 +81,7 @@ impl Builder<'_> {
 
     /// Dw = tanh x Dx.
     pub(super) fn log_cosh(&mut self, x: &Series) -> Operand {
-        let secant = Operation::Unary(Unary::Sech, x.constant.clone());
-        let secant = self.initial.emit(secant);
+        let secant = self.initial_value(Unary::Sech, &x.constant);
         let [_, tangent] = self.secant(x, &secant);
         let factor = self.factor(&tangent.coefficient);
         let sum = self.times_change(factor, &tangent.constant, &x.coefficient);
@@ -96,8 +90,7 @@ impl Builder<'_> {
 
     /// Dw = σ(x) Dx.
     pub(super) fn softplus(&mut self, x: &Series) -> Operand {
-        let result = Operation::Unary(Unary::Logistic, x.constant.clone());
-        let result = self.initial.emit(result);
+        let result = self.initial_value(Unary::Logistic, &x.constant);
         let logistic = self.logistic(x, &result);
         let factor = self.factor(&logistic.coefficient);
         let sum = self.times_change(factor, &logistic.constant, &x.coefficient);

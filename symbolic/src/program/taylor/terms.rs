@@ -57,6 +57,24 @@ impl Builder<'_> {
         self.multiply(&Operand::Symbol(Symbol::ReciprocalOrder), x)
     }
 
+    /// A function of a term of order 0.
+    pub(super) fn initial_value(&mut self, function: Unary, constant: &Operand) -> Operand {
+        self.initial
+            .emit(Operation::Unary(function, constant.clone()))
+    }
+
+    /// The product of two terms of order 0.
+    pub(super) fn initial_product(&mut self, x: &Operand, y: &Operand) -> Operand {
+        self.initial.emit(Operation::Multiply(x.clone(), y.clone()))
+    }
+
+    /// 1 − x for a term x of order 0.
+    pub(super) fn complement(&mut self, constant: &Operand) -> Operand {
+        let one = Operand::Constant(Rational::ONE);
+        self.initial
+            .emit(Operation::Subtract(one, constant.clone()))
+    }
+
     /// A term of order 0 that is the same with its operands exchanged: one value for both orders.
     pub(super) fn symmetric(
         &mut self,
@@ -84,12 +102,9 @@ impl Builder<'_> {
 
     /// The same, but 0 where the term is 0: with s its sign, s²/(x + 1 − s²).
     pub(super) fn reciprocal_or_zero(&mut self, constant: &Operand) -> Operand {
-        let one = Operand::Constant(Rational::ONE);
-        let sign = Operation::Unary(Unary::Signum, constant.clone());
-        let sign = self.initial.emit(sign);
-        let square = Operation::Multiply(sign.clone(), sign);
-        let square = self.initial.emit(square);
-        let vanishes = self.initial.emit(Operation::Subtract(one, square.clone()));
+        let sign = self.initial_value(Unary::Signum, constant);
+        let square = self.initial_product(&sign, &sign);
+        let vanishes = self.complement(&square);
         let divisor = Operation::Add(constant.clone(), vanishes);
         let divisor = self.initial.emit(divisor);
         let reciprocal = self.initial.emit(Operation::Divide(square, divisor));
@@ -98,10 +113,7 @@ impl Builder<'_> {
 
     /// Twice a term of order 0, as the recurrence reads it.
     pub(super) fn twice(&mut self, constant: &Operand) -> Operand {
-        let two = Operand::Constant(Rational::integer(2));
-        let twice = self
-            .initial
-            .emit(Operation::Multiply(two, constant.clone()));
+        let twice = self.initial_product(&Operand::Constant(Rational::integer(2)), constant);
         self.invariant(&twice)
     }
 
