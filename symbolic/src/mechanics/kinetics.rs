@@ -119,8 +119,8 @@ impl Kinetics {
         let mut system = cheaper.clone().with_constraints(graph, constraints);
         let mut unit = graph.one();
         if let Some(tree) = tree.filter(|_| is_free) {
-            unit = tree.unit;
             let scaled = tree.divided_by_unit(graph);
+            unit = scaled.unit;
             system = system.scaled(graph, &scaled);
             let articulated_bodies = ArticulatedBodies::factor(graph, scaled, MAX_PIVOT_NEIGHBOURS);
             solvers.extend(articulated_bodies.map(Solver::ArticulatedBodies));
