@@ -60,7 +60,6 @@ pub use program::operation_count::OperationCount;
 pub use program::staging::Staged;
 pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
 pub use program::taylor::{Convolution, NoSeries, SeriesOutputs, TaylorProgram};
-pub use program::verify::Fault;
 pub use typed::array_function::{ARRAY_FUNCTIONS, ArrayFunction, ArrayNotation};
 pub use typed::at_rest::AtRest;
 pub use typed::components::{Components, NoValue};

@@ -12,5 +12,4 @@ pub(crate) mod arrival;
 pub(crate) mod reassociation;
 pub(crate) mod register_order;
 pub(crate) mod interpret;
-pub(crate) mod verify;
 pub(crate) mod taylor;

@@ -6,8 +6,11 @@
 #![allow(missing_docs, clippy::must_use_candidate, clippy::missing_panics_doc)]
 
 mod draft;
+mod program_expressions;
 mod quantity;
 pub mod systems;
+mod verification;
 
 pub use draft::Draft;
 pub use quantity::{Quantity, vector};
+pub use verification::Fault;

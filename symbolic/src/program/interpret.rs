@@ -1,15 +1,13 @@
 //! The interpreter of programs.
 //!
-//! The same instructions are interpreted in binary64, modulo a prime, or on expressions, so that an emitted program
-//! can be checked against the expressions that it was scheduled from.
+//! The instructions are interpreted in binary64; tests interpret them modulo a prime and on expressions, too, and compare a program
+//! with the expressions that it was scheduled from.
 
-use crate::identity::modular_point::ModularPoint;
-use crate::identity::residue;
 use crate::program::straight_line::{Operand, Operation, Program};
-use crate::{Expression, ExternalFunction, Graph, Rational, Symbol, Unary};
+use crate::{ExternalFunction, Symbol, Unary};
 
 /// An arithmetic in which a program is interpreted. `None` is an undefined value.
-trait Arithmetic {
+pub(crate) trait Arithmetic {
     type Number: Copy;
 
     /// An operand that no instruction computes.
@@ -38,17 +36,8 @@ impl Program {
         self.run(&mut Binary64(value, external)).unwrap_or_default()
     }
 
-    /// The expressions of all outputs, built again from the instructions.
-    pub fn expand(&self, graph: &mut Graph) -> Vec<Vec<Expression>> {
-        self.run(graph).unwrap_or_default()
-    }
-
-    /// The values of all outputs modulo a prime; every function is an arbitrary one of its argument.
-    pub(crate) fn evaluate_at(&self, mut point: ModularPoint) -> Option<Vec<Vec<u64>>> {
-        self.run(&mut point)
-    }
-
-    fn run<A: Arithmetic>(&self, arithmetic: &mut A) -> Option<Vec<Vec<A::Number>>> {
+    /// The values of all outputs in an arithmetic, group by group; none where an operation has none.
+    pub(crate) fn run<A: Arithmetic>(&self, arithmetic: &mut A) -> Option<Vec<Vec<A::Number>>> {
         let mut values = Vec::new();
         let mut groups = Vec::new();
         for group in &self.groups {
@@ -125,74 +114,5 @@ impl<F: Fn(Symbol) -> f64, G: Fn(ExternalFunction, &[f64]) -> f64> Arithmetic fo
             (Operation::Application(function, _), _) => (self.1)(*function, operands),
             _ => return None,
         })
-    }
-}
-
-impl Arithmetic for Graph {
-    type Number = Expression;
-
-    fn load(&mut self, operand: &Operand) -> Option<Expression> {
-        match operand {
-            Operand::Value(_) => None,
-            Operand::Constant(value) => Some(self.constant(value)),
-            Operand::Pi => Some(self.pi()),
-            Operand::MinPositive => Some(self.zero()),
-            Operand::Symbol(symbol) => Some(self.symbol(*symbol)),
-        }
-    }
-
-    fn perform(&mut self, operation: &Operation, operands: &[Expression]) -> Option<Expression> {
-        Some(match (operation, operands) {
-            (Operation::Add(..), [x, y]) => self.add(*x, *y),
-            (Operation::Subtract(..), [x, y]) => self.subtract(*x, *y),
-            (Operation::Multiply(..), [x, y]) => self.multiply(*x, *y),
-            (Operation::Divide(..), [x, y]) => self.divide(*x, *y),
-            (Operation::Negate(_), [x]) => self.negate(*x),
-            (Operation::SquareRoot(_), [x]) => self.square_root(*x),
-            (Operation::Unary(function, _), [x]) => self.unary(*function, *x),
-            (Operation::Binary(function, ..), [x, y]) => self.binary(*function, *x, *y),
-            (Operation::Application(function, _), _) => self.apply(*function, operands),
-            _ => return None,
-        })
-    }
-}
-
-impl Arithmetic for ModularPoint {
-    type Number = u64;
-
-    fn load(&mut self, operand: &Operand) -> Option<u64> {
-        match operand {
-            Operand::Value(_) => None,
-            Operand::Constant(value) => ModularPoint::constant(*self, value),
-            Operand::Pi => Some(self.pi()),
-            Operand::MinPositive => Some(0),
-            Operand::Symbol(symbol) => Some(ModularPoint::symbol(*self, *symbol)),
-        }
-    }
-
-    fn perform(&mut self, operation: &Operation, operands: &[u64]) -> Option<u64> {
-        let p = self.p();
-        match (operation, operands) {
-            (Operation::Add(..), [x, y]) => Some(residue::add(*x, *y, p)),
-            (Operation::Subtract(..), [x, y]) => Some(residue::add(*x, residue::negate(*y, p), p)),
-            (Operation::Multiply(..), [x, y]) => Some(residue::multiply(*x, *y, p)),
-            (Operation::Divide(..), [x, y]) => {
-                Some(residue::multiply(*x, residue::reciprocal(*y, p)?, p))
-            }
-            (Operation::Negate(_), [x]) => Some(residue::negate(*x, p)),
-            (Operation::SquareRoot(_), [x]) => self.power(*x, &Rational::HALF),
-            (Operation::Unary(function, _), [x]) => {
-                let x = self.atom(*x);
-                ModularPoint::unary(*self, *function, x)
-            }
-            (Operation::Binary(function, ..), [x, y]) => {
-                Some(ModularPoint::binary(*self, *function, *x, *y))
-            }
-            (Operation::Application(function, _), _) => {
-                let arguments = operands.iter().copied();
-                Some(ModularPoint::apply(*self, *function, arguments))
-            }
-            _ => None,
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! Straight-line programs, the result that is emitted.
 //!
 //! A [`Program`] computes the values of several groups of roots, one group after the other, each value
-//! once. Invariants, checked by [`Program::verify`]: an operand is computed before it is used; no two
+//! once. Invariants, which the tests check: an operand is computed before it is used; no two
 //! instructions do the same; each output has the value of its root. The order of instructions depends
 //! on the graph alone.
 

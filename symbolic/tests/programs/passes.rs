@@ -4,7 +4,8 @@
 //! after each pass. Nothing is compared where the tree itself has no value, or none that rounding leaves
 //! any digit of.
 
-use lagrangian_symbolic::{Expression, Fault, Graph, Program, Symbol};
+use lagrangian_symbolic::testing::Fault;
+use lagrangian_symbolic::{Expression, Graph, Program, Symbol};
 use lagrangian_symbolic_testing::bounded::Bounded;
 use lagrangian_symbolic_testing::machine::run;
 use lagrangian_symbolic_testing::tree::{Tree, at, distributed, formulas, points, trees};

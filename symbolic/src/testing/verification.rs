@@ -3,8 +3,10 @@
 
 use crate::algebra::hashing::Set;
 use crate::identity::modular_point::ModularPoint;
+use crate::identity::residue;
+use crate::program::interpret::Arithmetic;
 use crate::program::straight_line::{Operand, Operation, Program};
-use crate::{Expression, Graph};
+use crate::{Expression, Graph, Rational};
 
 /// A fault of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,6 +49,11 @@ impl Program {
         Err(Fault::Undecided)
     }
 
+    /// The values of all outputs modulo a prime; every function is an arbitrary one of its argument.
+    fn evaluate_at(&self, mut point: ModularPoint) -> Option<Vec<Vec<u64>>> {
+        self.run(&mut point)
+    }
+
     /// Checks that operands precede their uses, and that no operation is done twice.
     fn verify_order(&self) -> Result<(), Fault> {
         let mut computed = 0;
@@ -83,4 +90,44 @@ fn compare(groups: &[&[Expression]], expected: &[u64], found: &[Vec<u64>]) -> Re
         }
     }
     Ok(())
+}
+
+impl Arithmetic for ModularPoint {
+    type Number = u64;
+
+    fn load(&mut self, operand: &Operand) -> Option<u64> {
+        match operand {
+            Operand::Value(_) => None,
+            Operand::Constant(value) => ModularPoint::constant(*self, value),
+            Operand::Pi => Some(self.pi()),
+            Operand::MinPositive => Some(0),
+            Operand::Symbol(symbol) => Some(ModularPoint::symbol(*self, *symbol)),
+        }
+    }
+
+    fn perform(&mut self, operation: &Operation, operands: &[u64]) -> Option<u64> {
+        let p = self.p();
+        match (operation, operands) {
+            (Operation::Add(..), [x, y]) => Some(residue::add(*x, *y, p)),
+            (Operation::Subtract(..), [x, y]) => Some(residue::add(*x, residue::negate(*y, p), p)),
+            (Operation::Multiply(..), [x, y]) => Some(residue::multiply(*x, *y, p)),
+            (Operation::Divide(..), [x, y]) => {
+                Some(residue::multiply(*x, residue::reciprocal(*y, p)?, p))
+            }
+            (Operation::Negate(_), [x]) => Some(residue::negate(*x, p)),
+            (Operation::SquareRoot(_), [x]) => self.power(*x, &Rational::HALF),
+            (Operation::Unary(function, _), [x]) => {
+                let x = self.atom(*x);
+                ModularPoint::unary(*self, *function, x)
+            }
+            (Operation::Binary(function, ..), [x, y]) => {
+                Some(ModularPoint::binary(*self, *function, *x, *y))
+            }
+            (Operation::Application(function, _), _) => {
+                let arguments = operands.iter().copied();
+                Some(ModularPoint::apply(*self, *function, arguments))
+            }
+            _ => None,
+        }
+    }
 }
