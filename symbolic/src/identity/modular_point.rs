@@ -74,6 +74,7 @@ impl ModularPoint {
     }
 
     /// The same point without addition theorems: functions of different arguments are unrelated.
+    #[cfg(any(test, feature = "testing"))]
     pub(crate) const fn without_addition_theorems(self) -> Self {
         Self {
             addition_theorems: false,

@@ -1,9 +1,7 @@
 //! Programs against the expressions that they were made from.
 
 use lagrangian_symbolic::testing::Fault;
-use lagrangian_symbolic::{
-    Equations, Expression, Graph, ModularPoint, Program, Rational, Symbol,
-};
+use lagrangian_symbolic::{Equations, Expression, Graph, ModularPoint, Program, Rational, Symbol};
 use lagrangian_symbolic_testing::systems::rigid_body;
 use lagrangian_symbolic_testing::{assert_close, value};
 
