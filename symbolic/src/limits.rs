@@ -300,8 +300,7 @@ pub(crate) const MAX_DIFFERENTIATED_BOTH_WAYS: usize = 4;
 /// be exponentially often.
 pub(crate) const MAX_FORMULA_LENGTH: usize = 1 << 16;
 
-/// Parts of a formula that are within more others are too deep to be folded; each takes frames of the stack. A line of a page
-/// has some thirty.
+/// Formulas that nest deeper are not folded: each level takes frames of the stack. A line of a page has some thirty levels.
 pub(crate) const MAX_PRINTED_DEPTH: usize = 300;
 
 /// Longer equations are left out of a listing, in characters: some five lines of a page, which no equation of the golden

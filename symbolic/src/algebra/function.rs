@@ -6,7 +6,8 @@
 
 use crate::{Expression, Graph, Rational};
 
-macro_rules! table {
+/// Writes the enumeration and the properties of the functions from one row for each.
+macro_rules! unary_functions {
     ($($(#[$about:meta])* $function:ident: $name:literal, $c_name:expr, $symmetry:ident, $cost:literal;)*) => {
         /// An elementary function of one argument.
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -27,7 +28,7 @@ macro_rules! table {
                 }
             }
 
-            /// The name in `<math.h>`; none where C has no such function, or one that rounds otherwise than that of Rust.
+            /// The name in `<math.h>`; `None` where C has no such function, or one that rounds differently from Rust's.
             #[must_use]
             pub const fn c_name(self) -> Option<&'static str> {
                 match self {
@@ -54,7 +55,7 @@ macro_rules! table {
     };
 }
 
-table! {
+unary_functions! {
     // function  name         in C            symmetry cost
     Sin:       "sin",       None,           Odd,  12;
     Cos:       "cos",       None,           Even, 12;
@@ -76,7 +77,7 @@ table! {
     Logistic:  "logistic",  None,           None, 18;
     /// ln(1 + eˣ), of which the logistic function is the derivative: an exponential and a logarithm.
     Softplus:  "softplus",  None,           None, 26;
-    /// ln cosh x, which is the same with the other sign of x: an exponential and a logarithm.
+    /// ln cosh x: an exponential and a logarithm.
     LogCosh:   "log_cosh",  None,           Even, 26;
     Abs:       "abs",       Some("fabs"),   Even, 1;
     Signum:    "signum",    None,           Odd,  1;
@@ -262,7 +263,7 @@ impl Binary {
         }
     }
 
-    /// The name in `<math.h>`; none where C has no such function.
+    /// The name in `<math.h>`; `None` where C has no such function.
     #[must_use]
     pub const fn c_name(self) -> Option<&'static str> {
         match self {

@@ -244,8 +244,9 @@ impl Geometry {
         if rate == [zero; 3] {
             return None;
         }
-        if let Some(frame) = self.frames_that_turn(rate).first() {
-            return Some(*frame);
+        let known = self.turning_frames().find(|(_, own)| *own == rate);
+        if let Some((frame, _)) = known {
+            return Some(frame);
         }
         let axis = Axis::ALL.into_iter().find(|axis| {
             let [_, j, k] = axis.cycle();
@@ -261,15 +262,14 @@ impl Geometry {
         Some(self.frames.frame(&[rotation]))
     }
 
-    /// The frames near the inertial one whose angular velocity along their own axes has these components.
-    pub(crate) fn frames_that_turn(&mut self, rate: Vector) -> Vec<Frame> {
+    /// The frames near the inertial one, each with its angular velocity along its own axes.
+    pub(crate) fn turning_frames(&mut self) -> impl Iterator<Item = (Frame, Vector)> {
         let coordinates = self.unresolved.as_ref().map(|vectors| vectors.coordinates);
-        let mut frames = self.frames.nearest(MAX_TURNS_OF_A_BASE);
-        frames.retain(|(_, factors)| {
-            let known = coordinates.map(|n| self.angular_velocity_of_product(factors, n));
-            known == Some(Ok(rate))
-        });
-        frames.into_iter().map(|(frame, _)| frame).collect()
+        let frames = self.frames.nearest(MAX_TURNS_OF_A_BASE).into_iter();
+        frames.filter_map(move |(frame, factors)| {
+            let rate = self.angular_velocity_of_product(&factors, coordinates?);
+            Some((frame, rate.ok()?))
+        })
     }
 
     /// The functions of the coordinates with these rates, which are linear in the velocities with constant coefficients.

@@ -4,7 +4,7 @@
 //! A product is made block by block, so that rotations have their factors and places are vectors: R R′, R p′ + p.
 
 use crate::frames::factor::MatrixFactor;
-use crate::frames::matrix::{Knowledge, Matrix};
+use crate::frames::matrix::{Matrix, Structure};
 use crate::{Expression, Geometry, Graph, Rational};
 
 impl Geometry {
@@ -95,7 +95,7 @@ impl Graph {
             _ => rotation.at(i, j),
         });
         let blocks = [rotation, place].map(Matrix::clone);
-        Some(elements.known_as(Knowledge::Homogeneous(Box::new(blocks))))
+        Some(elements.with_structure(Structure::Homogeneous(Box::new(blocks))))
     }
 
     /// The blocks R and p of a matrix of four rows whose last one is 0 0 0 1.
@@ -122,7 +122,7 @@ pub(crate) fn extended(vector: &Matrix, last: Expression) -> Matrix {
     elements.push(last);
     let extended = Matrix::vector(elements);
     if vector.shape() == (3, 1) {
-        return extended.known_as(Knowledge::Coordinates(Box::new(vector.clone())));
+        return extended.with_structure(Structure::Coordinates(Box::new(vector.clone())));
     }
     extended
 }

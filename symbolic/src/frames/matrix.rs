@@ -1,4 +1,4 @@
-//! Matrices of expressions, and what is known of them beside their elements.
+//! Matrices of expressions, and how they were computed.
 
 use crate::Expression;
 use crate::frames::factor::MatrixFactor;
@@ -6,27 +6,28 @@ use crate::frames::frame_tree::Frame;
 
 /// A matrix of expressions. A column vector is a matrix with one column.
 ///
-/// Two are equal if their elements are, whatever is known of them besides.
+/// Matrices are equal if their elements are, whatever their structure.
 #[derive(Clone, Debug)]
 pub struct Matrix {
     rows: usize,
     columns: usize,
     /// Column by column.
     elements: Vec<Expression>,
-    pub(crate) known: Knowledge,
+    pub(crate) structure: Structure,
 }
 
-/// What is known of a matrix beside its elements: how it was computed, as far as that makes what is computed from it cheaper.
+/// How a matrix was computed, as far as that makes what is computed from it cheaper.
 #[derive(Clone, Debug)]
-pub(crate) enum Knowledge {
-    Nothing,
-    /// The factors of a matrix of three rows and columns.
+pub(crate) enum Structure {
+    /// By its elements alone.
+    General,
+    /// As the product of these factors, which have three rows and columns.
     Product(Vec<MatrixFactor>),
-    /// A vector along inertial axes, as the sum Σ R v of vectors in frames.
+    /// As the sum Σ R v of vectors in frames, along inertial axes.
     Sum(Vec<Part>),
-    /// R and p of a homogeneous matrix.
+    /// As the homogeneous matrix of a rotation R and a place p.
     Homogeneous(Box<[Matrix; 2]>),
-    /// The first three of homogeneous coordinates, as a vector.
+    /// As homogeneous coordinates, of which the first three are this vector.
     Coordinates(Box<Matrix>),
 }
 
@@ -65,14 +66,13 @@ impl Matrix {
             rows,
             columns,
             elements,
-            known: Knowledge::Nothing,
+            structure: Structure::General,
         }
     }
 
-    /// The same matrix, of which this is known.
-    pub(crate) fn known_as(mut self, known: Knowledge) -> Self {
-        self.known = known;
-        self
+    /// The matrix with this structure.
+    pub(crate) fn with_structure(self, structure: Structure) -> Self {
+        Self { structure, ..self }
     }
 
     /// The matrix with an element for each row and column.
@@ -149,10 +149,10 @@ impl Matrix {
             count > 0 && first.checked_add(count).is_some_and(|last| last <= end)
         };
         let fits = fits(row, rows, self.rows) && fits(column, columns, self.columns);
-        let part = match (&self.known, (row, column), (rows, columns)) {
-            (Knowledge::Homogeneous(blocks), (0, 0), (3, 3)) => Some(&blocks[0]),
-            (Knowledge::Homogeneous(blocks), (0, 3), (3, 1)) => Some(&blocks[1]),
-            (Knowledge::Coordinates(vector), (0, 0), (3, 1)) => Some(&**vector),
+        let part = match (&self.structure, (row, column), (rows, columns)) {
+            (Structure::Homogeneous(blocks), (0, 0), (3, 3)) => Some(&blocks[0]),
+            (Structure::Homogeneous(blocks), (0, 3), (3, 1)) => Some(&blocks[1]),
+            (Structure::Coordinates(vector), (0, 0), (3, 1)) => Some(&**vector),
             _ => None,
         };
         if let Some(part) = part {
@@ -164,15 +164,15 @@ impl Matrix {
     /// The matrix with rows and columns exchanged.
     #[must_use]
     pub fn transpose(&self) -> Self {
-        let known = match &self.known {
-            Knowledge::Product(factors) => {
+        let structure = match &self.structure {
+            Structure::Product(factors) => {
                 let factors = factors.iter().rev().map(MatrixFactor::transpose);
-                Knowledge::Product(factors.collect())
+                Structure::Product(factors.collect())
             }
-            sum @ Knowledge::Sum(_) => sum.clone(),
-            _ => Knowledge::Nothing,
+            sum @ Structure::Sum(_) => sum.clone(),
+            _ => Structure::General,
         };
-        Self::from_function(self.columns, self.rows, |i, j| self.at(j, i)).known_as(known)
+        Self::from_function(self.columns, self.rows, |i, j| self.at(j, i)).with_structure(structure)
     }
 
     /// The matrix of the values of a function of each element.
@@ -190,16 +190,16 @@ impl Matrix {
 
     /// The factors of a matrix that was computed as a product, or whose transpose was.
     pub(crate) fn factors(&self) -> Option<&[MatrixFactor]> {
-        match &self.known {
-            Knowledge::Product(factors) => Some(factors),
+        match &self.structure {
+            Structure::Product(factors) => Some(factors),
             _ => None,
         }
     }
 
     /// The vectors in frames of which this one is the sum; none where it is known by its components alone.
     pub(crate) fn parts(&self) -> &[Part] {
-        match &self.known {
-            Knowledge::Sum(parts) => parts,
+        match &self.structure {
+            Structure::Sum(parts) => parts,
             _ => &[],
         }
     }

@@ -4,7 +4,7 @@
 //! costs no more than the product with the elements.
 
 use crate::frames::factor::MatrixFactor;
-use crate::frames::matrix::{Knowledge, Matrix};
+use crate::frames::matrix::{Matrix, Structure};
 use crate::limits::MAX_SUCCESSIVE_FACTORS;
 use crate::{Expression, Geometry, Graph, Rational};
 
@@ -82,7 +82,7 @@ impl Geometry {
             return self.product_of(factors);
         }
         let product = self.graph.product_of_elements(left, right);
-        product.known_as(Knowledge::Product(factors))
+        product.with_structure(Structure::Product(factors))
     }
 
     /// The matrix that is the product of these factors, from the left to the right.
@@ -93,7 +93,7 @@ impl Geometry {
             let factor = Matrix::with_elements(3, 3, elements);
             product = self.graph.product_of_elements(&product, &factor);
         }
-        product.known_as(Knowledge::Product(factors))
+        product.with_structure(Structure::Product(factors))
     }
 }
 

@@ -8,14 +8,14 @@
 use crate::frames::axis::Axis;
 use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
-use crate::frames::matrix::{Knowledge, Matrix, Part};
+use crate::frames::matrix::{Matrix, Part, Structure};
 use crate::limits::{MAX_FACTORS, MAX_FACTORS_IN_SUM, MAX_FRAMES_IN_SUM};
 use crate::{Expression, Geometry, Graph};
 
 type Vector = [Expression; 3];
 
 impl Geometry {
-    /// The same vector, known as the sum of these parts, unless they are many or none is rotated.
+    /// The vector with the structure of a sum of these parts, unless they are many or none is rotated.
     pub(crate) fn with_parts(&self, vector: Matrix, parts: Vec<Part>) -> Matrix {
         let most_factors = if parts.len() > 1 {
             MAX_FACTORS_IN_SUM
@@ -28,7 +28,7 @@ impl Geometry {
                 .all(|(frame, _)| self.frames.depth(*frame) <= most_factors);
         let is_rotated = parts.iter().any(|(frame, _)| *frame != Frame::INERTIAL);
         if vector.components().is_some() && is_short && is_rotated {
-            return vector.known_as(Knowledge::Sum(parts));
+            return vector.with_structure(Structure::Sum(parts));
         }
         vector
     }
@@ -182,7 +182,7 @@ fn parts_of(vector: &Matrix) -> Vec<Part> {
 }
 
 impl Graph {
-    /// The same vectors, those of one frame added up, without zeros.
+    /// Adds up the vectors of each frame, and leaves zeros out.
     pub(crate) fn added_by_frame<F: PartialEq>(
         &mut self,
         parts: Vec<(F, Vector)>,

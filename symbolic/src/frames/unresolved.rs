@@ -60,7 +60,7 @@ impl Geometry {
     }
 
     /// Σ fᵢ xᵢ of rows or columns of three components, if one of them is a vector that is resolved last and all others are
-    /// resolved along the same axes, or free of velocities; those with velocities have constant factors.
+    /// resolved along the same axes, or free of velocities. Vectors with velocities need constant factors.
     pub(crate) fn unresolved_sum(&mut self, terms: &[(&Matrix, Expression)]) -> Option<Matrix> {
         self.unresolved.as_ref()?;
         let known = terms.iter().filter_map(|(x, _)| self.unresolved_of(x));
@@ -179,7 +179,7 @@ impl Geometry {
         Some(self.graph.sum_of_products(a.into_iter().zip(b)))
     }
 
-    /// Two vectors along the same axes, of which one is resolved last, and the other may be written along the axes of that.
+    /// Two vectors along the same axes, one of which is resolved last; the other may be written out.
     pub(crate) fn along_common_axes(&self, x: &Matrix, y: &Matrix) -> Option<[VectorInFrames; 2]> {
         let [first, second] = [x, y].map(|x| self.unresolved_of(x));
         let axes = first.as_ref().or(second.as_ref())?.axes;

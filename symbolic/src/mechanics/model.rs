@@ -47,6 +47,16 @@ pub enum Energies {
     General(Expression),
 }
 
+impl Energies {
+    /// T and V, or L, and their weights in L.
+    pub(crate) fn weighted(self) -> (Vec<Expression>, &'static [f64]) {
+        match self {
+            Self::Natural { kinetic, potential } => (vec![kinetic, potential], &[1.0, -1.0]),
+            Self::General(lagrangian) => (vec![lagrangian], &[1.0]),
+        }
+    }
+}
+
 impl Model {
     /// The symbols qᵢ.
     #[must_use]

@@ -175,7 +175,7 @@ fn in_half_angles(
 }
 
 impl Energies {
-    /// With T and V, or L, written otherwise.
+    /// The energies with what `write` returns in place of T and V, or of L.
     fn written(self, write: impl FnOnce(&[Expression]) -> Vec<Expression>) -> Self {
         match self {
             Self::Natural { kinetic, potential } => {

@@ -11,30 +11,36 @@ use crate::print::index::{Index, Range};
 use crate::print::listing::index_letters::IndexLetters;
 use crate::print::printed::{Part, Printed};
 
+/// A formula without the numbers of its indices, and these.
+struct TakenApart {
+    shape: Printed,
+    numbers: Vec<i64>,
+}
+
+impl TakenApart {
+    /// By how much each index grows from one formula to another, by one or not at all; none if they differ in more.
+    fn steps(&self, next: &Self) -> Option<Vec<i64>> {
+        let steps = self.numbers.iter().zip(&next.numbers).map(|(x, y)| y - x);
+        let steps: Vec<_> = steps.collect();
+        let are_small = steps.iter().all(|step| (0..=1).contains(step));
+        (are_small && steps.contains(&1) && self.shape == next.shape).then_some(steps)
+    }
+}
+
 impl Printed {
-    /// The formula without the numbers of its indices, and these.
-    fn taken_apart(&self) -> (Self, Vec<i64>) {
+    fn taken_apart(&self) -> TakenApart {
         let (mut shape, mut numbers) = (self.clone(), Vec::new());
         shape.visit_indices(&mut |index| {
             if let Index::Number(number) = index {
                 numbers.push(core::mem::take(number));
             }
         });
-        (shape, numbers)
+        TakenApart { shape, numbers }
     }
 
     /// Its first index that is a number.
     fn first_number(&self) -> Option<i64> {
-        self.taken_apart().1.first().copied()
-    }
-
-    /// By how much each index grows from one formula to another, by one or not at all; none if they differ in more.
-    fn steps(&self, next: &Self) -> Option<Vec<i64>> {
-        let [(shape, numbers), (next, later)] = [self, next].map(Self::taken_apart);
-        let steps = numbers.iter().zip(&later).map(|(x, y)| y - x);
-        let steps: Vec<_> = steps.collect();
-        let are_small = steps.iter().all(|step| (0..=1).contains(step));
-        (shape == next && are_small && steps.contains(&1)).then_some(steps)
+        self.taken_apart().numbers.first().copied()
     }
 
     /// The formula with a variable, which is `start` here, in place of the indices that grow.
@@ -71,27 +77,31 @@ impl Printed {
         let Part::Sum(terms) = &mut self.0 else {
             return;
         };
-        let mut folded = Vec::new();
-        let mut rest = terms.as_slice();
-        while let [(negative, first), ..] = rest {
-            let mut step = None;
-            let mut pairs = rest.windows(2);
-            let alike = pairs.by_ref().take_while(|pair| {
-                let found = pair[0]
-                    .1
-                    .steps(&pair[1].1)
-                    .filter(|_| pair[0].0 == pair[1].0);
-                found.is_some() && *step.get_or_insert_with(|| found.clone()) == found
+        let parts: Vec<_> = terms.iter().map(|(_, term)| term.taken_apart()).collect();
+        let steps = terms
+            .windows(2)
+            .zip(parts.windows(2))
+            .map(|(terms, parts)| {
+                let steps = parts[0].steps(&parts[1]);
+                steps.filter(|_| terms[0].0 == terms[1].0)
             });
+        // The steps to the next term; none behind the last one.
+        let steps: Vec<_> = steps.chain([None]).collect();
+        let mut folded = Vec::new();
+        let mut start = 0;
+        while let Some((negative, first)) = terms.get(start) {
+            let alike = steps[start..]
+                .iter()
+                .take_while(|next| next.is_some() && **next == steps[start]);
             let count = 1 + alike.count();
-            let (own, behind) = rest.split_at(if count < fewest { 1 } else { count });
-            let sum = step.flatten().filter(|_| count >= fewest);
-            let sum = sum.and_then(|steps| first.sum_from(&steps, count, letters));
+            let sum = steps[start].as_ref().filter(|_| count >= fewest);
+            let sum = sum.and_then(|steps| first.sum_from(steps, count, letters));
+            let end = start + if count < fewest { 1 } else { count };
             match sum {
                 Some(sum) => folded.push((*negative, sum)),
-                None => folded.extend(own.iter().cloned()),
+                None => folded.extend(terms[start..end].iter().cloned()),
             }
-            rest = behind;
+            start = end;
         }
         *terms = folded;
     }
@@ -108,8 +118,9 @@ impl Printed {
             .map(|letter| letters.text(letter))
             .into_iter();
         let variable = variables.find(|letter| !used.contains(letter))?;
-        let (_, numbers) = self.taken_apart();
-        let mut moving = numbers
+        let mut moving = self
+            .taken_apart()
+            .numbers
             .into_iter()
             .zip(steps)
             .filter(|(_, step)| **step == 1);
@@ -236,7 +247,7 @@ fn equation_of_family(
     }
     let middle = positions.len() / 2;
     let [one, next] = [positions[middle], positions[middle + 1]];
-    let steps = sums[one].steps(&sums[next])?;
+    let steps = sums[one].taken_apart().steps(&sums[next].taken_apart())?;
     let variable = letters.text('i');
     let start = equations[one].first_number()?;
     let pattern = sums[one].clone().generalized(&steps, &variable, start);

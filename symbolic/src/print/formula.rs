@@ -6,7 +6,6 @@ use std::borrow::Cow;
 use crate::limits::MAX_FORMULA_LENGTH;
 use crate::print::layout::Layout;
 use crate::print::notation::{ELLIPSIS, Notation};
-use crate::print::printed::{Part, Printed};
 use crate::print::writer::{Piece, Writer};
 use crate::{Expression, Graph, Letters, Names};
 
@@ -70,22 +69,7 @@ impl Formula<'_> {
 
     /// How [long](Printed::length) it is to read, or one more than `most` if it is longer.
     pub(crate) fn length(&self, most: usize) -> usize {
-        let mut writer = self.writer();
-        let mut length = 0;
-        while length <= most
-            && let Some(piece) = writer.next_piece()
-        {
-            if let Piece::Formula(Printed(Part::Name(name)))
-            | Piece::BeforeBar(Printed(Part::Name(name))) = &piece
-            {
-                length += name.reading_of_indices();
-            }
-            match piece.text() {
-                Some(text) => length += text.chars().count(),
-                None => writer.expand(piece),
-            }
-        }
-        length.min(most.saturating_add(1))
+        self.writer().length(most)
     }
 
     fn writer(&self) -> Writer<'_> {

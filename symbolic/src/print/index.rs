@@ -35,7 +35,7 @@ impl Index {
         }
     }
 
-    /// As much more.
+    /// The index plus a number; a word stays as it is.
     #[must_use]
     pub fn plus(self, number: i64) -> Self {
         match self {

@@ -93,7 +93,7 @@ pub(crate) fn raised(text: &str) -> String {
     shifted(text, |row| row.2)
 }
 
-/// The same below the line.
+/// Digits, signs and letters of indices below the line.
 pub(crate) fn lowered(text: &str) -> String {
     shifted(text, |row| row.1)
 }

@@ -105,7 +105,7 @@ impl Numeral {
         }
     }
 
-    /// The numerator and the denominator of a fraction that has to be spread over those of a product behind it.
+    /// The numerator and the denominator of a fraction that, before a product, is written over and under it.
     pub(crate) fn spread(&self, notation: Notation) -> Option<[Self; 2]> {
         match (self, notation) {
             (Self::Fraction(above, below), Notation::Unicode) if vulgar(above, below).is_none() => {

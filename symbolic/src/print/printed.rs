@@ -160,7 +160,7 @@ impl Printed {
         Self(Part::Behind(Box::new(self), signs.map(String::from)))
     }
 
-    /// With signs before it, in Unicode and in LaTeX, as those of a function.
+    /// With signs before it, in Unicode and in LaTeX, such as the name of a function.
     #[must_use]
     pub fn after(self, signs: [&str; 2]) -> Self {
         Self(Part::Before(signs.map(String::from), Box::new(self)))
@@ -315,13 +315,7 @@ impl Printed {
 
     /// How long it is to read: its characters in Unicode, and more for the indices of families.
     pub(crate) fn length(&self) -> usize {
-        let mut length = self.written(Notation::Unicode).chars().count();
-        self.clone().visit(&mut |part| {
-            if let Part::Name(name) = &part.0 {
-                length += name.reading_of_indices();
-            }
-        });
-        length
+        Writer::new(Notation::Unicode, None, self.clone()).length(usize::MAX)
     }
 
     /// The formula as it is read.

@@ -72,7 +72,7 @@ impl<'a> Layout<'a> {
             return self.operand(base).root();
         }
         let base = match (self.letters.definition(base), self.graph.node(base)) {
-            // The exponent of ln cosh x would be that of cosh x.
+            // ln cosh² x would be the logarithm of a square.
             (None, Node::Unary(function, x))
                 if exponent.is_one() || exponent.is_integer() && *function != Unary::LogCosh =>
             {

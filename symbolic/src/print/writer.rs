@@ -83,6 +83,25 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// How long the rest is to read: its characters, and more for the indices of families; one more than `most` if it is longer.
+    pub(crate) fn length(mut self, most: usize) -> usize {
+        let mut length = 0;
+        while length <= most
+            && let Some(piece) = self.next_piece()
+        {
+            if let Formula(Printed(Part::Name(name))) | BeforeBar(Printed(Part::Name(name))) =
+                &piece
+            {
+                length += name.reading_of_indices();
+            }
+            match piece.text() {
+                Some(text) => length += text.chars().count(),
+                None => self.expand(piece),
+            }
+        }
+        length.min(most.saturating_add(1))
+    }
+
     /// Takes off what is to be written next.
     pub(crate) fn next_piece(&mut self) -> Option<Piece> {
         self.stack.pop()
@@ -312,7 +331,7 @@ impl Line {
     fn power(&mut self, [base, exponent]: [Printed; 2], before_bar: bool) {
         let raised = self.exponent(&exponent);
         match (base.0, raised) {
-            // The exponent of ln cosh x would be that of cosh x.
+            // ln cosh² x would be the logarithm of a square.
             (Part::Function(function, x), Some(raised)) if function != Unary::LogCosh => {
                 self.function(function, &raised, *x, before_bar);
             }

@@ -12,7 +12,7 @@ pub(crate) trait Arithmetic {
 
     /// An operand that no instruction computes.
     fn load(&mut self, operand: &Operand) -> Option<Self::Number>;
-    /// What an operation makes of its operands, of one where there are two results.
+    /// The result of an operation on operands. Sine and cosine of one angle are two operations.
     fn perform(&mut self, operation: &Operation, operands: &[Self::Number])
     -> Option<Self::Number>;
 }

@@ -23,7 +23,7 @@ pub struct OperationCount {
 }
 
 impl OperationCount {
-    /// The numbers in the order of the kinds.
+    /// The counts in the order of the fields.
     #[must_use]
     pub const fn by_kind(&self) -> [usize; 6] {
         [

@@ -1,8 +1,8 @@
 //! The energies and constraints of a declaration, as the operations by which they were declared.
 //!
-//! As components along inertial axes, the velocity of each link of an arm contains all rotations before it. Evaluated once
-//! more the energies keep whole vectors, from which the solver reads how links follow each other, and the
-//! constraints the velocities of the points that they restrict.
+//! As components along inertial axes, the velocity of each link of an arm contains all rotations before it. Evaluated
+//! once more, the energies keep whole vectors, from which the solver reads how links follow each other, and the
+//! constraints keep the velocities of the points that they restrict.
 
 use crate::typed::components::Components;
 use crate::typed::evaluation::Evaluation;

@@ -10,7 +10,7 @@ mod tests;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::validation::number::Number;
+use crate::validation::number::{Number, real_power};
 use crate::{Binary, Unary};
 
 /// A number with derivatives along two directions.
@@ -223,23 +223,7 @@ impl Div for HyperDual {
     }
 }
 
-/// x^k by products for integers, and never 0·∞ for the derivatives of a low power at 0.
-pub(crate) fn real_power(x: f64, k: f64) -> f64 {
-    if k == 0.5 {
-        return x.sqrt();
-    }
-    if k == 2.0 {
-        return x * x;
-    }
-    if k == -1.0 {
-        return 1.0 / x;
-    }
-    if k == -0.5 {
-        return 1.0 / x.sqrt();
-    }
-    libm::pow(x, k)
-}
-
+/// xᵏ and its derivatives, without 0·∞ where a derivative of a low power vanishes identically.
 pub(super) fn power_derivatives(x: f64, k: f64) -> Derivatives {
     if k == 2.0 {
         return [x * x, 2.0 * x, 2.0, 0.0];

@@ -10,7 +10,6 @@ use crate::identity::real_point::RealPoint;
 use crate::validation::hyper_dual::HyperDual;
 use crate::validation::number::Number as _;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::reduction_check::energy_roots;
 use crate::validation::sum_with_size::SumWithSize;
 use crate::validation::tape::{StandIns, Tape};
 use crate::{Expression, Graph, Model, Symbol};
@@ -106,7 +105,7 @@ impl Lagrange {
         multipliers: usize,
         stand_ins: &StandIns,
     ) -> Self {
-        let (energies, _) = energy_roots(model.energies);
+        let (energies, _) = model.energies.weighted();
         let mut roots = energies.clone();
         roots.push(model.dissipation);
         roots.extend(&model.forces);

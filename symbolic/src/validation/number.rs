@@ -2,7 +2,6 @@
 
 use core::ops::{Add, Div, Mul, Sub};
 
-use crate::validation::hyper_dual::real_power;
 use crate::{Binary, Unary};
 
 /// Numbers on which a tape is evaluated.
@@ -54,4 +53,22 @@ impl Number for f64 {
     fn composed(value: f64, _: &[Self], _: &[Self]) -> Self {
         value
     }
+}
+
+/// xᵏ, for the powers that occur most without a general power.
+#[allow(clippy::float_cmp)] // Exact exponents.
+pub(super) fn real_power(x: f64, k: f64) -> f64 {
+    if k == 0.5 {
+        return x.sqrt();
+    }
+    if k == 2.0 {
+        return x * x;
+    }
+    if k == -1.0 {
+        return 1.0 / x;
+    }
+    if k == -0.5 {
+        return 1.0 / x.sqrt();
+    }
+    libm::pow(x, k)
 }

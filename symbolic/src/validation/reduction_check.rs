@@ -8,7 +8,6 @@
 
 use crate::identity::real_point::RealPoint;
 use crate::limits::{VALIDATED_POINTS, VALIDATION_ATTEMPTS};
-use crate::mechanics::model::Energies;
 use crate::mechanics::routhian::Reduction;
 use crate::validation::hyper_dual::HyperDual;
 use crate::validation::number::Number as _;
@@ -61,7 +60,7 @@ impl<'a> ReductionCheck<'a> {
             reduced: Tape::of_expressions(graph, &reduced),
             reduced_weights,
             evaluated: reduction.model.evaluated.map(|energies| {
-                let (roots, weights) = energy_roots(energies);
+                let (roots, weights) = energies.weighted();
                 (Tape::of_expressions(graph, &roots), weights)
             }),
         }
@@ -253,20 +252,12 @@ impl Largest {
 
 /// T and V, or L; then D, the forces and the constraints; and the weights of the first ones in L.
 fn roots(model: &Model) -> (Vec<Expression>, &'static [f64]) {
-    let (mut roots, weights) = energy_roots(model.energies);
+    let (mut roots, weights) = model.energies.weighted();
     roots.push(model.dissipation);
     roots.extend(&model.forces);
     let constraints = model.constraints.iter();
     roots.extend(constraints.map(|constraint| constraint.expression()));
     (roots, weights)
-}
-
-/// T and V, or L, and their weights in L.
-pub(super) fn energy_roots(energies: Energies) -> (Vec<Expression>, &'static [f64]) {
-    match energies {
-        Energies::Natural { kinetic, potential } => (vec![kinetic, potential], &[1.0, -1.0]),
-        Energies::General(lagrangian) => (vec![lagrangian], &[1.0]),
-    }
 }
 
 fn weighted(values: &[f64], weights: &[f64]) -> f64 {

@@ -16,7 +16,6 @@ use crate::validation::lagrange::{Lagrange, Variation};
 use crate::validation::mixed_derivatives::MixedDerivatives;
 use crate::validation::perturbation::Perturbation;
 use crate::validation::programs::{Method, Programs, Tapes};
-use crate::validation::reduction_check::energy_roots;
 use crate::validation::reference::Reference;
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::tape::StandIns;
@@ -45,7 +44,7 @@ impl Validator {
     /// The reference for a model whose last coordinates stand for so many multipliers.
     fn of(model: &Model, multipliers: usize) -> Self {
         let graph = &model.graph;
-        let (mut energies, _) = energy_roots(model.energies);
+        let (mut energies, _) = model.energies.weighted();
         energies.push(model.dissipation);
         let mut parts = graph.descendants(&energies).into_iter();
         let has_several_arguments = parts.any(|part| match graph.node(part) {

@@ -25,7 +25,6 @@ struct BodyFunction {
     arguments: &'static [&'static str],
     /// What it takes beside a body and its rotation.
     others: &'static str,
-    is_kinetic: bool,
 }
 
 static BODY_FUNCTIONS: [BodyFunction; 2] = [
@@ -33,13 +32,11 @@ static BODY_FUNCTIONS: [BodyFunction; 2] = [
         name: "kinetic_energy",
         arguments: &["body", "r", "p"],
         others: "and the position p of their origin",
-        is_kinetic: true,
     },
     BodyFunction {
         name: "potential_energy",
         arguments: &["body", "r", "p", "gravity"],
         others: "the position p of their origin, and the acceleration of gravity",
-        is_kinetic: false,
     },
 ];
 
@@ -119,28 +116,28 @@ impl Lowerer<'_> {
             );
             return self.reject(call, message);
         }
-        let body = self.expected_body(name, arguments[0]);
+        let [body, written, position, gravity @ ..] = arguments else {
+            return None;
+        };
+        let body = self.expected_body(name, body);
         // What the kinetic energy is made of is differentiated.
-        let context_of_place = if function.is_kinetic {
+        let context_of_place = if gravity.is_empty() {
             ExpressionContext::Observation
         } else {
             context
         };
         let rotation = self.matrix_of(
             3,
-            arguments[1],
+            written,
             "a rotation, which is a 3×3 matrix,",
             context_of_place,
         );
         let position = self.matrix_of(
             1,
-            arguments[2],
+            position,
             "a position, which has three components,",
             context_of_place,
         );
-        let [_, written, _, gravity @ ..] = arguments else {
-            return None;
-        };
         let [gravity] = gravity else {
             let rotation = (rotation?, *written);
             return self.kinetic_of_body(&body?, rotation, position?, call, context);

@@ -187,14 +187,17 @@ impl Reader {
 
     /// The link whose angular velocity has this component along an axis, and no others.
     fn turning_link(&mut self, rate: Expression) -> Option<(usize, usize)> {
-        (0..3).find_map(|axis| {
-            let mut along = [self.geometry.graph.zero(); 3];
-            along[axis] = rate;
-            let frames = self.geometry.frames_that_turn(along).into_iter();
-            let mut links =
-                frames.filter_map(|frame| self.frames.iter().position(|known| *known == frame));
-            links.next().map(|link| (link, axis))
-        })
+        let mut along = [[self.geometry.graph.zero(); 3]; 3];
+        for (axis, velocity) in along.iter_mut().enumerate() {
+            velocity[axis] = rate;
+        }
+        self.geometry
+            .turning_frames()
+            .find_map(|(frame, velocity)| {
+                let axis = along.iter().position(|known| *known == velocity)?;
+                let link = self.frames.iter().position(|known| *known == frame)?;
+                Some((link, axis))
+            })
     }
 
     /// The mass of ½ m |v|² of the velocity v of a point; nothing of an angular velocity along the axes of its frame.

@@ -252,7 +252,7 @@ fn field(graph: &mut Graph, velocity: Vector, acceleration: Vector) -> ([Vector;
 }
 
 impl Wrench {
-    /// Along the axes of the link before, which this turn leads from.
+    /// The wrench along the axes of the link before, given how the link is turned against it.
     pub(crate) fn turned(self, graph: &mut Graph, turn: &Turn) -> Self {
         Self {
             force: turn.outward(graph, self.force),

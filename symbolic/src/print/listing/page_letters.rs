@@ -157,7 +157,7 @@ impl PageLetters {
         text
     }
 
-    /// The same as a formula.
+    /// A template with the letters of the page, as a formula.
     pub(crate) fn printed(&self, templates: [&str; 2]) -> Printed {
         Printed::text(self.texts(templates).each_ref().map(|text| &**text))
     }
