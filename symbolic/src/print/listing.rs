@@ -12,6 +12,7 @@ pub(crate) mod row_breaks;
 pub(crate) mod constraints;
 pub(crate) mod coordinates;
 pub(crate) mod energy;
+pub(crate) mod sampling;
 pub(crate) mod families;
 pub(crate) mod printed_model;
 pub(crate) mod index_families;

@@ -9,8 +9,8 @@ use crate::limits::{
 use crate::mechanics::solvers::form::SolvedForm;
 use crate::print::listing::Declared;
 use crate::print::listing::as_declared::DeclaredLine;
-use crate::print::listing::families::Sampling;
 use crate::print::listing::page_letters::{PageLetters, Quantity};
+use crate::print::listing::sampling::Sampling;
 use crate::print::listing::section::{Section, Side};
 use crate::print::names::{Letters, Names};
 use crate::print::printed::Printed;

@@ -5,34 +5,21 @@
 //! of M is another one, what it has besides stands beside the sum. All equations are compared with what is printed by an
 //! identity test (`identity/identity_testing.rs`): where it does not say yes, nothing is folded.
 
-use core::ops;
 use std::collections::BTreeMap;
 
 use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
-use crate::limits::{MAX_UNARRANGED_LENGTH, MIN_FOLDED_LINES};
-use crate::print::index::{Index, Range};
+use crate::limits::MAX_UNARRANGED_LENGTH;
 use crate::print::listing::composer::Composer;
-use crate::print::listing::index_families::Families;
-use crate::print::listing::index_letters::IndexLetters;
 use crate::print::listing::index_pattern::{IndexPattern, Known};
 use crate::print::listing::pattern_text::of_indices;
+use crate::print::listing::sampling::Sampling;
 use crate::print::printed::Printed;
 use crate::{Equations, Expression, Graph, Rational, Symbol};
 
 /// An entry of M that is folded has so many sums over the family at most; that of a chain of links has one.
 const MAX_SUMS: u64 = 3;
-
-/// A family of coordinates, the place of the first one, the first and the last index, and a pair of members that is not special
-/// if there are many.
-pub(crate) struct Sampling {
-    pub(crate) families: Families,
-    pub(crate) place: usize,
-    pub(crate) first: i64,
-    pub(crate) last: i64,
-    pub(crate) pair: [i64; 2],
-}
 
 /// What is folded: equations, and the samples of their terms.
 struct Folding<'a> {
@@ -372,57 +359,5 @@ impl Terms {
             }
         }
         Some(total)
-    }
-}
-
-impl Sampling {
-    /// That of a model of which some coordinates, one behind the other, are of one family.
-    pub(crate) fn of(composer: &Composer<'_>) -> Option<Self> {
-        let families = Families::of(&composer.declared.names);
-        let (place, [first, last]) = families.longest_run(composer.model.coordinates)?;
-        let count = last - first + 1;
-        let fewest: i64 = MIN_FOLDED_LINES.try_into().ok()?;
-        let start = first + count / 4;
-        let pair = [start, start + (count + 1) / 3];
-        (count >= fewest && pair[1] < last).then_some(Self {
-            families,
-            place,
-            first,
-            last,
-            pair,
-        })
-    }
-
-    /// The positions of the pair among the coordinates.
-    fn positions(&self) -> [usize; 2] {
-        self.pair
-            .map(|index| self.place + usize::try_from(index - self.first).unwrap_or(0))
-    }
-
-    /// The positions of the family among the coordinates.
-    pub(crate) fn rows(&self) -> ops::Range<usize> {
-        let count = usize::try_from(self.last - self.first + 1).unwrap_or(0);
-        self.place..self.place + count
-    }
-
-    /// The rows and columns of the family.
-    fn block(&self, mass: &[Vec<Expression>]) -> Vec<Vec<Expression>> {
-        let rows = mass[self.rows()].iter();
-        rows.map(|row| row[self.rows()].to_vec()).collect()
-    }
-
-    /// All pairs, row by row.
-    fn pairs(&self) -> impl Iterator<Item = [i64; 2]> {
-        let [first, last] = [self.first, self.last];
-        (first..=last).flat_map(move |i| (first..=last).map(move |j| [i, j]))
-    }
-
-    /// The range of an index.
-    fn range(&self, index: char, letters: IndexLetters) -> Range {
-        Range {
-            variable: letters.text(index),
-            first: Index::Number(self.first),
-            last: Index::Number(self.last),
-        }
     }
 }
