@@ -2,8 +2,12 @@
 //!
 //! `cargo test -p lagrangian-derive timing -- --nocapture` prints the times, and with `--include-ignored`
 //! also those of long chains. The benchmark reads them, by its names: A1 and A2 are the symmetric and the
-//! general top, P5 is a pendulum of five links. Nothing here asserts a time.
+//! general top, P5 is a pendulum of five links, S6 an arm in space of six joints. Nothing here asserts a time.
+//!
+//! The instructions of one expansion are counted by `valgrind --tool=callgrind` on the test program, with `MODEL=P20` in the
+//! environment and the arguments `--exact tests::timing::the_named_model_expands --ignored --test-threads=1`.
 
+use std::env;
 use std::time::Instant;
 
 use proc_macro2::TokenStream;
@@ -161,4 +165,20 @@ fn dense_quadratic_forms_expand() {
 fn arms_in_space_expand() {
     let arm = |links| arm(links as usize);
     measure_growth("S", arm, &[3, 6, 10, 15, 20, 30]);
+}
+
+#[test]
+#[ignore = "counted in instructions, one model at a time"]
+fn the_named_model_expands() {
+    let Ok(name) = env::var("MODEL") else {
+        return;
+    };
+    let (kind, size) = name.split_at(1);
+    let size: u32 = size.parse().expect("a letter and a size, such as P20");
+    let model = match kind {
+        "P" => pendulum(size),
+        "D" => dense(size),
+        _ => arm(size as usize),
+    };
+    measure(&name, model);
 }
