@@ -51,6 +51,15 @@ pub struct Graph {
     pub(crate) derivatives: DerivativeMemory,
 }
 
+/// What a graph was at some time.
+pub(crate) struct Checkpoint {
+    length: usize,
+    functions: Vec<ExternalDeclaration>,
+    squared_distances: BTreeSet<Expression>,
+    /// Whether there was a hyperbolic and an exponential function.
+    has_functions: [bool; 2],
+}
+
 impl Default for Graph {
     fn default() -> Self {
         Self::new()
@@ -78,6 +87,30 @@ impl Graph {
         graph.intern(Node::Constant(Rational::ZERO));
         graph.intern(Node::Constant(Rational::ONE));
         graph
+    }
+
+    /// The state to which [`Self::roll_back`] returns.
+    pub(crate) fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            length: self.len(),
+            functions: self.functions.clone(),
+            squared_distances: self.squared_distances.clone(),
+            has_functions: [self.has_hyperbolic, self.has_exponential],
+        }
+    }
+
+    /// Removes the expressions that were added since a checkpoint.
+    pub(crate) fn roll_back(&mut self, checkpoint: Checkpoint) {
+        self.nodes.truncate(checkpoint.length);
+        self.contents.truncate(checkpoint.length);
+        self.symbol_bits.truncate(checkpoint.length);
+        self.functions = checkpoint.functions;
+        self.squared_distances = checkpoint.squared_distances;
+        [self.has_hyperbolic, self.has_exponential] = checkpoint.has_functions;
+        // Caches may name what is removed.
+        self.splits = KnownSplits::default();
+        self.scales = KnownScales::default();
+        self.derivatives = DerivativeMemory::default();
     }
 
     /// The number 0.

@@ -85,9 +85,20 @@ impl Interner {
         }
     }
 
+    /// Removes the nodes from this position on.
+    pub(crate) fn truncate(&mut self, length: usize) {
+        self.nodes.truncate(length);
+        self.codes.truncate(length);
+        self.place(self.slots.len());
+    }
+
     fn grow(&mut self) {
-        let size = (2 * self.slots.len()).max(64);
-        let mask = size - 1;
+        self.place((2 * self.slots.len()).max(64));
+    }
+
+    /// Places all nodes in so many slots.
+    fn place(&mut self, size: usize) {
+        let mask = size.saturating_sub(1);
         self.slots = vec![FREE; size];
         for (position, code) in self.codes.iter().enumerate() {
             let mut slot = home_slot(*code, mask);
@@ -144,5 +155,13 @@ mod tests {
             }
         }
         assert_eq!(interner.nodes(), nodes);
+        interner.truncate(300);
+        assert_eq!(interner.nodes(), &nodes[..300]);
+        for (position, node) in nodes.iter().enumerate() {
+            assert_eq!(
+                interner.position(node),
+                (position < 300).then_some(position)
+            );
+        }
     }
 }

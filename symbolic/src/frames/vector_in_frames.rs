@@ -50,7 +50,7 @@ pub(crate) struct VectorInFrames {
 pub(crate) struct VectorId(usize);
 
 /// The vectors whose components are [symbols](crate::Symbol::VelocityComponent) until they are resolved.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct UnresolvedVectors {
     /// How many coordinates the system has.
     pub(crate) coordinates: u32,

@@ -39,8 +39,14 @@ impl Printed {
     }
 
     /// Its first index that is a number.
-    fn first_number(&self) -> Option<i64> {
-        self.taken_apart().numbers.first().copied()
+    fn first_number(&mut self) -> Option<i64> {
+        let mut first = None;
+        self.visit_indices(&mut |index| {
+            if let Index::Number(number) = index {
+                first.get_or_insert(*number);
+            }
+        });
+        first
     }
 
     /// The formula with a variable, which is `start` here, in place of the indices that grow.
@@ -77,6 +83,9 @@ impl Printed {
         let Part::Sum(terms) = &mut self.0 else {
             return;
         };
+        if terms.len() < fewest {
+            return;
+        }
         let parts: Vec<_> = terms.iter().map(|(_, term)| term.taken_apart()).collect();
         let steps = terms
             .windows(2)
@@ -194,8 +203,8 @@ pub(crate) struct Folded {
 }
 
 /// Equations with sums, and one in place of the members of each family, where it is the same for most of them.
-pub(crate) fn folded(equations: &[Printed], letters: IndexLetters) -> Vec<Folded> {
-    let mut sums = equations.to_vec();
+pub(crate) fn folded(equations: &[&Printed], letters: IndexLetters) -> Vec<Folded> {
+    let mut sums: Vec<_> = equations.iter().map(|x| Printed::clone(x)).collect();
     for equation in &mut sums {
         // Without the index of a member nothing is folded.
         if equation.first_number().is_some() {
@@ -212,20 +221,18 @@ pub(crate) fn folded(equations: &[Printed], letters: IndexLetters) -> Vec<Folded
             None => families.push((family, vec![position])),
         }
     }
-    let mut folded: Vec<_> = sums
+    let found = families
         .iter()
-        .enumerate()
-        .map(|(position, equation)| {
-            Some(Folded {
-                equation: equation.clone(),
-                members: vec![position],
-            })
+        .map(|(_, positions)| equation_of_family(equations, &sums, positions, letters));
+    let found: Vec<_> = found.collect();
+    let single = |(position, equation)| {
+        Some(Folded {
+            equation,
+            members: vec![position],
         })
-        .collect();
-    for (_, positions) in families {
-        let Some(family) = equation_of_family(equations, &sums, &positions, letters) else {
-            continue;
-        };
+    };
+    let mut folded: Vec<_> = (0..).zip(sums).map(single).collect();
+    for family in found.into_iter().flatten() {
         for position in &family.members {
             folded[*position] = None;
         }
@@ -237,7 +244,7 @@ pub(crate) fn folded(equations: &[Printed], letters: IndexLetters) -> Vec<Folded
 
 /// The equation of most members of a family.
 fn equation_of_family(
-    equations: &[Printed],
+    equations: &[&Printed],
     sums: &[Printed],
     positions: &[usize],
     letters: IndexLetters,
@@ -249,11 +256,11 @@ fn equation_of_family(
     let [one, next] = [positions[middle], positions[middle + 1]];
     let steps = sums[one].taken_apart().steps(&sums[next].taken_apart())?;
     let variable = letters.text('i');
-    let start = equations[one].first_number()?;
+    let start = equations[one].clone().first_number()?;
     let pattern = sums[one].clone().generalized(&steps, &variable, start);
     let covered = positions.iter().filter_map(|position| {
-        let equation = &equations[*position];
-        let number = equation.first_number()?;
+        let equation = equations[*position];
+        let number = equation.clone().first_number()?;
         let mut member = pattern.at(&variable, number);
         (member.unfold_sums() && member == *equation).then_some((number, *position))
     });
@@ -286,7 +293,8 @@ mod tests {
     }
 
     fn texts(equations: &[Printed]) -> Vec<String> {
-        let folded = folded(equations, IndexLetters::default()).into_iter();
+        let equations: Vec<_> = equations.iter().collect();
+        let folded = folded(&equations, IndexLetters::default()).into_iter();
         folded
             .map(|fold| fold.equation.written(Notation::Unicode))
             .collect()

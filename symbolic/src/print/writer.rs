@@ -53,10 +53,10 @@ enum Side {
 
 /// A formula of which the rest is still to be written.
 pub(crate) struct Writer<'a> {
-    notation: Notation,
     /// What lays out expressions, if there are any.
     layout: Option<Layout<'a>>,
     stack: Vec<Piece>,
+    line: Line,
 }
 
 /// The texts of a formula.
@@ -77,9 +77,12 @@ impl Iterator for Writer<'_> {
 impl<'a> Writer<'a> {
     pub(crate) fn new(notation: Notation, layout: Option<Layout<'a>>, formula: Printed) -> Self {
         Self {
-            notation,
             layout,
             stack: vec![Formula(formula)],
+            line: Line {
+                notation,
+                pieces: Vec::new(),
+            },
         }
     }
 
@@ -109,10 +112,7 @@ impl<'a> Writer<'a> {
 
     /// Puts the pieces of `piece` in its place.
     pub(crate) fn expand(&mut self, piece: Piece) {
-        let mut line = Line {
-            notation: self.notation,
-            pieces: Vec::new(),
-        };
+        let line = &mut self.line;
         match (piece, &self.layout) {
             (Formula(Printed(Part::Unfolded(x, scale, _))), Some(layout)) => {
                 line.pieces.push(Formula(layout.multiple(x, &scale)));
@@ -131,11 +131,11 @@ impl<'a> Writer<'a> {
             (BeforeBar(formula), _) => line.formula(formula, true),
             (piece, _) => line.pieces.push(piece),
         }
-        self.stack.extend(line.pieces.into_iter().rev());
+        self.stack.extend(line.pieces.drain(..).rev());
     }
 }
 
-/// The pieces of one formula.
+/// The pieces of one formula, while it is expanded.
 struct Line {
     notation: Notation,
     pieces: Vec<Piece>,

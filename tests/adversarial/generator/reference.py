@@ -318,14 +318,15 @@ MODES = ["plain", "plain", "equal", "zero", "negative", "scaled"]
 TRIES = 40
 
 
-def drawn_state(model, rng, mode):
+def drawn_state(model, rng, mode, projects=True):
     fields = {f.name: drawn_field(f, rng, mode) for f in model.fields}
     q = [drawn_coordinate(model.q_draw.get(label[0], (-3.0, 3.0)), rng) for label in model.coordinate_labels()]
     v = [rng.uniform(-2.0, 2.0) for _ in q]
     if rng.random() < 0.1:
         v = [0.0 for _ in q]
     at = Inputs(rng.uniform(-2.0, 2.0), q, v, fields)
-    return on_the_constraints(model, at) if model.is_constrained() and rng.random() < 0.5 else at
+    is_consistent = model.is_constrained() and rng.random() < 0.5
+    return on_the_constraints(model, at) if is_consistent and projects else at
 
 
 def on_the_constraints(model, at):
@@ -341,7 +342,7 @@ def drawn_coordinate(draw, rng):
 
 def given_state(model, given, rng):
     """A state that the model itself lists."""
-    at = drawn_state(model, rng, "plain")
+    at = drawn_state(model, rng, "plain", projects=False)
     at.fields.update({name: x for name, x in given.items() if name not in ("t", "q", "v")})
     return Inputs(given.get("t", at.t), given["q"], given["v"], at.fields)
 

@@ -34,21 +34,25 @@ impl Mechanism {
 
     fn with_origins(model: &mut Model, keeps_origins: bool) -> Option<Self> {
         let declaration = model.declaration.as_ref()?;
-        // On a copy: what is read in vain stays out of the equations.
-        let geometry = Geometry::from(model.graph.clone());
+        let checkpoint = model.graph.checkpoint();
+        let geometry = Geometry::from(core::mem::take(&mut model.graph));
         let mut geometry = geometry.with_unresolved_vectors(model.coordinates);
-        let system = declaration.in_frames(&mut geometry)?;
+        let system = declaration.in_frames(&mut geometry);
         let mut reader = Reader {
-            vectors: geometry.unresolved.clone()?,
+            vectors: geometry.unresolved.clone().unwrap_or_default(),
             geometry,
             links: Vec::new(),
             frames: Vec::new(),
             masses: Vec::new(),
             keeps_origins,
         };
-        let mechanism = reader.mechanism(system)?;
+        let mechanism = system.and_then(|system| reader.mechanism(system));
         model.graph = reader.geometry.graph;
-        Some(mechanism)
+        // What is read in vain stays out of the equations.
+        if mechanism.is_none() {
+            model.graph.roll_back(checkpoint);
+        }
+        mechanism
     }
 }
 

@@ -15,8 +15,9 @@ const CONTINUED: &str = " \\\\\n&\\quad";
 
 /// The equations as rows of a display: aligned at the equals signs, or all at their beginnings if the left side of one is
 /// long, beside which the others would stand far to the right.
-pub(crate) fn rows(equations: &[Printed]) -> Vec<String> {
-    let rows = equations.iter().map(|equation| Row::of(equation).written());
+pub(crate) fn rows(equations: Vec<Printed>) -> Vec<String> {
+    let rows = equations.into_iter();
+    let rows = rows.map(|equation| Row::of(equation).written());
     let mut rows: Vec<_> = rows.collect();
     if rows.iter().any(|row| row.starts_with('&')) {
         for row in rows.iter_mut().filter(|row| !row.starts_with('&')) {
@@ -39,13 +40,13 @@ struct Row {
 }
 
 impl Row {
-    fn of(equation: &Printed) -> Self {
+    fn of(equation: Printed) -> Self {
         let mut row = Self::default();
         let mut open = Vec::new();
         // Brackets within which nothing is broken.
         let mut closed = 0_usize;
         let mut is_after_name = false;
-        let mut writer = Writer::new(Notation::Latex, None, equation.clone());
+        let mut writer = Writer::new(Notation::Latex, None, equation);
         while let Some(piece) = writer.next_piece() {
             let Some(text) = piece.text() else {
                 writer.expand(piece);
@@ -188,7 +189,7 @@ mod tests {
     }
 
     fn row(left: Printed, right: Printed) -> String {
-        Row::of(&left.equals(right)).written()
+        Row::of(left.equals(right)).written()
     }
 
     #[test]
@@ -201,10 +202,10 @@ mod tests {
     fn rows_begin_together_beside_a_long_left_side() {
         let sum = Printed::sum(["d", "e"].map(name));
         let mut equations = vec![name("a").equals(name("b")), name("c").equals(sum)];
-        assert_eq!(rows(&equations), ["a &= b", "c &= d + e"]);
+        assert_eq!(rows(equations.clone()), ["a &= b", "c &= d + e"]);
         let long = repeated(&product(&["l_{1}", "\\theta"]), 60);
         equations.push(long.equals(Printed::zero()));
-        let rows = rows(&equations);
+        let rows = rows(equations);
         assert_eq!(rows[..2], ["&a = b", "&c = d + e"]);
         assert!(rows[2].starts_with("&l_{1} \\theta + "));
     }

@@ -129,8 +129,7 @@ impl Section {
         let mut left_out = self.left_out.clone();
         let mut room = MAX_SECTION_LENGTH;
         let (mut displayed, mut displays) = (Vec::new(), Vec::new());
-        let equations = self.lines.iter().map(|line| line.equation.clone());
-        let equations: Vec<_> = equations.collect();
+        let equations: Vec<_> = self.lines.iter().map(|line| &line.equation).collect();
         for Folded { equation, members } in folded(&equations, letters.index_letters()) {
             let text = equation.written(Notation::Unicode);
             let length = text.chars().count();
@@ -142,7 +141,7 @@ impl Section {
             displayed.push(text);
             displays.push(equation);
         }
-        ([displayed, rows(&displays)], left_out)
+        ([displayed, rows(displays)], left_out)
     }
 
     /// How long the lines are that were pushed, in characters of Unicode; none for those that are left out. Nothing is folded
