@@ -7,6 +7,7 @@
 //! taken only if it costs less.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use crate::limits::{HIGHEST_EXPANDED_POWER, MAX_EXPANDED_TERMS};
 use crate::{Expression, Graph, Node, Pass, Rational};
@@ -109,16 +110,14 @@ impl Graph {
         for (x, c) in left {
             for (y, d) in right {
                 let monomial = self.multiply(*x, *y);
-                let terms = match self.node(monomial) {
+                match self.node(monomial) {
                     // A number that a power left in front.
-                    Node::Sum(terms) if terms.len() == 1 => terms[0].clone(),
-                    _ => (monomial, Rational::ONE),
-                };
-                add_multiple(
-                    &mut product,
-                    &Polynomial::from([(terms.0, terms.1)]),
-                    &(c * d),
-                );
+                    Node::Sum(terms) if terms.len() == 1 => {
+                        let (monomial, number) = &terms[0];
+                        add_term(&mut product, *monomial, &(c * d) * number);
+                    }
+                    _ => add_term(&mut product, monomial, c * d),
+                }
             }
         }
         product
@@ -128,10 +127,25 @@ impl Graph {
 /// total += factor · other.
 fn add_multiple(total: &mut Polynomial, other: &Polynomial, factor: &Rational) {
     for (x, c) in other {
-        let sum = total.entry(*x).or_insert(Rational::ZERO);
-        *sum = &*sum + &(c * factor);
-        if sum.is_zero() {
-            total.remove(x);
+        add_term(total, *x, c * factor);
+    }
+}
+
+/// total += term · x.
+fn add_term(total: &mut Polynomial, x: Expression, term: Rational) {
+    match total.entry(x) {
+        Entry::Vacant(entry) => {
+            if !term.is_zero() {
+                entry.insert(term);
+            }
+        }
+        Entry::Occupied(mut entry) => {
+            let sum = entry.get() + &term;
+            if sum.is_zero() {
+                entry.remove();
+            } else {
+                entry.insert(sum);
+            }
         }
     }
 }

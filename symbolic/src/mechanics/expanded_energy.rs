@@ -52,8 +52,11 @@ impl LagrangeTerms {
             return None;
         }
         let mut mass = self.mass.clone();
-        for entry in mass.iter_mut().flatten() {
-            *entry = graph.simplest(*entry);
+        for i in 0..mass.len() {
+            for j in 0..=i {
+                let entry = graph.simplest(mass[i][j]);
+                (mass[i][j], mass[j][i]) = (entry, entry);
+            }
         }
         let rest = linear_part(graph, lagrangian, &self.momenta);
         let lagrangian = quadratic(graph, &mass, rest);
