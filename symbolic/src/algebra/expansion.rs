@@ -46,37 +46,51 @@ impl Graph {
 
     /// `expression` as Σ cᵢ·mᵢ with products of powers mᵢ, unless there are too many.
     pub(crate) fn monomials(&mut self, expression: Expression) -> Option<Polynomial> {
-        let mut polynomials: BTreeMap<Expression, Polynomial> = BTreeMap::new();
-        for part in self.descendants(&[expression]) {
-            let polynomial = match self.node(part).clone() {
-                Node::Constant(value) => Polynomial::from([(self.one(), value)]),
-                Node::Sum(terms) => {
-                    let mut total = Polynomial::new();
-                    for (x, c) in terms {
-                        add_multiple(&mut total, polynomials.get(&x)?, &c);
-                    }
-                    total
-                }
-                Node::Product(factors) => {
-                    let mut total = Polynomial::from([(self.one(), Rational::ONE)]);
-                    for (x, k) in factors {
-                        total = self.expand_power(&total, x, &k, polynomials.get(&x)?)?;
-                    }
-                    total
-                }
-                Node::Pi
-                | Node::Symbol(_)
-                | Node::Unary(..)
-                | Node::Binary(..)
-                | Node::Application(..)
-                | Node::Opaque(_) => Polynomial::from([(part, Rational::ONE)]),
-            };
-            if polynomial.len() > MAX_EXPANDED_TERMS {
+        let parts = self.descendants(&[expression]);
+        if parts.iter().any(|part| self.swollen.contains(part)) {
+            return None;
+        }
+        let mut polynomials = BTreeMap::new();
+        for part in parts {
+            let Some(polynomial) = self.polynomial(part, &polynomials) else {
+                self.swollen.insert(part);
                 return None;
-            }
+            };
             polynomials.insert(part, polynomial);
         }
         polynomials.remove(&expression)
+    }
+
+    /// A part of an expression as a polynomial, where those of its operands are known, unless it has too many terms.
+    fn polynomial(
+        &mut self,
+        part: Expression,
+        polynomials: &BTreeMap<Expression, Polynomial>,
+    ) -> Option<Polynomial> {
+        let polynomial = match self.node(part).clone() {
+            Node::Constant(value) => Polynomial::from([(self.one(), value)]),
+            Node::Sum(terms) => {
+                let mut total = Polynomial::new();
+                for (x, c) in terms {
+                    add_multiple(&mut total, polynomials.get(&x)?, &c);
+                }
+                total
+            }
+            Node::Product(factors) => {
+                let mut total = Polynomial::from([(self.one(), Rational::ONE)]);
+                for (x, k) in factors {
+                    total = self.expand_power(&total, x, &k, polynomials.get(&x)?)?;
+                }
+                total
+            }
+            Node::Pi
+            | Node::Symbol(_)
+            | Node::Unary(..)
+            | Node::Binary(..)
+            | Node::Application(..)
+            | Node::Opaque(_) => Polynomial::from([(part, Rational::ONE)]),
+        };
+        (polynomial.len() <= MAX_EXPANDED_TERMS).then_some(polynomial)
     }
 
     /// A polynomial times x^k, where x is known as a polynomial.

@@ -39,6 +39,8 @@ pub struct Graph {
     pub(crate) splits: KnownSplits,
     /// The sums with exponential terms that have been scaled.
     pub(crate) scales: KnownScales,
+    /// The expressions whose expansion is known to have too many terms.
+    pub(crate) swollen: BTreeSet<Expression>,
     /// Whether there is a hyperbolic function.
     pub(crate) has_hyperbolic: bool,
     /// Whether there is an exponential function.
@@ -78,6 +80,7 @@ impl Graph {
             functions: Vec::new(),
             splits: KnownSplits::default(),
             scales: KnownScales::default(),
+            swollen: BTreeSet::new(),
             has_hyperbolic: false,
             has_exponential: false,
             squared_distances: BTreeSet::new(),
@@ -110,6 +113,7 @@ impl Graph {
         // Caches may name what is removed.
         self.splits = KnownSplits::default();
         self.scales = KnownScales::default();
+        self.swollen = BTreeSet::new();
         self.derivatives = DerivativeMemory::default();
     }
 
