@@ -68,8 +68,7 @@ pub use typed::graph::TypedGraph;
 pub use typed::operation::{TypedOperation, Value};
 pub use typed::virtual_work::ConstraintForces;
 pub use validation::{
-    AccelerationProgram, ConstraintPrograms, LinearizationProgram, Method, Programs,
-    ReductionCheck, RequestedPrograms, SensitivityProgram, SeriesCheck, Validator,
+    ConstraintTapes, Method, ReductionCheck, SeriesCheck, SolutionTape, Tape, Tapes, Validator,
     ValueSeriesCheck,
 };
 

@@ -53,7 +53,8 @@ impl Methods {
         choices.sort_by_key(|(_, method)| method.program.cost());
         let unknowns = self.kinetics.system.forcing.len();
         for (preparation, method) in choices {
-            let accelerations = self.programs(&[]).accelerations;
+            let accelerations = &self.accelerations;
+            let accelerations = (&accelerations.program, accelerations.outputs.pivots());
             let (graph, program) = (&model.graph, &method.program);
             let is_numerical = match &method.rates {
                 Rates::Accelerations(outputs) => outputs.is_numerical(),

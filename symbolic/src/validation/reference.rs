@@ -4,12 +4,12 @@ use crate::Symbol;
 use crate::identity::real_point::RealPoint;
 use crate::validation::comparison::Comparisons;
 use crate::validation::lagrange::{Lagrange, Values, Variation};
-use crate::validation::linearization_check::LinearizationCheck;
+use crate::validation::method::Method;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::programs::{Method, Tapes};
 use crate::validation::square_matrix::SquareMatrix;
-use crate::validation::sum_with_size::SumWithSize;
+use crate::validation::sum_with_size::{SumWithSize, add_each};
 use crate::validation::tape::Tape;
+use crate::validation::tapes::Tapes;
 
 /// Lagrange's equations at one point.
 pub(super) struct Reference<'a> {
@@ -28,7 +28,7 @@ impl Reference<'_> {
     }
 
     /// The outputs of a tape at other accelerations.
-    fn evaluate(&self, accelerations: &[f64], tape: &Tape) -> Vec<f64> {
+    pub(super) fn evaluate(&self, accelerations: &[f64], tape: &Tape) -> Vec<f64> {
         tape.evaluate(&self.value(accelerations), self.perturbation)
     }
 
@@ -80,17 +80,13 @@ impl Reference<'_> {
         ] {
             comparisons.values(method, &self.at(tape), expected);
         }
-        let at = |tape: &Tape| self.at(tape);
-        tapes.requested.compare_rates(at, values, comparisons);
+        self.compare_rates(tapes, comparisons);
     }
 
     /// f = M q̈ − (M q̈ − f).
     pub(super) fn forcing(&self, mass: &SquareMatrix) -> Vec<SumWithSize> {
         let mut forcing = mass.times(self.accelerations);
-        for (balance, residual) in forcing.iter_mut().zip(&self.values.residuals) {
-            balance.total -= residual.total;
-            balance.size += residual.size;
-        }
+        add_each(&mut forcing, -1.0, &self.values.residuals);
         forcing
     }
 
@@ -105,37 +101,11 @@ impl Reference<'_> {
         let velocities = &self.variation.velocities;
         let mut residuals = mass.times(velocities);
         comparisons.against(Method::MassMatrix, &residuals, &self.values.mass_products);
-        for (balance, force) in residuals.iter_mut().zip(forcing) {
-            balance.total -= force.total;
-            balance.size += force.size;
-        }
+        add_each(&mut residuals, -1.0, forcing);
         let value = self.value(velocities);
         let found = tapes.prepared(&tapes.inverse_dynamics, value, self.perturbation);
         comparisons.balances(Method::InverseDynamics, &found, &residuals);
-        let at = |tape: &Tape| self.evaluate(velocities, tape);
-        tapes
-            .requested
-            .compare_regressor(at, &residuals, comparisons);
-    }
-
-    /// The velocities from momenta.
-    pub(super) fn compare_velocities(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        comparisons: &mut Comparisons,
-    ) {
-        let values = |symbol: fn(u32) -> Symbol| -> Vec<f64> {
-            let symbols = (0..).map(symbol).take(self.accelerations.len());
-            symbols.map(|symbol| self.point.value(symbol)).collect()
-        };
-        tapes.requested.compare_velocities(
-            |tape| self.at(tape),
-            mass,
-            (&values(Symbol::Velocity), &self.values.momenta),
-            &values(Symbol::RightHandSide),
-            comparisons,
-        );
+        self.compare_regressor(tapes, (velocities, &residuals), comparisons);
     }
 
     /// What is solved for the accelerations where the programs find none.
@@ -170,20 +140,7 @@ impl Reference<'_> {
             .map(|(product, force)| product.total - force)
             .collect();
         comparisons.balances(Method::Accelerations, &residuals, &self.values.residuals);
-        self.compare_input_jacobian(tapes, mass, comparisons);
-    }
-
-    /// The derivatives of the accelerations and of the multipliers by the inputs.
-    fn compare_input_jacobian(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        comparisons: &mut Comparisons,
-    ) {
-        if let Some((tape, pivots)) = &tapes.input_jacobian {
-            let balances = self.input_balances(&self.at(tape), *pivots, mass);
-            comparisons.vanishing(Method::Linearization, &balances.unwrap_or_default());
-        }
+        self.compare_derivatives(tapes, mass, comparisons);
     }
 
     /// The accelerations and their derivatives. What should vanish is M q̈ − f, where dp/dt is one number: its terms are
@@ -206,25 +163,8 @@ impl Reference<'_> {
         });
         let residuals: Vec<_> = residuals.collect();
         comparisons.vanishing(Method::Accelerations, &residuals);
-        tapes.requested.compare_sensitivities(
-            |tape| self.at(tape),
-            self.lagrange,
-            (mass, self.accelerations),
-            (self.point, self.perturbation),
-            comparisons,
-        );
-        self.compare_input_jacobian(tapes, mass, comparisons);
-        let Some(([state, inputs], outputs)) = &tapes.linearization else {
-            return;
-        };
-        let changes = LinearizationCheck {
-            state: self.at(state),
-            inputs: self.at(inputs),
-            linearization_outputs: *outputs,
-        };
-        let variations = &self.values.variations;
-        let balances = changes.balances(mass, self.accelerations, variations, self.variation);
-        comparisons.vanishing(Method::Linearization, &balances);
+        self.compare_sensitivities(tapes, mass, comparisons);
+        self.compare_derivatives(tapes, mass, comparisons);
     }
 }
 

@@ -13,13 +13,14 @@ use crate::limits::{
 };
 use crate::validation::comparison::{Comparison, Comparisons};
 use crate::validation::lagrange::{Lagrange, Variation};
+use crate::validation::method::Method;
 use crate::validation::mixed_derivatives::MixedDerivatives;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::programs::{Method, Programs, Tapes};
 use crate::validation::reference::Reference;
 use crate::validation::square_matrix::SquareMatrix;
-use crate::validation::tape::StandIns;
-use crate::{Model, Node};
+use crate::validation::tape::{StandIns, Tape};
+use crate::validation::tapes::Tapes;
+use crate::{Model, Node, Program};
 
 /// Lagrange's equations of a model, the reference of all comparisons.
 pub struct Validator {
@@ -67,13 +68,19 @@ impl Validator {
         }
     }
 
+    /// The tape of programs, one after the other.
+    pub fn tape<'a>(&self, programs: impl IntoIterator<Item = &'a Program>) -> Tape {
+        let mut tape = Tape::of_programs(programs);
+        tape.use_stand_ins(&self.stand_ins);
+        tape
+    }
+
     /// The methods whose programs do not compute what the equations say; none where no random point is in the
     /// domain, and none that takes second derivatives where the declared ones of an external function may depend on
     /// their order.
     #[must_use]
-    pub fn disagreements(&self, programs: Programs<'_>) -> BTreeSet<Method> {
+    pub fn disagreements(&self, tapes: &Tapes) -> BTreeSet<Method> {
         let mut found = BTreeSet::new();
-        let tapes = Tapes::new(&programs, &self.stand_ins);
         let mut points = 0;
         let mut undefined = Vec::new();
         for number in 0..VALIDATION_ATTEMPTS {
@@ -85,7 +92,7 @@ impl Validator {
             } else {
                 RealPoint::spread(number)
             };
-            let Some(comparisons) = self.compare(&tapes, point, Perturbation(None)) else {
+            let Some(comparisons) = self.compare(tapes, point, Perturbation(None)) else {
                 continue;
             };
             points += 1;
@@ -96,7 +103,7 @@ impl Validator {
                     .map(|comparison| comparison.method)
                     .collect::<BTreeSet<_>>(),
             );
-            let compare = |perturbation| self.compare(&tapes, point, perturbation);
+            let compare = |perturbation| self.compare(tapes, point, perturbation);
             if comparisons
                 .iter()
                 .any(|x| x.is_significant() && !found.contains(&x.method))
