@@ -19,7 +19,7 @@ mod terms;
 use std::collections::BTreeSet;
 
 use crate::limits::COST_OF_CONVOLUTION;
-use crate::program::straight_line::{Operand, Operation, Program};
+use crate::program::straight_line::{Instruction, Operand, Program};
 use crate::{ExternalFunction, Graph, Symbol};
 use builder::{Builder, ZERO};
 use quotients::with_quotients;
@@ -147,12 +147,11 @@ impl TaylorProgram {
         outputs: SeriesOutputs<'_>,
     ) -> Result<Self, NoSeries> {
         let mut builder = Builder::new(graph, program, outputs.constants_of_motion());
-        let operations = with_quotients(program);
-        let needed = needed_for(program, &operations, outputs.operands());
-        let instructions = program.instructions().zip(operations).zip(needed);
-        for ((instruction, operation), needed) in instructions {
+        let instructions = with_quotients(program);
+        let needed = needed_for(&instructions, outputs.operands());
+        for (instruction, needed) in instructions.iter().zip(needed) {
             if needed {
-                builder.append(&operation, instruction.value)?;
+                builder.append(&instruction.operation, instruction.value)?;
             }
         }
         let coefficients = if let SeriesOutputs::System(mass, forcing) = outputs {
@@ -176,24 +175,19 @@ impl TaylorProgram {
     }
 }
 
-/// For each instruction of a program, whether it has to run for some operands if the `operations` stand for its own.
+/// For each instruction, whether it has to run for some operands.
 fn needed_for<'a>(
-    program: &Program,
-    operations: &[Operation],
+    instructions: &[Instruction],
     operands: impl Iterator<Item = &'a Operand>,
 ) -> Vec<bool> {
-    let value = |operand: &Operand| match operand {
-        Operand::Value(value) => Some(*value),
-        _ => None,
-    };
-    let mut values: BTreeSet<usize> = operands.filter_map(value).collect();
-    let first: Vec<usize> = program.instructions().map(|found| found.value).collect();
-    let mut needed = vec![false; operations.len()];
-    for ((operation, first), needed) in operations.iter().zip(first).zip(&mut needed).rev() {
+    let mut values: BTreeSet<usize> = operands.filter_map(Operand::value).collect();
+    let mut needed = vec![false; instructions.len()];
+    for (instruction, needed) in instructions.iter().zip(&mut needed).rev() {
+        let (first, operation) = (instruction.value, &instruction.operation);
         let mut results = first..first + operation.results();
         *needed = results.any(|result| values.contains(&result));
         if *needed {
-            values.extend(operation.operands().filter_map(value));
+            values.extend(operation.operands().filter_map(Operand::value));
         }
     }
     needed

@@ -11,7 +11,7 @@ use std::rc::Rc;
 use super::builder::{Builder, Factor, Series, ZERO};
 use super::{NoSeries, needed_for, quotients::with_quotients};
 use crate::limits::MAX_APPLICATIONS_IN_A_SERIES;
-use crate::program::straight_line::{Instruction, Operand, Operation, Program};
+use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{ExternalFunction, Symbol, Unary};
 
 /// The program of a declared derivative, in the symbols of the arguments.
@@ -20,9 +20,9 @@ pub(super) struct Derivative {
     result: Operand,
 }
 
-/// An instruction of it.
+/// An operation of it.
 struct Step {
-    instruction: Instruction,
+    operation: Operation,
     /// The operation whose series is taken.
     of_series: Operation,
     /// Whether the series is needed.
@@ -49,12 +49,12 @@ impl Derivative {
     fn new(program: &Program) -> Self {
         let result = program.groups.iter().flat_map(|group| &group.outputs);
         let result = result.last().cloned().unwrap_or(ZERO);
-        let operations = with_quotients(program);
-        let needed = needed_for(program, &operations, [&result].into_iter());
-        let steps = program.instructions().zip(operations).zip(needed);
+        let of_series = with_quotients(program);
+        let needed = needed_for(&of_series, [&result].into_iter());
+        let steps = program.instructions().zip(of_series).zip(needed);
         let steps = steps.map(|((instruction, of_series), needed)| Step {
-            instruction: instruction.clone(),
-            of_series,
+            operation: instruction.operation.clone(),
+            of_series: of_series.operation,
             needed,
         });
         Self {
@@ -125,8 +125,8 @@ impl Builder<'_> {
         };
         let mut operations = Vec::new();
         for step in &derivative.steps {
-            let varies = inlined.varies(&step.instruction.operation);
-            let operation = inlined.operation(&step.instruction.operation);
+            let varies = inlined.varies(&step.operation);
+            let operation = inlined.operation(&step.operation);
             let results = operation.results();
             let Operand::Value(first) = self.initial.emit(operation) else {
                 continue;
