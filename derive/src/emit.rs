@@ -11,6 +11,7 @@ mod constraints;
 mod documentation;
 mod editor;
 mod emitter;
+mod implementation;
 mod events;
 mod external_functions;
 mod fallback;

@@ -23,8 +23,8 @@ pub(crate) use branches::branches_of_events;
 pub(crate) use method::Method;
 pub(crate) use methods::Methods;
 pub(crate) use outputs::{
-    AccelerationOutputs, Columns, DerivativeOutputs, InputJacobianOutputs, LowerTriangle,
-    MethodOutputs, OutputSlice, PivotOutputs, Residuals, StateJacobian,
+    AccelerationOutputs, Columns, DerivativeOutputs, LowerTriangle, MethodOutputs, OutputSlice,
+    PivotOutputs, Residuals, StateJacobian,
 };
 pub(crate) use prepared_array::PreparedArray;
 pub(crate) use reduced_methods::ReducedMethods;
