@@ -1,7 +1,7 @@
 //! The directional derivative of accelerations and multipliers along a variation, by the programs for their derivatives.
 
 use super::reference::Reference;
-use super::tapes::{SolutionTape, Tapes};
+use super::tapes::SolutionTape;
 use crate::validation::comparison::Comparisons;
 use crate::validation::lagrange::Variation;
 use crate::validation::method::Method;
@@ -33,17 +33,12 @@ impl Derivatives<'_> {
 
 impl Reference<'_> {
     /// The derivatives by the state and the inputs. Where there are those by the inputs alone, nothing else varies.
-    pub(super) fn compare_derivatives(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        comparisons: &mut Comparisons,
-    ) {
-        let Some(by_inputs) = &tapes.input_jacobian else {
+    pub(super) fn compare_derivatives(&self, mass: &SquareMatrix, comparisons: &mut Comparisons) {
+        let Some(by_inputs) = &self.tapes.input_jacobian else {
             return;
         };
         let mut parts = vec![self.derivatives(by_inputs, &self.variation.inputs, false)];
-        let variations = if let Some(by_state) = &tapes.state_jacobian {
+        let variations = if let Some(by_state) = &self.tapes.state_jacobian {
             parts.insert(0, self.derivatives(by_state, &self.variation.state, true));
             Some(self.values.variations.clone())
         } else {
@@ -56,13 +51,8 @@ impl Reference<'_> {
     }
 
     /// The derivatives by parameters.
-    pub(super) fn compare_sensitivities(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        comparisons: &mut Comparisons,
-    ) {
-        let Some((program, parameters)) = &tapes.sensitivities else {
+    pub(super) fn compare_sensitivities(&self, mass: &SquareMatrix, comparisons: &mut Comparisons) {
+        let Some((program, parameters)) = &self.tapes.sensitivities else {
             return;
         };
         let weights = (0..parameters.len()).map(|i| self.point.weight(3, i));

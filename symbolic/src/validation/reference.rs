@@ -13,6 +13,7 @@ use crate::validation::tapes::Tapes;
 
 /// Lagrange's equations at one point.
 pub(super) struct Reference<'a> {
+    pub(super) tapes: &'a Tapes,
     pub(super) lagrange: &'a Lagrange,
     pub(super) values: Values,
     pub(super) variation: &'a Variation,
@@ -62,8 +63,8 @@ impl Reference<'_> {
     }
 
     /// The energies, momenta, forces and outputs.
-    pub(super) fn compare_values(&self, tapes: &Tapes, comparisons: &mut Comparisons) {
-        let values = &self.values;
+    pub(super) fn compare_values(&self, comparisons: &mut Comparisons) {
+        let (tapes, values) = (self.tapes, &self.values);
         let energy = energy(values, |symbol| self.lagrange.at(self.point, symbol));
         comparisons.balances(Method::Energy, &self.at(&tapes.energy), &[energy]);
         let forces = &values.generalized_forces;
@@ -80,7 +81,7 @@ impl Reference<'_> {
         ] {
             comparisons.values(method, &self.at(tape), expected);
         }
-        self.compare_rates(tapes, comparisons);
+        self.compare_rates(comparisons);
     }
 
     /// f = M q̈ − (M q̈ − f).
@@ -93,7 +94,6 @@ impl Reference<'_> {
     /// M and M q̈ − f, at other accelerations.
     pub(super) fn compare_inverse_dynamics(
         &self,
-        tapes: &Tapes,
         mass: &SquareMatrix,
         forcing: &[SumWithSize],
         comparisons: &mut Comparisons,
@@ -103,22 +103,22 @@ impl Reference<'_> {
         comparisons.against(Method::MassMatrix, &residuals, &self.values.mass_products);
         add_each(&mut residuals, -1.0, forcing);
         let value = self.value(velocities);
+        let tapes = self.tapes;
         let found = tapes.prepared(&tapes.inverse_dynamics, value, self.perturbation);
         comparisons.balances(Method::InverseDynamics, &found, &residuals);
-        self.compare_regressor(tapes, (velocities, &residuals), comparisons);
+        self.compare_regressor((velocities, &residuals), comparisons);
     }
 
     /// What is solved for the accelerations where the programs find none.
     pub(super) fn compare_without_solution(
         &self,
-        tapes: &Tapes,
         mass: SquareMatrix,
         forcing: &[SumWithSize],
         comparisons: &mut Comparisons,
     ) {
-        let constraints = tapes.constraints.as_ref();
+        let constraints = self.tapes.constraints.as_ref();
         if constraints.is_some_and(|constraints| !constraints.are_independent) {
-            return self.compare_system(tapes, &mass, comparisons);
+            return self.compare_system(&mass, comparisons);
         }
         // Where M is singular there are none.
         let right: Vec<f64> = forcing.iter().map(|force| force.total).collect();
@@ -129,9 +129,10 @@ impl Reference<'_> {
     }
 
     /// The matrix and the right-hand side of a system that has no solution, as the residuals at any accelerations.
-    fn compare_system(&self, tapes: &Tapes, mass: &SquareMatrix, comparisons: &mut Comparisons) {
+    fn compare_system(&self, mass: &SquareMatrix, comparisons: &mut Comparisons) {
         let count = self.accelerations.len();
-        let Some((matrix, forcing)) = tapes.system(self.point, count, self.perturbation) else {
+        let Some((matrix, forcing)) = self.tapes.system(self.point, count, self.perturbation)
+        else {
             return comparisons.undefined(Method::Accelerations);
         };
         let products = matrix.times(self.accelerations);
@@ -140,14 +141,13 @@ impl Reference<'_> {
             .map(|(product, force)| product.total - force)
             .collect();
         comparisons.balances(Method::Accelerations, &residuals, &self.values.residuals);
-        self.compare_derivatives(tapes, mass, comparisons);
+        self.compare_derivatives(mass, comparisons);
     }
 
     /// The accelerations and their derivatives. What should vanish is M q̈ − f, where dp/dt is one number: its terms are
     /// those of the product.
     pub(super) fn compare_accelerations(
         &self,
-        tapes: &Tapes,
         mass: &SquareMatrix,
         forcing: &[SumWithSize],
         comparisons: &mut Comparisons,
@@ -163,8 +163,8 @@ impl Reference<'_> {
         });
         let residuals: Vec<_> = residuals.collect();
         comparisons.vanishing(Method::Accelerations, &residuals);
-        self.compare_sensitivities(tapes, mass, comparisons);
-        self.compare_derivatives(tapes, mass, comparisons);
+        self.compare_sensitivities(mass, comparisons);
+        self.compare_derivatives(mass, comparisons);
     }
 }
 

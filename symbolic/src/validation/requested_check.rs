@@ -1,7 +1,6 @@
 //! What is derived for clauses that ask for it, compared with Lagrange's equations.
 
 use super::reference::Reference;
-use super::tapes::Tapes;
 use crate::Symbol;
 use crate::validation::comparison::Comparisons;
 use crate::validation::method::Method;
@@ -10,28 +9,23 @@ use crate::validation::sum_with_size::{SumWithSize, add_each};
 
 impl Reference<'_> {
     /// The rates of the momenta and of the energy.
-    pub(super) fn compare_rates(&self, tapes: &Tapes, comparisons: &mut Comparisons) {
+    pub(super) fn compare_rates(&self, comparisons: &mut Comparisons) {
         let values = &self.values;
-        if let Some(tape) = &tapes.momentum_rates {
+        if let Some(tape) = &self.tapes.momentum_rates {
             comparisons.balances(
                 Method::MomentumRates,
                 &self.at(tape),
                 &values.momentum_rates,
             );
         }
-        if let Some(tape) = &tapes.energy_rate {
+        if let Some(tape) = &self.tapes.energy_rate {
             comparisons.balances(Method::EnergyRate, &self.at(tape), &[values.energy_rate]);
         }
     }
 
     /// M (v − q̇) = p − p(q, q̇, t) for the velocities v that have the momenta p which are given.
-    pub(super) fn compare_velocities(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        comparisons: &mut Comparisons,
-    ) {
-        let Some(tape) = &tapes.velocities else {
+    pub(super) fn compare_velocities(&self, mass: &SquareMatrix, comparisons: &mut Comparisons) {
+        let Some(tape) = &self.tapes.velocities else {
             return;
         };
         let n = self.accelerations.len();
@@ -57,11 +51,10 @@ impl Reference<'_> {
     /// Y π + r, with M q̈ − f at the same accelerations, behind which the residuals of constraints stand.
     pub(super) fn compare_regressor(
         &self,
-        tapes: &Tapes,
         (accelerations, residuals): (&[f64], &[SumWithSize]),
         comparisons: &mut Comparisons,
     ) {
-        let Some(regressor) = &tapes.regressor else {
+        let Some(regressor) = &self.tapes.regressor else {
             return;
         };
         let [columns, known, base] =

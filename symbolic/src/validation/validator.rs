@@ -149,6 +149,7 @@ impl Validator {
         let lagrange = &self.lagrange;
         let values = lagrange.values(point, &variation, accelerations, perturbation)?;
         let mut reference = Reference {
+            tapes,
             lagrange,
             values,
             variation: &variation,
@@ -171,15 +172,15 @@ impl Validator {
             reference.add_power(&jacobian, &velocities);
             reference.compare_constraints(constraints, &mut comparisons);
         }
-        reference.compare_values(tapes, &mut comparisons);
+        reference.compare_values(&mut comparisons);
         let expected = reference.forcing(&mass);
         comparisons.balances(Method::Forcing, &forcing, &expected);
-        reference.compare_velocities(tapes, &mass, &mut comparisons);
-        reference.compare_inverse_dynamics(tapes, &mass, &expected, &mut comparisons);
+        reference.compare_velocities(&mass, &mut comparisons);
+        reference.compare_inverse_dynamics(&mass, &expected, &mut comparisons);
         if solved.is_some() {
-            reference.compare_accelerations(tapes, &mass, &expected, &mut comparisons);
+            reference.compare_accelerations(&mass, &expected, &mut comparisons);
         } else if !uses_pivoting {
-            reference.compare_without_solution(tapes, mass, &expected, &mut comparisons);
+            reference.compare_without_solution(mass, &expected, &mut comparisons);
         }
         comparisons.forgive_overflow(reference.values.largest);
         Some(comparisons.0)
