@@ -56,6 +56,7 @@ pub use print::listing::as_declared::{AsDeclared, DeclaredLine};
 pub use print::listing::{Declared, Listing};
 pub use print::names::{Letters, Names};
 pub use print::printed::Printed;
+pub use program::liveness::LiveValues;
 pub use program::operation_count::OperationCount;
 pub use program::staging::Staged;
 pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};

@@ -24,7 +24,7 @@ impl Instructions {
     /// No instructions yet behind those of a program, which keep their numbers.
     pub(crate) fn behind(program: &Program) -> Self {
         let all = program.instructions();
-        let ends = all.map(|instruction| instruction.value + instruction.operation.results());
+        let ends = all.map(|instruction| instruction.values().end);
         let all = program.instructions();
         let numbers = all.map(|instruction| (instruction.operation.clone(), instruction.value));
         Self {

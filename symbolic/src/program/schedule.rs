@@ -159,7 +159,7 @@ impl Scheduler {
     fn label(&mut self, operand: &Operand, expression: Option<Expression>) {
         if let Operand::Value(number) = operand
             && let Some(last) = self.instructions.list.last_mut()
-            && (last.value..last.value + last.operation.results()).contains(number)
+            && last.values().contains(number)
         {
             last.expression = last.expression.or(expression);
         }

@@ -16,10 +16,9 @@ mod logistic;
 mod quotients;
 mod terms;
 
-use std::collections::BTreeSet;
-
 use crate::limits::COST_OF_CONVOLUTION;
-use crate::program::straight_line::{Instruction, Operand, Program};
+use crate::program::liveness::LiveValues;
+use crate::program::straight_line::{Operand, Program};
 use crate::{ExternalFunction, Graph, Symbol};
 use builder::{Builder, ZERO};
 use quotients::with_quotients;
@@ -148,11 +147,9 @@ impl TaylorProgram {
     ) -> Result<Self, NoSeries> {
         let mut builder = Builder::new(graph, program, outputs.constants_of_motion());
         let instructions = with_quotients(program);
-        let needed = needed_for(&instructions, outputs.operands());
-        for (instruction, needed) in instructions.iter().zip(needed) {
-            if needed {
-                builder.append(&instruction.operation, instruction.value)?;
-            }
+        let live = LiveValues::of(outputs.operands(), instructions.iter());
+        for instruction in instructions.iter().filter(|one| live.contain(one)) {
+            builder.append(&instruction.operation, instruction.value)?;
         }
         let coefficients = if let SeriesOutputs::System(mass, forcing) = outputs {
             builder.residuals(mass, forcing)
@@ -173,22 +170,4 @@ impl TaylorProgram {
         }
         Ok(taylor)
     }
-}
-
-/// For each instruction, whether it has to run for some operands.
-fn needed_for<'a>(
-    instructions: &[Instruction],
-    operands: impl Iterator<Item = &'a Operand>,
-) -> Vec<bool> {
-    let mut values: BTreeSet<usize> = operands.filter_map(Operand::value).collect();
-    let mut needed = vec![false; instructions.len()];
-    for (instruction, needed) in instructions.iter().zip(&mut needed).rev() {
-        let (first, operation) = (instruction.value, &instruction.operation);
-        let mut results = first..first + operation.results();
-        *needed = results.any(|result| values.contains(&result));
-        if *needed {
-            values.extend(operation.operands().filter_map(Operand::value));
-        }
-    }
-    needed
 }

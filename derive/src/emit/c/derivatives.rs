@@ -152,7 +152,7 @@ impl Export<'_> {
         self.each_row(body, &format!("{place} = -column[i];"));
     }
 
-    pub(super) fn each_row(&self, body: &mut Body<'_>, statement: &str) {
+    fn each_row(&self, body: &mut Body<'_>, statement: &str) {
         body.line(&format!(
             "for (i = 0; i < {}; ++i) {{",
             self.emitter.coordinates()
@@ -181,9 +181,7 @@ impl Export<'_> {
         ));
         body.line("delta[j] = 1.0;");
         let column = body.compute(variation);
-        body.assign("column", column.into_iter().enumerate());
-        body.line("$_solve(&factors, column);");
-        self.each_row(body, &format!("{} = -column[i];", place_of_state(n)));
+        self.solved_column(body, &column, &place_of_state(n));
         body.line("}");
     }
 }

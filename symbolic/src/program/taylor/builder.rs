@@ -5,8 +5,9 @@ use std::rc::Rc;
 use super::external_functions::{Derivative, Pending};
 use super::functions::Pair;
 use super::linear_forms::Recurrence;
-use super::{Convolution, NoSeries, TaylorProgram, implicit, needed_for};
+use super::{Convolution, NoSeries, TaylorProgram, implicit};
 use crate::algebra::hashing::Table;
+use crate::program::liveness::LiveValues;
 use crate::program::numbering::Instructions;
 use crate::program::straight_line::{Operand, Operation, OutputGroup, Program};
 use crate::{ExternalFunction, Graph, Rational, Symbol};
@@ -260,12 +261,13 @@ impl<'a> Builder<'a> {
             invariants,
             outputs: [coefficients, factors],
         } = recurrence.balanced(&mut in_initial);
-        let needed = needed_for(&in_initial.list, invariants.iter());
-        let in_initial = in_initial.list.into_iter().zip(needed);
-        let in_initial = in_initial.filter(|(_, needed)| *needed);
+        let live = LiveValues::of(invariants.iter(), in_initial.list.iter());
+        in_initial
+            .list
+            .retain(|instruction| live.contain(instruction));
         let mut initial = program.clone();
         initial.groups.push(OutputGroup {
-            instructions: in_initial.map(|(instruction, _)| instruction).collect(),
+            instructions: in_initial.list,
             outputs: invariants,
         });
         initial.renumber();

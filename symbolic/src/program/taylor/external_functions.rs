@@ -9,8 +9,9 @@
 use std::rc::Rc;
 
 use super::builder::{Builder, Factor, Series, ZERO};
-use super::{NoSeries, needed_for, quotients::with_quotients};
+use super::{NoSeries, quotients::with_quotients};
 use crate::limits::MAX_APPLICATIONS_IN_A_SERIES;
+use crate::program::liveness::LiveValues;
 use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{ExternalFunction, Symbol, Unary};
 
@@ -50,12 +51,12 @@ impl Derivative {
         let result = program.groups.iter().flat_map(|group| &group.outputs);
         let result = result.last().cloned().unwrap_or(ZERO);
         let of_series = with_quotients(program);
-        let needed = needed_for(&of_series, [&result].into_iter());
-        let steps = program.instructions().zip(of_series).zip(needed);
-        let steps = steps.map(|((instruction, of_series), needed)| Step {
+        let live = LiveValues::of([&result].into_iter(), of_series.iter());
+        let steps = program.instructions().zip(of_series);
+        let steps = steps.map(|(instruction, of_series)| Step {
             operation: instruction.operation.clone(),
+            needed: live.contain(&of_series),
             of_series: of_series.operation,
-            needed,
         });
         Self {
             steps: steps.collect(),

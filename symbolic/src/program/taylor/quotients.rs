@@ -13,7 +13,7 @@ pub(super) fn with_quotients(program: &Program) -> Vec<Instruction> {
     let mut divisors: Vec<Option<Operand>> = Vec::new();
     for instruction in program.instructions() {
         let operation = &instruction.operation;
-        divisors.resize(instruction.value + operation.results(), None);
+        divisors.resize(instruction.values().end, None);
         if let Operation::Divide(Operand::Constant(one), y) = operation
             && *one == Rational::ONE
         {
