@@ -2,15 +2,17 @@
 //!
 //! The reason for each check is the message that it reports.
 
+mod c;
 mod fields;
 mod functions;
-mod c;
-mod reflect;
 mod names;
 mod parameter_lists;
+mod reflect;
 mod scalar;
 
 use std::collections::BTreeSet;
+
+use proc_macro2::Ident;
 
 use crate::defects::constraints::refuse_clauses;
 use crate::diagnostics::{Diagnostics, similar};
@@ -102,11 +104,7 @@ fn check_outputs(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let mut seen = BTreeSet::new();
     for output in &declaration.clauses.outputs {
         if !seen.insert(unraw(&output.name)) {
-            let message = format!(
-                "the output `{}` is declared twice: give one of them another name",
-                output.name
-            );
-            diagnostics.error(&output.name, message);
+            declared_twice("output", &output.name, diagnostics);
         } else if is_method(&output.name.to_string()) {
             let message = format!(
                 "`{0}` is a method of every model: give the output another name, such as `{0}_shown`",
@@ -129,11 +127,7 @@ fn check_events(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     let mut seen = BTreeSet::new();
     for event in &declaration.clauses.events {
         if !seen.insert(unraw(&event.name)) {
-            let message = format!(
-                "the event `{}` is declared twice: give one of them another name",
-                event.name
-            );
-            diagnostics.error(&event.name, message);
+            declared_twice("event", &event.name, diagnostics);
         }
         if !event.indices.is_empty() || !event.iterations.is_empty() {
             let message = format!(
@@ -143,6 +137,11 @@ fn check_events(declaration: &Declaration, diagnostics: &mut Diagnostics) {
             diagnostics.error(&event.name, message);
         }
     }
+}
+
+fn declared_twice(kind: &str, name: &Ident, diagnostics: &mut Diagnostics) {
+    let message = format!("the {kind} `{name}` is declared twice: give one of them another name");
+    diagnostics.error(name, message);
 }
 
 /// Constraints of both kinds have names of their own.
@@ -158,11 +157,7 @@ fn check_constraints(declaration: &Declaration, diagnostics: &mut Diagnostics) {
             let member = is_member.then(|| (name.clone(), is_holonomic));
             let is_known = member.is_some_and(|member| !families.insert(member));
             if !is_known && !seen.insert(name) {
-                let message = format!(
-                    "the constraint `{}` is declared twice: give one of them another name",
-                    constraint.name
-                );
-                diagnostics.error(&constraint.name, message);
+                declared_twice("constraint", &constraint.name, diagnostics);
             }
         }
     }

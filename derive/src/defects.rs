@@ -191,34 +191,25 @@ pub(crate) fn report(
 ) {
     match defect {
         Defect::NoInertia(coordinates) => {
-            for (coordinate, range) in indices(&declaration.clauses.coordinates) {
-                let missing = |i: &usize| coordinates.iter().any(|still| *still as usize == *i);
-                let missing: Vec<usize> = range.clone().filter(missing).collect();
-                if !missing.is_empty() {
-                    let velocities = velocities(coordinate, &missing, lowered);
-                    let occur = missing.iter().any(|i| occurs(model, *i));
-                    let mention = mention(declaration, &coordinate.name, &velocities);
-                    let message =
-                        without_inertia(&velocities, occur, !model.constraints.is_empty());
-                    match mention.filter(|_| occur) {
-                        Some(velocity) => diagnostics.error(velocity, message),
-                        None => diagnostics.error(&coordinate.name, message),
-                    }
+            for (coordinate, missing) in by_name(coordinates, declaration) {
+                let velocities = velocities(coordinate, &missing, lowered);
+                let occur = missing.iter().any(|i| occurs(model, *i));
+                let mention = mention(declaration, &coordinate.name, &velocities);
+                let message = without_inertia(&velocities, occur, !model.constraints.is_empty());
+                match mention.filter(|_| occur) {
+                    Some(velocity) => diagnostics.error(velocity, message),
+                    None => diagnostics.error(&coordinate.name, message),
                 }
             }
         }
         Defect::NothingResists(coordinates) => {
-            for (coordinate, range) in indices(&declaration.clauses.coordinates) {
-                let missing = |i: &usize| coordinates.iter().any(|still| *still as usize == *i);
-                let missing: Vec<usize> = range.clone().filter(missing).collect();
-                if !missing.is_empty() {
-                    let velocities = velocities(coordinate, &missing, lowered).join("` or `");
-                    let message = format!(
-                        "nothing resists `{velocities}`: the kinetic energy contains it, and yet does not depend on it; give what is \
-                         behind this joint a moment of inertia about its axis or a mass beside it, or remove the coordinate"
-                    );
-                    diagnostics.error(&coordinate.name, message);
-                }
+            for (coordinate, missing) in by_name(coordinates, declaration) {
+                let velocities = velocities(coordinate, &missing, lowered).join("` or `");
+                let message = format!(
+                    "nothing resists `{velocities}`: the kinetic energy contains it, and yet does not depend on it; give what is \
+                     behind this joint a moment of inertia about its axis or a mass beside it, or remove the coordinate"
+                );
+                diagnostics.error(&coordinate.name, message);
             }
         }
         Defect::SingularMass(coordinates) => {
@@ -252,6 +243,18 @@ pub(crate) fn report(
             }
         }
     }
+}
+
+/// The declared coordinates of which some are among these, and which.
+fn by_name<'a>(
+    coordinates: &[u32],
+    declaration: &'a Declaration,
+) -> Vec<(&'a Coordinate, Vec<usize>)> {
+    let is_among = |i: &usize| coordinates.iter().any(|other| *other as usize == *i);
+    let declared = indices(&declaration.clauses.coordinates);
+    let found = declared.map(|(coordinate, range)| (coordinate, range.filter(is_among).collect()));
+    let found = found.filter(|(_, indices): &(_, Vec<usize>)| !indices.is_empty());
+    found.collect()
 }
 
 /// The velocities of the coordinates of one name that are `missing`, as they are written.

@@ -79,6 +79,15 @@ pub(crate) fn similar<'a>(
         .map(|(_, name)| name)
 }
 
+/// What is written in place of a word that is none of these names: the one that was probably meant, or so many of them.
+pub(crate) fn hint(written: &str, names: &[impl AsRef<str>], many: &str) -> String {
+    let all: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    match similar(written, all.iter().copied()) {
+        Some(meant) => format!("did you mean `{meant}`?"),
+        None => format!("write {many} of `{}`", all.join("`, `")),
+    }
+}
+
 /// The edit distance of two words: how many insertions, deletions, substitutions and transpositions of adjacent letters
 /// lead from one to the other (Damerau, A technique for computer detection and correction of spelling errors, 1964), in
 /// its restricted form, the optimal string alignment.

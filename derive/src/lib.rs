@@ -1,16 +1,16 @@
 //! The derive macro of the `lagrangian` crate: Rust tokens in, Rust tokens out.
 
-mod expand;
-mod derived;
-mod syntax;
 mod check;
-mod lower;
 mod defects;
-mod reduce;
-mod plan;
-mod emit;
+mod derived;
 mod diagnostics;
+mod emit;
+mod expand;
 mod limits;
+mod lower;
+mod plan;
+mod reduce;
+mod syntax;
 #[cfg(test)]
 mod tests;
 

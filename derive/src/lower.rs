@@ -1,19 +1,20 @@
 //! From a checked declaration to a model: every name resolved, every number exact.
 
-pub(crate) mod quantities;
-pub(crate) mod value;
+mod ablation;
 pub(crate) mod body;
-pub(crate) mod scope;
 pub(crate) mod builtins;
-mod unknown_function;
-mod hints;
-mod expression;
+mod compliances;
+pub(crate) mod constraints;
+mod constraint_clauses;
 mod energies;
 mod events;
-pub(crate) mod constraints;
-mod compliances;
+mod expression;
 mod forces;
-mod ablation;
+mod hints;
+pub(crate) mod quantities;
+pub(crate) mod scope;
+mod unknown_function;
+pub(crate) mod value;
 
 use core::mem;
 
@@ -24,7 +25,7 @@ use syn::Expr;
 use crate::diagnostics::Diagnostics;
 use crate::lower::ablation::passes;
 use crate::lower::constraints::Constraints;
-use crate::lower::expression::{ExpressionContext, Lowerer};
+use crate::lower::expression::Lowerer;
 use crate::lower::quantities::Quantities;
 use crate::lower::scope::Scope;
 use crate::syntax::declaration::Declaration;
@@ -60,6 +61,7 @@ pub(crate) fn lower(declaration: &Declaration, diagnostics: &mut Diagnostics) ->
         coordinates,
         diagnostics,
         repetitions: 0,
+        admits_accelerations: false,
         within_index: false,
         within_derivative: false,
         rotations: 0,
@@ -158,8 +160,8 @@ impl Lowerer<'_> {
         let forces = self.forces(declaration);
         self.known_constraints = self.constraints(clauses);
         self.compliances(&clauses.compliances);
-        let outputs = self.observed(&clauses.outputs, ExpressionContext::Observation);
-        let events = self.observed(&clauses.events, ExpressionContext::Energy);
+        let outputs = self.with_accelerations(|lowerer| lowerer.observed(&clauses.outputs));
+        let events = self.observed(&clauses.events);
         self.check_events(&clauses.events, &events);
         let natural = kinetic
             .zip(potential)
@@ -182,15 +184,11 @@ impl Lowerer<'_> {
     }
 
     /// The values of outputs or events. One with indices has been refused.
-    fn observed(
-        &mut self,
-        named: &[NamedExpression],
-        context: ExpressionContext,
-    ) -> Vec<Option<Value>> {
+    fn observed(&mut self, named: &[NamedExpression]) -> Vec<Option<Value>> {
         let values = named.iter().map(|named| {
             let whole = named.indices.is_empty() && named.iterations.is_empty();
             let expression = whole.then_some(&named.expression)?;
-            self.lower(expression, context)
+            self.lower(expression)
         });
         values.collect()
     }
@@ -211,7 +209,7 @@ impl Lowerer<'_> {
                 return self.scope.poison_definition(name);
             }
             self.defining = Some((definition.name.clone(), Vec::new()));
-            let value = self.lower(&definition.expression, ExpressionContext::Observation);
+            let value = self.lower_with_accelerations(&definition.expression);
             self.defining = None;
             return match value {
                 Some(value) => self.scope.define(&self.typed, &definition.name, value),
@@ -247,7 +245,7 @@ impl Lowerer<'_> {
             return self.reject(name, message);
         }
         self.defining = Some((name.clone(), indices.clone()));
-        let value = self.lower(&definition.expression, ExpressionContext::Observation);
+        let value = self.lower_with_accelerations(&definition.expression);
         self.defining = None;
         let value = value?;
         if let Shape::Array {
@@ -281,17 +279,18 @@ impl Lowerer<'_> {
 
     /// The indices of a member of a family, as they follow its name.
     pub(super) fn member(&mut self, indices: &[Expr]) -> Option<Vec<usize>> {
-        let indices = indices.iter().map(|written| {
-            let index = self.integer(written)?;
-            match usize::try_from(index) {
-                Ok(index) => Some(index),
-                Err(_) => self.reject(
-                    written,
-                    format!("an index is not negative: here it is {index}"),
-                ),
-            }
-        });
+        let indices = indices.iter();
+        let indices = indices.map(|written| self.natural_number(written, "an index"));
         indices.collect()
+    }
+
+    /// The value of an expression that is an integer known at compile time and not negative.
+    pub(super) fn natural_number(&mut self, written: &Expr, what: &str) -> Option<usize> {
+        let number = self.integer(written)?;
+        usize::try_from(number).ok().or_else(|| {
+            let message = format!("{what} is not negative: here it is {number}");
+            self.reject(written, message)
+        })
     }
 }
 

@@ -1,30 +1,30 @@
 //! Which programs a model's methods are, and what each of them returns.
 
-mod methods;
-mod method;
+mod branches;
+mod by_columns;
+pub(crate) mod constants;
 mod constraint_methods;
 mod derivatives;
+mod method;
+mod methods;
 mod outputs;
-mod by_columns;
-mod variation;
+mod prepared_array;
+mod reduced_methods;
 mod requested;
+mod series_methods;
 mod table;
 mod taylor_method;
-mod value_series;
-mod series_methods;
-mod reduced_methods;
-mod prepared_array;
-mod branches;
 mod undeclared;
 mod validation;
-pub(crate) mod constants;
+mod value_series;
+mod variation;
 
 pub(crate) use branches::branches_of_events;
 pub(crate) use method::Method;
 pub(crate) use methods::Methods;
 pub(crate) use outputs::{
-    AccelerationOutputs, Columns, DerivativeOutputs, InputJacobianOutputs, LowerTriangle,
-    MethodOutputs, OutputSlice, PivotOutputs, Residuals, StateJacobian,
+    AccelerationOutputs, Columns, DerivativeOutputs, LowerTriangle, MethodOutputs, OutputSlice,
+    PivotOutputs, Residuals, StateJacobian,
 };
 pub(crate) use prepared_array::PreparedArray;
 pub(crate) use reduced_methods::ReducedMethods;

@@ -12,7 +12,7 @@ use lagrangian_symbolic::{
 use proc_macro2::Ident;
 
 use crate::check::check;
-use crate::diagnostics::{Diagnostics, similar};
+use crate::diagnostics::{Diagnostics, hint};
 use crate::lower::quantities::Quantities;
 use crate::lower::scope::Scope;
 use crate::lower::{Lowered, count};
@@ -159,10 +159,7 @@ fn check_names(
     for name in &clause.without {
         let written = unraw(name);
         if !known.contains(&written) {
-            let hint = match similar(&written, known.iter().map(String::as_str)) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("write some of `{}`", known.join("`, `")),
-            };
+            let hint = hint(&written, &known, "some");
             let message = format!(
                 "`{name}` is neither an output nor an event, nor a clause that the reduced model can do without: {hint}"
             );

@@ -56,6 +56,7 @@ pub use print::listing::as_declared::{AsDeclared, DeclaredLine};
 pub use print::listing::{Declared, Listing};
 pub use print::names::{Letters, Names};
 pub use print::printed::Printed;
+pub use program::liveness::LiveValues;
 pub use program::operation_count::OperationCount;
 pub use program::staging::Staged;
 pub use program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
@@ -68,8 +69,7 @@ pub use typed::graph::TypedGraph;
 pub use typed::operation::{TypedOperation, Value};
 pub use typed::virtual_work::ConstraintForces;
 pub use validation::{
-    AccelerationProgram, ConstraintPrograms, LinearizationProgram, Method, Programs,
-    ReductionCheck, RequestedPrograms, SensitivityProgram, SeriesCheck, Validator,
+    ConstraintTapes, Method, ReductionCheck, SeriesCheck, SolutionTape, Tape, Tapes, Validator,
     ValueSeriesCheck,
 };
 

@@ -7,6 +7,8 @@ pub(crate) mod angle_slopes;
 pub(crate) mod dag;
 pub(crate) mod passes;
 pub(crate) mod schedule;
+pub(crate) mod liveness;
+pub(crate) mod numbering;
 pub(crate) mod staging;
 pub(crate) mod arrival;
 pub(crate) mod reassociation;

@@ -8,16 +8,16 @@
 //! functions are those of the crate `libm`, so that the answer is the same on every host.
 
 mod validator;
-mod linearization_check;
+mod derivative_check;
 mod comparison;
 mod constraint_check;
 mod hyper_dual;
 mod jet;
 mod lagrange;
+mod method;
 mod mixed_derivatives;
 mod number;
 mod perturbation;
-mod programs;
 mod requested_check;
 mod recurrence_tape;
 mod reduction_check;
@@ -27,13 +27,12 @@ mod value_series_check;
 mod square_matrix;
 mod sum_with_size;
 mod tape;
+mod tapes;
 
-pub use programs::{
-    AccelerationProgram, ConstraintPrograms, LinearizationProgram, Method, Programs,
-    SensitivityProgram,
-};
+pub use method::Method;
 pub use reduction_check::ReductionCheck;
-pub use requested_check::RequestedPrograms;
 pub use series_check::SeriesCheck;
+pub use tape::Tape;
+pub use tapes::{ConstraintTapes, SolutionTape, Tapes};
 pub use validator::Validator;
 pub use value_series_check::ValueSeriesCheck;

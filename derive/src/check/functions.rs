@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::names::refuse_reserved;
-use crate::diagnostics::{Diagnostics, similar};
+use crate::diagnostics::{Diagnostics, hint};
 use crate::lower::builtins;
 use crate::syntax::declaration::Declaration;
 use crate::syntax::external_function::{DerivativeDeclaration, FunctionDeclaration};
@@ -79,13 +79,9 @@ fn check_derivatives(function: &FunctionDeclaration, diagnostics: &mut Diagnosti
         let arguments: Vec<String> = function.arguments.iter().map(unraw).collect();
         if !arguments.contains(&written) {
             let name = &function.name;
-            let hint = match (
-                similar(&written, arguments.iter().map(String::as_str)),
-                &*arguments,
-            ) {
-                (Some(meant), _) => format!("did you mean `{meant}`?"),
-                (None, []) => "it has none".to_owned(),
-                (None, _) => format!("write one of `{}`", arguments.join("`, `")),
+            let hint = match &*arguments {
+                [] => "it has none".to_owned(),
+                _ => hint(&written, &arguments, "one"),
             };
             let message = format!("`{argument}` is no argument of `{name}`: {hint}");
             diagnostics.error(argument, message);

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use proc_macro2::Ident;
 
-use crate::diagnostics::{Diagnostics, similar};
+use crate::diagnostics::{Diagnostics, hint};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::field::Role;
 use crate::syntax::names::unraw;
@@ -60,10 +60,7 @@ fn objection(name: &Ident, declaration: &Declaration) -> Option<String> {
         None => {
             let parameters = declaration.fields_with(Role::Parameter);
             let names: Vec<String> = parameters.map(|field| unraw(&field.name)).collect();
-            let hint = match similar(&written, names.iter().map(String::as_str)) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("write some of `{}`", names.join("`, `")),
-            };
+            let hint = hint(&written, &names, "some");
             format!("`{name}` is no parameter of the struct: {hint}")
         }
     };

@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::emitter::Emitter;
 use super::writer::{Writer, joined};
-use crate::plan::{DerivativeOutputs, InputJacobianOutputs, OutputSlice, Residuals, StateJacobian};
+use crate::plan::{DerivativeOutputs, OutputSlice, Residuals, StateJacobian};
 
 /// Columns of derivatives, as a method returns them.
 pub(super) trait Columns {
@@ -78,33 +78,28 @@ impl Writer<'_> {
                 residuals,
             } => {
                 let (statements, pivots) = self.compute(pivots);
-                let (_, accelerations) = self.compute(accelerations);
-                let accelerations = self.if_positive(&pivots, &accelerations);
                 let is_used = self.reads_accelerations() || !pivots.is_empty();
+                let accelerations = accelerations.as_ref().filter(|_| is_used);
+                let accelerations = accelerations.map(|accelerations| {
+                    let (_, accelerations) = self.compute(accelerations);
+                    self.if_positive(&pivots, &accelerations)
+                });
                 let (more, derivatives) = derivatives.derivatives(self);
-                let Some(residuals) = residuals else {
-                    let accelerations = if is_used {
-                        self.emitter.parts_of_solution(&accelerations, &more)
-                    } else {
-                        TokenStream::new()
+                let behind = if let Some(residuals) = residuals {
+                    let (others, solved) = self.solved_beside(residuals);
+                    let factors = self.factors_by_methods();
+                    let root = &self.emitter.declaration.root;
+                    let value = quote! {
+                        #root::__private::if_positive([#(#pivots),*], #derivatives, || {
+                            let factors = #factors;
+                            #solved
+                        })
                     };
-                    return joined([statements, accelerations, more, derivatives]);
-                };
-                let (others, solved) = self.solved_beside(residuals);
-                let factors = self.factors_by_methods();
-                let root = &self.emitter.declaration.root;
-                let value = quote! {
-                    #root::__private::if_positive([#(#pivots),*], #derivatives, || {
-                        let factors = #factors;
-                        #solved
-                    })
-                };
-                let behind = joined([more, others, value]);
-                let accelerations = if is_used {
-                    self.emitter.parts_of_solution(&accelerations, &behind)
+                    joined([more, others, value])
                 } else {
-                    TokenStream::new()
+                    joined([more, derivatives])
                 };
+                let accelerations = self.solution_before(accelerations, &behind);
                 joined([statements, accelerations, behind])
             }
             DerivativeOutputs::Numerical {
@@ -113,15 +108,23 @@ impl Writer<'_> {
                 residuals,
             } => {
                 let (statements, factors) = self.factors(mass);
-                let (_, forcing) = self.compute(forcing);
-                let forcing = self.vector(&forcing);
+                let solution = forcing.as_ref().map(|forcing| {
+                    let (_, forcing) = self.compute(forcing);
+                    let forcing = self.vector(&forcing);
+                    quote!(factors.solve(&#forcing))
+                });
                 let (more, solved) = residuals.solved(self);
                 let behind = joined([more, solved]);
-                let solution = quote!(factors.solve(&#forcing));
-                let accelerations = self.emitter.parts_of_solution(&solution, &behind);
+                let accelerations = self.solution_before(solution, &behind);
                 joined([statements, factors, accelerations, behind])
             }
         }
+    }
+
+    /// The statement that names the parts of a solution, if there is one, before those that read them.
+    fn solution_before(&self, solution: Option<TokenStream>, behind: &TokenStream) -> TokenStream {
+        let parts = |solution| self.emitter.parts_of_solution(&solution, behind);
+        solution.map(parts).unwrap_or_default()
     }
 
     /// The statements before −M⁻¹ times the derivatives of M q̈ − f, and this, where `factors` are those of M.
@@ -170,41 +173,18 @@ impl Writer<'_> {
     }
 
     /// The derivatives of the accelerations by the inputs.
-    pub(super) fn input_jacobian(&mut self, outputs: &InputJacobianOutputs) -> TokenStream {
+    pub(super) fn input_jacobian(
+        &mut self,
+        outputs: &DerivativeOutputs<OutputSlice>,
+    ) -> TokenStream {
+        let derivatives = self.acceleration_derivatives(outputs);
+        if !self.emitter.is_constrained() {
+            return derivatives;
+        }
         let root = &self.emitter.declaration.root;
-        match outputs {
-            InputJacobianOutputs::Symbolic {
-                pivots,
-                derivatives,
-                residuals,
-            } => {
-                let (statements, pivots) = self.compute(pivots);
-                let (more, derivatives) = self.compute(derivatives);
-                let derivatives = self.columns(&derivatives);
-                let derivatives = self.emitter.rows_of_accelerations(&derivatives);
-                let Some(residuals) = residuals else {
-                    return joined([statements, more, derivatives]);
-                };
-                let (others, residuals) = self.compute(residuals);
-                let residuals = self.columns(&residuals);
-                let factors = self.factors_by_methods();
-                let solved = quote!(-#factors.solve(&#residuals));
-                let solved = self.emitter.rows_of_accelerations(&solved);
-                let value = quote! {
-                    #root::__private::if_positive([#(#pivots),*], #derivatives, || {
-                        #solved
-                    })
-                };
-                joined([statements, more, others, value])
-            }
-            InputJacobianOutputs::Numerical { mass, residuals } => {
-                let (statements, factors) = self.factors(mass);
-                let (more, residuals) = self.compute(residuals);
-                let residuals = self.columns(&residuals);
-                let solved = quote!(-factors.solve(&#residuals));
-                let solved = self.emitter.rows_of_accelerations(&solved);
-                joined([statements, more, factors, solved])
-            }
+        quote! {
+            let derivatives = { #derivatives };
+            #root::__private::rows_of_accelerations(&derivatives)
         }
     }
 }

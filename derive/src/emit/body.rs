@@ -3,14 +3,14 @@
 //! Each value that is used more than once, or that the declaration names, is a variable; the others are inlined
 //! where they are used, up to a depth of nesting.
 
-pub(super) mod variables;
-mod pieces;
-mod in_pieces;
-mod block;
 mod angles;
-mod symbols;
-mod fragment;
+mod block;
 mod constant;
+mod fragment;
+mod in_pieces;
+mod pieces;
+mod symbols;
+pub(super) mod variables;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -56,7 +56,7 @@ pub(crate) struct Body<'a> {
     /// How many statements a piece of a long method has.
     piece_length: usize,
     variables: Variables,
-    block: Block,
+    block: Block<'a>,
     /// Whether the group that is written is long.
     is_long: bool,
 }
@@ -96,7 +96,7 @@ impl<'a> Body<'a> {
             homes: HashMap::new(),
             piece_length: STATEMENTS_PER_PIECE.min(limits.most_scopes).max(1),
             variables,
-            block: Block::new(form),
+            block: Block::new(form, scalar),
             is_long: false,
         }
     }
@@ -130,7 +130,7 @@ impl<'a> Body<'a> {
         }
         self.load_operands(group.outputs.iter());
         let (statements, tokens) = self.block.take_statements();
-        let mut written = self.block.take(self.scalar);
+        let mut written = self.block.take();
         if !statements.is_empty() {
             written.extend(self.pieces(&statements, tokens));
         }
@@ -171,8 +171,7 @@ impl<'a> Body<'a> {
         let functions = self.scalar.functions();
         let pattern = quote!(([#(#sines),*], [#(#cosines),*]));
         let value = quote!(#functions::sines_and_cosines([#(#arguments),*]));
-        self.block
-            .define(defines, pattern, value, reads, false, self.scalar);
+        self.block.define(defines, pattern, value, reads, false);
     }
 
     /// Names the two values of an instruction that computes a sine and a cosine.
@@ -197,7 +196,7 @@ impl<'a> Body<'a> {
             let pattern = quote!((#sine, #cosine));
             let defines = vec![(value, sine), (value + 1, cosine)];
             self.block
-                .define(defines, pattern, call, reads, calls_model, self.scalar);
+                .define(defines, pattern, call, reads, calls_model);
             return;
         }
         let fragment = self.operation(&instruction.operation);
@@ -211,14 +210,8 @@ impl<'a> Body<'a> {
         self.write(value, Fragment::atom(&name));
         self.is_read(value, vec![Read::Value(value)]);
         let defines = vec![(value, name)];
-        self.block.define(
-            defines,
-            pattern,
-            fragment.into_tokens(),
-            reads,
-            calls_model,
-            self.scalar,
-        );
+        self.block
+            .define(defines, pattern, fragment.into_tokens(), reads, calls_model);
     }
 
     /// Notes what a value is written as.

@@ -26,18 +26,17 @@ impl Writer<'_> {
     fn linearization_by_columns(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
         let accelerations = self.call(EmittedMethod::Accelerations);
-        let (factors, prepared) = (self.factors_by_methods(), self.prepared_on_duals());
-        let function = self.inverse_dynamics_on_duals();
+        let (factors, on_duals) = (self.factors_by_methods(), self.quantities_on_duals());
         quote! {
             let accelerations = #accelerations;
             let factors = #factors;
-            let prepared = #prepared;
+            let prepared = #on_duals::prepare(self);
             let inputs = #root::__private::constants(inputs);
             #root::__private::linearization_by_columns(
                 state,
                 &accelerations,
                 &factors,
-                |state, accelerations| #function(self, state, &inputs, accelerations, &prepared),
+                |state, accelerations| #on_duals::inverse_dynamics(self, state, &inputs, accelerations, &prepared),
             )
         }
     }
@@ -46,17 +45,16 @@ impl Writer<'_> {
     fn input_jacobian_by_columns(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
         let (n, dual) = (self.emitter.coordinates(), self.dual());
-        let (factors, prepared) = (self.factors_by_methods(), self.prepared_on_duals());
-        let function = self.inverse_dynamics_on_duals();
+        let (factors, on_duals) = (self.factors_by_methods(), self.quantities_on_duals());
         quote! {
             let factors = #factors;
-            let prepared = #prepared;
+            let prepared = #on_duals::prepare(self);
             let state = #root::__private::constant_state(state);
             let accelerations = #root::__private::SVector::<#dual, #n>::zeros();
             #root::__private::input_jacobian_by_columns(
                 inputs,
                 &factors,
-                |inputs| #function(self, &state, inputs, &accelerations, &prepared),
+                |inputs| #on_duals::inverse_dynamics(self, &state, inputs, &accelerations, &prepared),
             )
         }
     }
@@ -71,15 +69,10 @@ impl Writer<'_> {
         quote!(#root::Dual<#scalar, #directions>)
     }
 
-    fn prepared_on_duals(&self) -> TokenStream {
+    /// The trait with the methods on dual numbers.
+    fn quantities_on_duals(&self) -> TokenStream {
         let root = &self.emitter.declaration.root;
         let (n, dual) = (self.emitter.coordinates(), self.dual());
-        quote!(#root::quantities::Quantities::<#n, #dual>::prepare(self))
-    }
-
-    fn inverse_dynamics_on_duals(&self) -> TokenStream {
-        let root = &self.emitter.declaration.root;
-        let (n, dual) = (self.emitter.coordinates(), self.dual());
-        quote!(#root::quantities::Quantities::<#n, #dual>::inverse_dynamics)
+        quote!(#root::quantities::Quantities::<#n, #dual>)
     }
 }

@@ -7,6 +7,7 @@ use quote::quote;
 use super::documentation;
 use super::editor;
 use super::emitter::Emitter;
+use super::implementation;
 use crate::syntax::coordinate::indices;
 use crate::syntax::names::{constant_name, hygienic_ident};
 
@@ -74,8 +75,6 @@ impl Emitter<'_> {
 
     pub(super) fn system(&self) -> TokenStream {
         let root = &self.declaration.root;
-        let name = &self.declaration.name;
-        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         let n = self.coordinates();
         let structure = &self.equations.coordinate_properties;
         let (angles, ignorable) = (&structure.angles, &structure.ignorable);
@@ -95,18 +94,18 @@ impl Emitter<'_> {
             let poles = self.poles.iter().map(|i| Literal::u32_unsuffixed(*i));
             quote!(const POLES: &'static [usize] = &[#(#poles),*];)
         });
-        quote! {
-            #[automatically_derived]
-            impl #generics #root::GeneralizedCoordinates<#n> for #name #arguments #conditions {
-                const COORDINATES: [&'static str; #n] = Self::COORDINATES;
-                const ANGLES: [bool; #n] = [#(#angles),*];
-                const PERIODS: [u32; #n] = [#(#periods),*];
-                const IGNORABLE: [bool; #n] = [#(#ignorable),*];
-                const SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*];
-                #stays_regular
-                #poles
-            }
-        }
+        let items = quote! {
+            const COORDINATES: [&'static str; #n] = Self::COORDINATES;
+            const ANGLES: [bool; #n] = [#(#angles),*];
+            const PERIODS: [u32; #n] = [#(#periods),*];
+            const IGNORABLE: [bool; #n] = [#(#ignorable),*];
+            const SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*];
+            #stays_regular
+            #poles
+        };
+        let interface = quote!(#root::GeneralizedCoordinates<#n>);
+        let generics = &self.declaration.generics;
+        implementation::of_trait(self.declaration, generics, &interface, &items)
     }
 }
 

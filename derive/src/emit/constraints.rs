@@ -163,8 +163,7 @@ impl Emitter<'_> {
         let signatures = self.signatures();
         let (state, prepared) = (signatures.state(), &signatures.prepared);
         let scalar = &self.scalar;
-        let constraints = self.methods.constraints.as_ref();
-        let declared = constraints.and_then(|methods| methods.compliances.as_ref());
+        let declared = self.methods.get(EmittedMethod::Compliances);
         let check = declared.map(|_| {
             quote! {
                 fn invalid_compliance(
@@ -175,6 +174,7 @@ impl Emitter<'_> {
                 }
             }
         });
+        let constraints = self.methods.constraints.as_ref();
         let pivots = constraints.and_then(|methods| methods.pivots.as_ref());
         let pivoted = if let Some(pivots) = pivots {
             let body = self.body(pivots, ParameterSource::Prepared, &[]);
@@ -273,15 +273,6 @@ impl Emitter<'_> {
         quote!(#root::__private::parts::<#arguments>(&#solution))
     }
 
-    /// The rows of the accelerations of a matrix with a row for each unknown.
-    pub(super) fn rows_of_accelerations(&self, matrix: &TokenStream) -> TokenStream {
-        if !self.is_constrained() {
-            return matrix.clone();
-        }
-        let root = &self.declaration.root;
-        quote!(#root::__private::rows_of_accelerations(&#matrix))
-    }
-
     /// The factors of the saddle point problem with this matrix.
     pub(super) fn saddle_point(
         &self,
@@ -296,8 +287,7 @@ impl Emitter<'_> {
 
     /// The call that gives factors the declared compliances; nothing where only accelerations are solved for.
     fn compliances(&self, source: ParameterSource) -> TokenStream {
-        let constraints = self.methods.constraints.as_ref();
-        let declared = constraints.and_then(|methods| methods.compliances.as_ref());
+        let declared = self.methods.get(EmittedMethod::Compliances);
         if declared.is_none() || source == ParameterSource::Fields {
             return TokenStream::new();
         }

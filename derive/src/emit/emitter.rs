@@ -4,6 +4,8 @@ use lagrangian_symbolic::{Equations, Listing, Model};
 use proc_macro2::TokenStream;
 use quote::{ToTokens as _, format_ident, quote};
 
+use super::implementation;
+use super::locals::Locals;
 use super::signatures::Signatures;
 use crate::limits::MethodLimits;
 use crate::lower::Lowered;
@@ -77,7 +79,6 @@ impl<'a> Emitter<'a> {
         conditions: &[TokenStream],
         items: &TokenStream,
     ) -> TokenStream {
-        let name = &self.declaration.name;
         let mut generics = self.scalar.generics(&self.declaration.generics);
         if !conditions.is_empty() {
             let predicates = &mut generics.make_where_clause().predicates;
@@ -87,14 +88,7 @@ impl<'a> Emitter<'a> {
                     .map(|condition| -> syn::WherePredicate { syn::parse_quote!(#condition) }),
             );
         }
-        let (generics, _, conditions) = generics.split_for_impl();
-        let (_, arguments, _) = self.declaration.generics.split_for_impl();
-        quote! {
-            #[automatically_derived]
-            impl #generics #interface for #name #arguments #conditions {
-                #items
-            }
-        }
+        implementation::of_trait(self.declaration, &generics, interface, items)
     }
 
     /// A method of the type on the scalar of the parameters, for one of a trait that takes nothing from which a scalar could
@@ -124,6 +118,14 @@ impl<'a> Emitter<'a> {
         let field = self.lowered.scope.first_use(field).unwrap_or(field);
         let place = component.read(field, &self.declaration.root);
         self.scalar.read(&place, &component.element)
+    }
+
+    /// The names of the variables of one method.
+    pub(super) fn locals(&self) -> Locals<'a> {
+        let Lowered {
+            scope, quantities, ..
+        } = self.lowered;
+        Locals::new(&self.model.graph, scope, quantities)
     }
 
     /// What the types in signatures are made of.

@@ -7,6 +7,7 @@ use quote::{ToTokens, format_ident, quote};
 use syn::Expr;
 
 use super::emitter::Emitter;
+use super::implementation;
 use super::item_names::{derivative_name, value_name};
 use super::parameters::marked_if_unused;
 use crate::plan::ParameterSource;
@@ -23,16 +24,11 @@ impl Emitter<'_> {
         }
         let values = values(self.declaration, &self.scalar);
         let derivatives = self.derivatives();
-        let name = &self.declaration.name;
-        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let generics = &self.declaration.generics;
+        let items = quote!(#values #derivatives);
+        let own = implementation::inherent(self.declaration, generics, &items);
         let interface = self.external_functions();
-        quote! {
-            impl #generics #name #arguments #conditions {
-                #values
-                #derivatives
-            }
-            #interface
-        }
+        quote!(#own #interface)
     }
 
     /// A method for each declared derivative, of all arguments at once.
@@ -100,14 +96,9 @@ impl Emitter<'_> {
                 }
             }
         };
-        let name = &self.declaration.name;
-        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
-        quote! {
-            #[automatically_derived]
-            impl #generics #root::ExternalFunctions for #name #arguments #conditions {
-                #items
-            }
-        }
+        let interface = quote!(#root::ExternalFunctions);
+        let generics = &self.declaration.generics;
+        implementation::of_trait(self.declaration, generics, &interface, &items)
     }
 }
 

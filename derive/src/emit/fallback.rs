@@ -5,7 +5,6 @@
 
 mod constraints;
 mod functions;
-mod inputs;
 mod observations;
 mod requested;
 mod routhian;
@@ -18,6 +17,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::editor;
+use super::implementation;
 use super::inputs::{Indices, input_indices};
 use super::members_in_lanes::members_in_lanes;
 use super::signatures::Signatures;
@@ -131,7 +131,6 @@ impl<'a> Fallback<'a> {
         items: &TokenStream,
         parameter: Option<&TokenStream>,
     ) -> TokenStream {
-        let name = &self.declaration.name;
         let declared = &self.declaration.generics;
         let mut generics = match scalar {
             Some(scalar) => scalar.generics(declared),
@@ -143,21 +142,12 @@ impl<'a> Fallback<'a> {
         if let Some(parameter) = parameter {
             generics.params.push(syn::parse_quote!(#parameter));
         }
-        let (generics, _, conditions) = generics.split_for_impl();
-        let (_, arguments, _) = declared.split_for_impl();
-        quote! {
-            #[automatically_derived]
-            impl #generics #interface for #name #arguments #conditions {
-                #items
-            }
-        }
+        implementation::of_trait(self.declaration, &generics, interface, items)
     }
 
     fn constants(&self) -> TokenStream {
         let root = &self.declaration.root;
-        let name = &self.declaration.name;
         let visibility = &self.declaration.visibility;
-        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
         let n = self.lowered.quantities.coordinates.len();
         let mentions = editor::method(self.declaration);
         let names = &self.lowered.quantities.coordinates;
@@ -183,20 +173,19 @@ impl<'a> Fallback<'a> {
         let events = self.event_constants();
         let constraints = self.constraint_constants();
         let requested = self.requested_constants();
-        quote! {
-            impl #generics #name #arguments #conditions {
-                #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
-                #visibility const EQUATIONS: &'static str = "";
-                #visibility const LATEX: &'static str = "";
-                #visibility const OPERATIONS: #root::Operations = #root::Operations::NONE;
-                #(#indices)*
-                #inputs
-                #events
-                #constraints
-                #requested
-                #mentions
-            }
-        }
+        let items = quote! {
+            #visibility const COORDINATES: [&'static str; #n] = [#(#names),*];
+            #visibility const EQUATIONS: &'static str = "";
+            #visibility const LATEX: &'static str = "";
+            #visibility const OPERATIONS: #root::Operations = #root::Operations::NONE;
+            #(#indices)*
+            #inputs
+            #events
+            #constraints
+            #requested
+            #mentions
+        };
+        implementation::inherent(self.declaration, &self.declaration.generics, &items)
     }
 
     /// A method of the type on the scalar of the parameters, as models with equations have it.
@@ -242,11 +231,24 @@ impl<'a> Fallback<'a> {
         quote!(#quantities #lagrangian #members)
     }
 
-    /// The impl of a trait of the table: these items, and its methods.
+    /// The impl of a trait of the table: these items, and its methods. How many base parameters there are is not known: any number
+    /// fits.
     fn interface(&self, interface: Interface, items: &TokenStream) -> TokenStream {
         let methods = self.methods_of(interface);
         let path = self.signatures().interface(interface);
-        self.implement(&path, Some(&self.scalar), &quote!(#items #methods))
+        let count = requested::base_parameters();
+        let parameter = (interface == Interface::Regressor).then(|| quote!(const #count: usize));
+        let items = quote!(#items #methods);
+        self.implement_for(&path, Some(&self.scalar), &items, parameter.as_ref())
+    }
+
+    fn inputs(&self) -> TokenStream {
+        let u = self.lowered.quantities.inputs.len();
+        if u == 0 {
+            return TokenStream::new();
+        }
+        let names = quote!(const INPUTS: [&'static str; #u] = [""; #u];);
+        self.interface(Interface::Inputs, &names)
     }
 
     /// Also beside constraints: what is meant is not known.

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::GenericParam;
 
+use super::implementation;
 use super::on_another_scalar::{OnAnotherScalar, conditions_beside, replaced, scalar_parameter};
 use super::parameters::mentions;
 use crate::syntax::declaration::Declaration;
@@ -31,17 +32,9 @@ pub(super) fn members_in_lanes(
 
 /// A model on every scalar: a member serves all lanes.
 fn of_plain_numbers(declaration: &Declaration) -> TokenStream {
-    let Declaration {
-        root,
-        name,
-        generics,
-        ..
-    } = declaration;
-    let (parameters, arguments, conditions) = generics.split_for_impl();
-    quote! {
-        #[automatically_derived]
-        impl #parameters #root::__private::SharesLanes for #name #arguments #conditions {}
-    }
+    let Declaration { root, generics, .. } = declaration;
+    let interface = quote!(#root::__private::SharesLanes);
+    implementation::of_trait(declaration, generics, &interface, &TokenStream::new())
 }
 
 /// A model with a type parameter for its scalar: with `f64` in its place it is a member, with lanes a model of all.

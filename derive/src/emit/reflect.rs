@@ -14,7 +14,6 @@ use crate::syntax::field_type::Content;
 use crate::syntax::names::unraw;
 use crate::syntax::root::Root;
 use crate::syntax::scalar::Scalar;
-use crate::syntax::shape::Shape;
 
 impl Emitter<'_> {
     /// The impl of `Reflect`; nothing without the clause.
@@ -83,7 +82,7 @@ impl Emitter<'_> {
             let description = Description {
                 name: &output.name,
                 documentation: String::new(),
-                lengths: lengths(*shape),
+                lengths: shape.lengths(),
                 body: None,
                 is_input: false,
             };
@@ -195,7 +194,7 @@ impl<'a> Description<'a> {
         if let Ok(ty) = field.field_type() {
             all_lengths.extend_from_slice(ty.array_lengths());
             match ty.content() {
-                Content::Numbers(shape) => all_lengths.extend(lengths(shape)),
+                Content::Numbers(shape) => all_lengths.extend(shape.lengths()),
                 Content::Body(found) => body = Some(found),
             }
         }
@@ -231,15 +230,6 @@ impl<'a> Description<'a> {
                 is_input: #is_input,
             }
         }
-    }
-}
-
-/// The lengths of a vector or a matrix.
-fn lengths(shape: Shape) -> Vec<usize> {
-    match shape {
-        Shape::Scalar => Vec::new(),
-        Shape::Array { rows, columns: 1 } => vec![rows],
-        Shape::Array { rows, columns } => vec![rows, columns],
     }
 }
 

@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::emitter::Emitter;
+use super::implementation;
 use super::parameters::{marked_if_unused, mentions};
 use crate::plan::{ParameterSource, ReducedMethods};
 use crate::reduce::{ReducedDeclaration, Split};
@@ -50,7 +51,13 @@ pub(crate) fn reduced_struct(full: &Declaration, reduced: &Declaration) -> Token
         quote!(finish)
     };
     let written = unraw(name);
-    let (of_impl, arguments, _) = generics.split_for_impl();
+    let items = quote! {
+        fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+            f.debug_struct(#written) #(#shown)* .#finish()
+        }
+    };
+    let interface = quote!(::core::fmt::Debug);
+    let debug = implementation::of_trait(reduced, generics, &interface, &items);
     quote! {
         #[doc = #documentation]
         #[derive(::core::clone::Clone)]
@@ -58,20 +65,15 @@ pub(crate) fn reduced_struct(full: &Declaration, reduced: &Declaration) -> Token
         #visibility struct #name #generics #conditions {
             #(#definitions),*
         }
-        #[automatically_derived]
-        impl #of_impl ::core::fmt::Debug for #name #arguments #conditions {
-            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                f.debug_struct(#written) #(#shown)* .#finish()
-            }
-        }
+        #debug
     }
 }
 
 impl Emitter<'_> {
     /// The impl of `RouthReduction` for the full model.
     pub(crate) fn routh_reduction(&self, reduced: &ReducedDeclaration) -> TokenStream {
-        let Declaration { root, name, .. } = self.declaration;
-        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let Declaration { root, generics, .. } = self.declaration;
+        let (_, arguments, _) = generics.split_for_impl();
         let scalar = self.scalar.of_parameters();
         let (n, remaining) = (self.coordinates(), &reduced.split.remaining);
         let left = remaining.len();
@@ -91,22 +93,21 @@ impl Emitter<'_> {
             .iter()
             .map(|i| Literal::usize_unsuffixed(*i))
             .collect();
-        quote! {
-            #[automatically_derived]
-            impl #generics #root::RouthReduction<#n, #left> for #name #arguments #conditions {
-                type Scalar = #scalar;
-                type Reduced = #target #arguments;
-                fn reduce(
-                    &self,
-                    state: &#root::State<#scalar, #n>,
-                ) -> (Self::Reduced, #root::State<#scalar, #left>) {
-                    let momenta = #root::Lagrangian::<#n, #scalar>::momenta(self, state);
-                    let reduced = #target { #(#own,)* #(#constants),* };
-                    let state = #root::State::new(state.t, #root::__private::vector([#(state.q[#indices]),*]), #root::__private::vector([#(state.v[#indices]),*]));
-                    (reduced, state)
-                }
+        let items = quote! {
+            type Scalar = #scalar;
+            type Reduced = #target #arguments;
+            fn reduce(
+                &self,
+                state: &#root::State<#scalar, #n>,
+            ) -> (Self::Reduced, #root::State<#scalar, #left>) {
+                let momenta = #root::Lagrangian::<#n, #scalar>::momenta(self, state);
+                let reduced = #target { #(#own,)* #(#constants),* };
+                let state = #root::State::new(state.t, #root::__private::vector([#(state.q[#indices]),*]), #root::__private::vector([#(state.v[#indices]),*]));
+                (reduced, state)
             }
-        }
+        };
+        let interface = quote!(#root::RouthReduction<#n, #left>);
+        implementation::of_trait(self.declaration, generics, &interface, &items)
     }
 
     /// The impls of `Routhian` and `RouthianSeries` for the reduced model.
@@ -170,10 +171,7 @@ impl Emitter<'_> {
 
     /// What a reduced model has without a scalar that has to be named.
     fn own_items_of_reduced(&self, eliminated: &[String]) -> TokenStream {
-        let Declaration {
-            name, visibility, ..
-        } = self.declaration;
-        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let visibility = &self.declaration.visibility;
         let (n, k) = (self.coordinates(), eliminated.len());
         let constants = self.on_own_scalar(
             "The constant momenta of the ignorable coordinates.",
@@ -181,13 +179,12 @@ impl Emitter<'_> {
             &quote!(Routhian::<#n, #k, _>),
             k,
         );
-        quote! {
-            impl #generics #name #arguments #conditions {
-                /// The names of the ignorable coordinates, in their order.
-                #visibility const ELIMINATED: [&'static str; #k] = [#(#eliminated),*];
-                #constants
-            }
-        }
+        let items = quote! {
+            /// The names of the ignorable coordinates, in their order.
+            #visibility const ELIMINATED: [&'static str; #k] = [#(#eliminated),*];
+            #constants
+        };
+        implementation::inherent(self.declaration, &self.declaration.generics, &items)
     }
 
     fn routhian_series(&self, methods: &ReducedMethods, k: usize) -> Option<TokenStream> {

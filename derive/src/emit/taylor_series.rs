@@ -9,7 +9,6 @@ use quote::quote;
 
 use super::body::{Body, SymbolReader};
 use super::emitter::Emitter;
-use super::locals::Locals;
 use super::model_symbols::{element, unknown};
 use super::printed_names::printed_names;
 use super::writer::{Writer, joined};
@@ -188,16 +187,11 @@ impl Emitter<'_> {
         &self,
         taylor: &TaylorProgram,
     ) -> [(TokenStream, Vec<TokenStream>); 2] {
-        let locals = Locals::new(
-            &self.model.graph,
-            &self.lowered.scope,
-            &self.lowered.quantities,
-        );
         let symbols = TermSymbols(self.coordinates());
         let mut body = Body::new(
             &taylor.recurrence,
             self.model.graph.passes,
-            locals,
+            self.locals(),
             &self.scalar,
             &symbols,
             Vec::new(),

@@ -8,7 +8,6 @@ use super::body::Body;
 use super::constraints::pattern_of_parts;
 use super::emitter::Emitter;
 use super::item_names::{outputs_name, value_name};
-use super::locals::Locals;
 use super::model_symbols::ModelSymbols;
 use crate::plan::{
     AccelerationOutputs, EmittedMethod, LowerTriangle, Method, MethodOutputs, OutputSlice,
@@ -62,11 +61,10 @@ impl Emitter<'_> {
             emitter: self,
             parameters,
         };
-        let graph = &self.model.graph;
         let functions = self.declaration.clauses.functions.iter();
         let functions = functions.map(value_name).collect();
-        let locals = Locals::new(graph, &self.lowered.scope, &self.lowered.quantities)
-            .with_arguments(arguments.iter().map(unraw));
+        let locals = self.locals();
+        let locals = locals.with_arguments(arguments.iter().map(unraw));
         let is_solution = matches!(
             &method.outputs,
             MethodOutputs::Accelerations(AccelerationOutputs::Symbolic { .. })
@@ -78,7 +76,7 @@ impl Emitter<'_> {
             parameters,
             body: Body::new(
                 &method.program,
-                graph.passes,
+                self.model.graph.passes,
                 locals,
                 &self.scalar,
                 &symbols,
@@ -100,21 +98,12 @@ impl Writer<'_> {
                 let (statements, value) = self.compute(value);
                 self.behind_accelerations(joined([statements].into_iter().chain(value)))
             }
-            MethodOutputs::Vector(vector) => {
-                let (statements, elements) = self.compute(vector);
-                let vector = self.vector(&elements);
-                joined([statements, vector])
-            }
-            MethodOutputs::SquareMatrix(matrix) => {
-                let (statements, elements) = self.compute(matrix);
-                let matrix = self.matrix(&elements);
-                joined([statements, matrix])
-            }
-            MethodOutputs::ConstraintJacobian(columns) => {
-                let (statements, elements) = self.compute(columns);
-                let matrix = self.matrix_of(&elements, self.emitter.constraint_count());
-                joined([statements, matrix])
-            }
+            MethodOutputs::Vector(vector) => self.returned(vector, Self::vector),
+            MethodOutputs::SquareMatrix(matrix) => self.returned(matrix, Self::matrix),
+            MethodOutputs::ConstraintJacobian(columns) => self
+                .returned(columns, |writer, elements| {
+                    writer.matrix_of(elements, writer.emitter.constraint_count())
+                }),
             MethodOutputs::Invariants(values) | MethodOutputs::Events(values) => {
                 let (statements, values) = self.compute(values);
                 self.behind_accelerations(joined([statements, quote!([#(#values),*])]))
@@ -153,17 +142,23 @@ impl Writer<'_> {
                 }
             }
             MethodOutputs::RelativePivots(outputs) => self.relative_pivots(outputs),
-            MethodOutputs::Pivots(pivots) => {
-                let root = &self.emitter.declaration.root;
-                let (statements, pivots) = self.compute(pivots);
-                joined([
-                    statements,
-                    quote!(#root::__private::not_positive([#(#pivots),*])),
-                ])
-            }
+            MethodOutputs::Pivots(pivots) => self.returned(pivots, |writer, pivots| {
+                let root = &writer.emitter.declaration.root;
+                quote!(#root::__private::not_positive([#(#pivots),*]))
+            }),
             MethodOutputs::Declared(outputs) => self.declared_outputs(outputs),
             MethodOutputs::ByColumns(columns) => self.by_columns(*columns),
         }
+    }
+
+    /// The body that returns what is made of some outputs.
+    fn returned(
+        &mut self,
+        slice: &OutputSlice,
+        value: impl FnOnce(&Self, &[TokenStream]) -> TokenStream,
+    ) -> TokenStream {
+        let (statements, elements) = self.compute(slice);
+        joined([statements, value(self, &elements)])
     }
 
     /// The statements that compute some outputs, as far as they are not written yet, and the outputs.

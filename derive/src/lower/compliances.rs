@@ -3,7 +3,7 @@
 use lagrangian_symbolic::{Expression, Rational, Symbol, Value};
 
 use crate::lower::constraints::{Constraints, DeclaredConstraint};
-use crate::lower::expression::{ExpressionContext, Lowerer};
+use crate::lower::expression::Lowerer;
 use crate::syntax::named::NamedExpression;
 use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
@@ -39,7 +39,7 @@ impl Lowerer<'_> {
         self.check_not_bound(name, &compliance.iterations)?;
         let member = self.member(&compliance.indices)?;
         let constraint = self.constraint_with_compliance(compliance, &member, constraints)?;
-        let value = self.lower(&compliance.expression, ExpressionContext::Energy)?;
+        let value = self.lower(&compliance.expression)?;
         let components = self.compliances_of(compliance, constraint, value)?;
         for (i, component) in constraint.indices().zip(components) {
             if found[i].replace(component).is_some() {

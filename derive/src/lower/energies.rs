@@ -2,7 +2,7 @@
 
 use lagrangian_symbolic::{Energies, Expression, Rational, Symbol, TypedOperation, Value};
 
-use crate::lower::expression::{ExpressionContext, Lowerer};
+use crate::lower::expression::Lowerer;
 use crate::syntax::clauses::Clause;
 
 impl Lowerer<'_> {
@@ -10,7 +10,7 @@ impl Lowerer<'_> {
     pub(super) fn total(&mut self, clauses: &[Clause]) -> Option<Value> {
         let values: Vec<_> = clauses
             .iter()
-            .map(|clause| self.scalar(&clause.expression, ExpressionContext::Energy))
+            .map(|clause| self.scalar(&clause.expression))
             .collect();
         let zero = self.constant(0)?;
         values.into_iter().try_fold(zero, |total, value| {
@@ -57,7 +57,7 @@ impl Lowerer<'_> {
     pub(super) fn dissipation(&mut self, clauses: &[Clause]) -> Option<Expression> {
         let mut total = Some(self.graph().zero());
         for clause in clauses {
-            let value = self.scalar(&clause.expression, ExpressionContext::Energy);
+            let value = self.scalar(&clause.expression);
             let value = value.map(|value| self.typed.expression(value));
             let value = value.filter(|value| self.check_dissipation(clause, *value).is_some());
             let graph = &mut self.typed.geometry.graph;

@@ -4,19 +4,19 @@
 //! errors at the tokens that are not supported. Long sums and products are loops; only nesting
 //! recurses, and `syntax/size.rs` bounds its depth.
 
-mod external_function;
 mod array;
-mod block;
-mod call;
 mod binary_operators;
-mod circle;
+mod block;
 mod body;
+mod call;
+mod circle;
 mod component;
 mod derivative;
+mod external_function;
 mod repetition;
+mod reaction;
 mod rotation;
 
-pub(crate) use component::base_and_indices;
 use lagrangian_symbolic::{
     Components, Contents, Expression, Graph, Rational, TypedGraph, TypedOperation, Value,
 };
@@ -34,15 +34,6 @@ use crate::syntax::named::NamedExpression;
 use crate::syntax::names::{to_source, unraw};
 use crate::syntax::shape::Shape;
 
-/// The context of an expression, which decides what it may contain.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ExpressionContext {
-    /// Energies, dissipation and forces: functions of q, q̇, t, parameters and inputs.
-    Energy,
-    /// Definitions and outputs, which may contain accelerations.
-    Observation,
-}
-
 /// The lowering of one declaration.
 pub(crate) struct Lowerer<'a> {
     pub(crate) typed: TypedGraph,
@@ -51,6 +42,9 @@ pub(crate) struct Lowerer<'a> {
     pub(crate) diagnostics: &'a mut Diagnostics,
     /// The number of unrolled iterations so far, over all ranges.
     pub(crate) repetitions: usize,
+    /// Whether accelerations may occur: in definitions and outputs, and not in energies, dissipation, forces and events, which
+    /// are functions of q, q̇, t, parameters and inputs.
+    pub(crate) admits_accelerations: bool,
     /// Whether an index is lowered: there an unknown name is an unbound variable.
     pub(crate) within_index: bool,
     /// Whether the derivative of a function is lowered, which contains neither coordinates nor the time.
@@ -69,31 +63,42 @@ pub(crate) struct Lowerer<'a> {
 
 impl Lowerer<'_> {
     /// The value of `expression`; `None` if errors were reported.
-    pub(crate) fn lower(&mut self, expression: &Expr, context: ExpressionContext) -> Option<Value> {
+    pub(crate) fn lower(&mut self, expression: &Expr) -> Option<Value> {
         match expression {
-            Expr::Paren(inner) => self.lower(&inner.expr, context),
-            Expr::Group(inner) => self.lower(&inner.expr, context),
+            Expr::Paren(inner) => self.lower(&inner.expr),
+            Expr::Group(inner) => self.lower(&inner.expr),
             Expr::Block(block) => match (block.block.stmts.as_slice(), &block.label) {
-                ([Stmt::Expr(only, None)], None) => self.lower(only, context),
+                ([Stmt::Expr(only, None)], None) => self.lower(only),
                 _ => self.reject(block, hints::unsupported_syntax(expression)),
             },
             Expr::Lit(literal) => self.literal(literal),
             Expr::Path(path) => match path.path.get_ident() {
-                Some(name) if path.qself.is_none() && !leads_a_path(name) => {
-                    self.name(name, context)
-                }
+                Some(name) if path.qself.is_none() && !leads_a_path(name) => self.name(name),
                 _ => self.reject(path, hints::unsupported_path(path)),
             },
-            Expr::Unary(unary) => self.negation(unary, context),
-            Expr::Binary(binary) => self.chain(binary, context),
-            Expr::Call(call) => self.call(call, context),
-            Expr::MethodCall(call) => self.method(call, context),
-            Expr::Array(array) => self.array(array, context),
-            Expr::Repeat(repeat) => self.repeat(repeat, context),
-            Expr::Index(_) => self.indexed(expression, context),
-            Expr::Field(field) => self.field(field, context),
+            Expr::Unary(unary) => self.negation(unary),
+            Expr::Binary(binary) => self.chain(binary),
+            Expr::Call(call) => self.call(call),
+            Expr::MethodCall(call) => self.method(call),
+            Expr::Array(array) => self.array(array),
+            Expr::Repeat(repeat) => self.repeat(repeat),
+            Expr::Index(_) => self.indexed(expression),
+            Expr::Field(field) => self.field(field),
             other => self.reject(other, hints::unsupported_syntax(other)),
         }
+    }
+
+    /// What `lower` makes of expressions in which accelerations may occur.
+    pub(crate) fn with_accelerations<T>(&mut self, lower: impl FnOnce(&mut Self) -> T) -> T {
+        let outside = core::mem::replace(&mut self.admits_accelerations, true);
+        let lowered = lower(self);
+        self.admits_accelerations = outside;
+        lowered
+    }
+
+    /// The value of an expression in which accelerations may occur.
+    pub(crate) fn lower_with_accelerations(&mut self, expression: &Expr) -> Option<Value> {
+        self.with_accelerations(|lowerer| lowerer.lower(expression))
     }
 
     /// The value of an operation, if its arguments have one.
@@ -128,11 +133,10 @@ impl Lowerer<'_> {
     pub(crate) fn each<'e>(
         &mut self,
         expressions: impl IntoIterator<Item = &'e Expr>,
-        context: ExpressionContext,
-        lower: impl Fn(&mut Self, &Expr, ExpressionContext) -> Option<Value>,
+        lower: impl Fn(&mut Self, &Expr) -> Option<Value>,
     ) -> Option<Vec<Value>> {
         let values = expressions.into_iter();
-        let values: Vec<_> = values.map(|one| lower(self, one, context)).collect();
+        let values: Vec<_> = values.map(|one| lower(self, one)).collect();
         values.into_iter().collect()
     }
 
@@ -143,12 +147,8 @@ impl Lowerer<'_> {
     }
 
     /// The value of an expression where only a scalar fits.
-    pub(crate) fn scalar(
-        &mut self,
-        expression: &Expr,
-        context: ExpressionContext,
-    ) -> Option<Value> {
-        let value = self.lower(expression, context)?;
+    pub(crate) fn scalar(&mut self, expression: &Expr) -> Option<Value> {
+        let value = self.lower(expression)?;
         self.as_scalar(value, expression)
     }
 
@@ -172,7 +172,7 @@ impl Lowerer<'_> {
     /// a range.
     pub(crate) fn integer(&mut self, expression: &Expr) -> Option<i64> {
         let outside = core::mem::replace(&mut self.within_index, true);
-        let value = self.scalar(expression, ExpressionContext::Observation);
+        let value = self.with_accelerations(|lowerer| lowerer.scalar(expression));
         self.within_index = outside;
         let value = value?;
         let constant = self.typed.as_constant(value);
@@ -228,11 +228,11 @@ impl Lowerer<'_> {
         }
     }
 
-    fn name(&mut self, name: &Ident, context: ExpressionContext) -> Option<Value> {
+    fn name(&mut self, name: &Ident) -> Option<Value> {
         self.check_within_derivative(name)?;
         match self.scope.resolve(name) {
             Some(Binding::Quantity(origin, value)) => {
-                self.check_accelerations(name, origin, value, context)?;
+                self.check_accelerations(name, origin, value)?;
                 Some(value)
             }
             Some(Binding::Family(_, family)) => {
@@ -254,17 +254,8 @@ impl Lowerer<'_> {
     }
 
     /// Energies do not contain accelerations; a definition that does is for outputs only.
-    fn check_accelerations(
-        &mut self,
-        name: &Ident,
-        origin: Origin,
-        value: Value,
-        context: ExpressionContext,
-    ) -> Option<()> {
-        if origin == Origin::Defined
-            && context == ExpressionContext::Energy
-            && self.has_acceleration(value)
-        {
+    fn check_accelerations(&mut self, name: &Ident, origin: Origin, value: Value) -> Option<()> {
+        if origin == Origin::Defined && !self.admits_accelerations && self.has_acceleration(value) {
             let message = format!(
                 "`{name}` contains accelerations, which energies, forces and events cannot: \
                  use it under `output`"
@@ -339,10 +330,10 @@ impl Lowerer<'_> {
             .map(to_source)
     }
 
-    fn negation(&mut self, unary: &ExprUnary, context: ExpressionContext) -> Option<Value> {
+    fn negation(&mut self, unary: &ExprUnary) -> Option<Value> {
         match unary.op {
             UnOp::Neg(_) => {
-                let operand = self.lower(&unary.expr, context)?;
+                let operand = self.lower(&unary.expr)?;
                 if self.typed.components(operand).array().is_none() {
                     let terms = vec![(operand, Rational::MINUS_ONE)];
                     return self.add(TypedOperation::Sum(terms));

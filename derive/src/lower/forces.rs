@@ -7,7 +7,7 @@
 
 use lagrangian_symbolic::{AtRest, Contents, Expression, Node, Symbol, Value};
 
-use crate::lower::expression::{ExpressionContext, Lowerer};
+use crate::lower::expression::Lowerer;
 use crate::lower::hints;
 use crate::lower::scope::{Binding, Family, Origin};
 use crate::syntax::declaration::Declaration;
@@ -71,7 +71,7 @@ impl Lowerer<'_> {
             // What is wrong with an index is wrong with the expression, too.
             Some(self.target(force)?)
         };
-        let value = self.lower(&force.expression, ExpressionContext::Energy);
+        let value = self.lower(&force.expression);
         match target? {
             Target::Coordinates(indices, shape) => {
                 let components = self.force_on_coordinates(force, value?, shape)?;

@@ -1,6 +1,6 @@
 //! The programs of a model's constraints.
 
-use lagrangian_symbolic::{ConstraintEquations, ConstraintPrograms, Expression, Model, Solution};
+use lagrangian_symbolic::{ConstraintEquations, Expression, Model, Solution};
 
 use super::method::Method;
 use super::outputs::MethodOutputs;
@@ -8,8 +8,8 @@ use super::outputs::MethodOutputs;
 /// The methods for the constraints of a model.
 pub(crate) struct ConstraintMethods {
     /// How many of them are holonomic.
-    holonomic: usize,
-    are_independent: bool,
+    pub(super) holonomic: usize,
+    pub(super) are_independent: bool,
     /// g of the holonomic constraints, which are the first ones, and 0 for the others.
     pub(crate) positions: Method,
     /// w = G q̇ + a.
@@ -51,17 +51,5 @@ impl ConstraintMethods {
             pivots: solution
                 .map(|solution| Method::single(model, &solution.pivots, MethodOutputs::Pivots)),
         })
-    }
-
-    /// The programs as they are validated.
-    pub(super) fn programs(&self) -> ConstraintPrograms<'_> {
-        ConstraintPrograms {
-            holonomic: self.holonomic,
-            are_independent: self.are_independent,
-            positions: &self.positions.program,
-            velocities: &self.velocities.program,
-            jacobian: &self.jacobian.program,
-            rates: &self.rates.program,
-        }
     }
 }

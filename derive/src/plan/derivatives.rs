@@ -3,9 +3,7 @@
 use lagrangian_symbolic::{Expression, Kinetics, Model, Solution, Symbol};
 
 use super::method::Method;
-use super::outputs::{
-    DerivativeOutputs, InputJacobianOutputs, MethodOutputs, ProgramLayout, Residuals,
-};
+use super::outputs::{DerivativeOutputs, MethodOutputs, ProgramLayout, Residuals};
 
 /// The derivatives of the accelerations, before they are scheduled.
 pub(super) struct Derivatives {
@@ -25,7 +23,8 @@ impl Derivatives {
         let add = |layout: &mut ProgramLayout, columns: &[Expression]| {
             layout.add_state_jacobian(columns, n)
         };
-        Self::of(model, kinetics, &symbols, add, MethodOutputs::Linearization)
+        let outputs = MethodOutputs::Linearization;
+        Self::of(model, kinetics, (&symbols, true), add, outputs)
     }
 
     /// By parameters, on which M depends, too.
@@ -34,20 +33,48 @@ impl Derivatives {
         kinetics: &Kinetics,
         symbols: &[Symbol],
     ) -> Self {
-        let add = |layout: &mut ProgramLayout, columns: &[Expression]| layout.add(columns);
-        Self::of(model, kinetics, symbols, add, MethodOutputs::Sensitivities)
+        let outputs = MethodOutputs::Sensitivities;
+        Self::of(
+            model,
+            kinetics,
+            (symbols, true),
+            ProgramLayout::add,
+            outputs,
+        )
     }
 
-    /// By some symbols, where columns are added so.
+    /// By the inputs: the momenta are free of them, so that no input acts on M q̈, however it is written.
+    pub(super) fn of_inputs(model: &mut Model, kinetics: &Kinetics) -> Self {
+        let symbols = model.input_symbols();
+        let outputs = MethodOutputs::InputJacobian;
+        Self::of(
+            model,
+            kinetics,
+            (&symbols, false),
+            ProgramLayout::add,
+            outputs,
+        )
+    }
+
+    /// By some symbols, where columns are added so, and may contain accelerations or do not.
     fn of<C>(
         model: &mut Model,
         kinetics: &Kinetics,
-        symbols: &[Symbol],
+        (symbols, contain_accelerations): (&[Symbol], bool),
         add: impl Fn(&mut ProgramLayout, &[Expression]) -> C,
         outputs: fn(DerivativeOutputs<C>) -> MethodOutputs,
     ) -> Self {
+        let cleared = |model: &mut Model, columns: Vec<Expression>| {
+            if contain_accelerations {
+                columns
+            } else {
+                without_accelerations(model, &columns)
+            }
+        };
+        let unknowns = kinetics.system.forcing.len();
         let mut layout = ProgramLayout::new();
         if let Some((solution, derivatives)) = solved(model, kinetics, symbols) {
+            let derivatives = cleared(model, derivatives);
             let of_state = symbols.contains(&Symbol::Time) && !solution.pivots.is_empty();
             let variation = of_state.then(|| kinetics.residual_variation(&mut model.graph));
             let variation = variation.flatten();
@@ -56,8 +83,9 @@ impl Derivatives {
             } else {
                 residuals_beside(model, kinetics, solution, symbols)
             };
+            let residuals = residuals.map(|columns| cleared(model, columns));
             let pivots = layout.add(&solution.pivots);
-            let accelerations = layout.add(&solution.accelerations);
+            let accelerations = contain_accelerations.then(|| layout.add(&solution.accelerations));
             layout.begin_group();
             let derivatives = add(&mut layout, &derivatives);
             layout.begin_group();
@@ -74,13 +102,14 @@ impl Derivatives {
                     residuals,
                 }),
                 right_hand_sides: None,
-                unknowns: kinetics.system.forcing.len(),
+                unknowns,
             };
         }
         let residuals = kinetics.system_derivatives(&mut model.graph, symbols);
+        let residuals = cleared(model, residuals);
         let system = &kinetics.system;
         let mass = layout.add_mass(system);
-        let forcing = layout.add(&system.forcing);
+        let forcing = contain_accelerations.then(|| layout.add(&system.forcing));
         layout.begin_group();
         let residuals = add(&mut layout, &residuals);
         Self {
@@ -90,48 +119,8 @@ impl Derivatives {
                 forcing,
                 residuals,
             }),
-            right_hand_sides: Some(symbols.len() + 1),
-            unknowns: kinetics.system.forcing.len(),
-        }
-    }
-
-    /// By the inputs: the momenta are free of them, so that no input acts on M q̈, however it is written.
-    pub(super) fn of_inputs(model: &mut Model, kinetics: &Kinetics) -> Self {
-        let symbols = model.input_symbols();
-        let mut layout = ProgramLayout::new();
-        if let Some((solution, derivatives)) = solved(model, kinetics, &symbols) {
-            let derivatives = without_accelerations(model, &derivatives);
-            let residuals = residuals_beside(model, kinetics, solution, &symbols);
-            let residuals = residuals.map(|columns| without_accelerations(model, &columns));
-            let pivots = layout.add(&solution.pivots);
-            layout.begin_group();
-            let derivatives = layout.add(&derivatives);
-            layout.begin_group();
-            let residuals = residuals.map(|columns| layout.add(&columns));
-            return Self {
-                layout,
-                outputs: MethodOutputs::InputJacobian(InputJacobianOutputs::Symbolic {
-                    pivots,
-                    derivatives,
-                    residuals,
-                }),
-                right_hand_sides: None,
-                unknowns: kinetics.system.forcing.len(),
-            };
-        }
-        let residuals = kinetics.system_derivatives(&mut model.graph, &symbols);
-        let residuals = without_accelerations(model, &residuals);
-        let mass = layout.add_mass(&kinetics.system);
-        layout.begin_group();
-        let residuals = layout.add(&residuals);
-        Self {
-            layout,
-            outputs: MethodOutputs::InputJacobian(InputJacobianOutputs::Numerical {
-                mass,
-                residuals,
-            }),
-            right_hand_sides: Some(symbols.len()),
-            unknowns: kinetics.system.forcing.len(),
+            right_hand_sides: Some(symbols.len() + usize::from(contain_accelerations)),
+            unknowns,
         }
     }
 
@@ -177,7 +166,7 @@ fn without_accelerations(model: &mut Model, roots: &[Expression]) -> Vec<Express
 }
 
 /// q, q̇ and t.
-fn state_symbols(model: &Model) -> Vec<Symbol> {
+pub(super) fn state_symbols(model: &Model) -> Vec<Symbol> {
     let mut symbols = model.coordinate_symbols();
     symbols.extend(model.velocity_symbols());
     symbols.push(Symbol::Time);

@@ -128,7 +128,8 @@ pub(crate) enum DerivativeOutputs<C> {
     /// They were solved for symbolically, which holds where all pivots are positive.
     Symbolic {
         pivots: OutputSlice,
-        accelerations: OutputSlice,
+        /// None where no column contains them.
+        accelerations: Option<OutputSlice>,
         derivatives: C,
         /// The derivatives of M q̈ − f, where there are pivots that can fail.
         residuals: Option<Residuals<C>>,
@@ -136,7 +137,8 @@ pub(crate) enum DerivativeOutputs<C> {
     /// M, f and the derivatives of M q̈ − f, up to a common factor.
     Numerical {
         mass: LowerTriangle,
-        forcing: OutputSlice,
+        /// None where no column contains accelerations.
+        forcing: Option<OutputSlice>,
         residuals: C,
     },
 }
@@ -148,29 +150,6 @@ pub(crate) enum Residuals<C> {
     Columns(C),
     /// Their sum along a variation of the state: one column at a time.
     AlongVariation(OutputSlice),
-}
-
-/// By q, q̇ and t.
-pub(crate) type LinearizationOutputs = DerivativeOutputs<StateJacobian>;
-
-/// By parameters.
-pub(crate) type SensitivityOutputs = DerivativeOutputs<OutputSlice>;
-
-/// What a program for the derivatives of q̈ by the inputs returns.
-#[derive(Clone, Debug)]
-pub(crate) enum InputJacobianOutputs {
-    /// They were solved for symbolically, which holds where all pivots are positive.
-    Symbolic {
-        pivots: OutputSlice,
-        derivatives: OutputSlice,
-        /// The derivatives of M q̈ − f, where there are pivots that can fail.
-        residuals: Option<OutputSlice>,
-    },
-    /// M and the derivatives of M q̈ − f, up to a common factor.
-    Numerical {
-        mass: LowerTriangle,
-        residuals: OutputSlice,
-    },
 }
 
 /// What the relative pivots of a symbolic solution are computed from.
@@ -215,9 +194,9 @@ pub(crate) enum MethodOutputs {
     /// What depends on the parameters alone.
     Invariants(OutputSlice),
     Accelerations(AccelerationOutputs),
-    Linearization(LinearizationOutputs),
-    InputJacobian(InputJacobianOutputs),
-    Sensitivities(SensitivityOutputs),
+    Linearization(DerivativeOutputs<StateJacobian>),
+    InputJacobian(DerivativeOutputs<OutputSlice>),
+    Sensitivities(DerivativeOutputs<OutputSlice>),
     /// The velocities that have given momenta, which hold where all pivots are positive.
     Velocities {
         pivots: OutputSlice,
@@ -249,7 +228,7 @@ impl MethodOutputs {
         match self {
             Self::Accelerations(AccelerationOutputs::Symbolic { pivots, .. })
             | Self::Linearization(DerivativeOutputs::Symbolic { pivots, .. })
-            | Self::InputJacobian(InputJacobianOutputs::Symbolic { pivots, .. })
+            | Self::InputJacobian(DerivativeOutputs::Symbolic { pivots, .. })
             | Self::Sensitivities(DerivativeOutputs::Symbolic { pivots, .. }) => Some(pivots.len()),
             _ => None,
         }

@@ -1,6 +1,6 @@
 //! The programs of the methods that only reduced models have.
 
-use lagrangian_symbolic::{Reduction, SeriesOutputs, TaylorProgram, ValueSeriesCheck};
+use lagrangian_symbolic::Reduction;
 
 use super::method::Method;
 use super::outputs::{MethodOutputs, OutputSlice};
@@ -30,21 +30,10 @@ impl ReducedMethods {
 
     /// The same with series.
     pub(crate) fn with_series(mut self, reduction: &Reduction) -> Result<Self, NoTaylorSeries> {
-        let graph = &reduction.model.graph;
         let program = &self.ignorable_velocities.program;
         let values = OutputSlice::of_group(program, 0);
-        let operands = SeriesOutputs::Values(values.operands(program));
-        let taylor = TaylorProgram::of(graph, program, operands);
-        let taylor = taylor.map_err(NoTaylorSeries::ExternalFunction)?;
-        if !ValueSeriesCheck::new(graph, program, &taylor).agrees() {
-            return Err(NoTaylorSeries::Wrong);
-        }
-        self.series = Some(ValueSeries {
-            invariants: OutputSlice::of_last_group(&taylor.initial),
-            initial: Method::initial(&taylor, MethodOutputs::Vector(values.clone())),
-            values,
-            program: taylor,
-        });
+        let graph = &reduction.model.graph;
+        self.series = Some(ValueSeries::of(graph, program, &values)?);
         Ok(self)
     }
 }

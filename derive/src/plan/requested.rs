@@ -2,8 +2,8 @@
 //! the accelerations by parameters, and the regressor.
 
 use lagrangian_symbolic::{
-    Equations, Expression, Kinetics, Model, NoRegressor, Rational, Regressor, RequestedPrograms,
-    SensitivityProgram, Symbol, UnknownParameters,
+    Equations, Expression, Kinetics, Model, NoRegressor, Rational, Regressor, Symbol,
+    UnknownParameters,
 };
 
 use super::derivatives::Derivatives;
@@ -146,27 +146,6 @@ impl RequestedMethods {
             energy_rate,
             sensitivities,
             regressor: regressor.map(|regressor| RegressorMethods::schedule(model, regressor)),
-        }
-    }
-
-    /// The programs as they are validated.
-    pub(super) fn programs(&self) -> RequestedPrograms<'_> {
-        RequestedPrograms {
-            momentum_rates: self.momentum_rates.as_ref().map(|method| &method.program),
-            velocities: self
-                .solved_velocities
-                .as_ref()
-                .map(|method| &method.program),
-            energy_rate: self.energy_rate.as_ref().map(|method| &method.program),
-            sensitivities: self.sensitivities.as_ref().map(|found| SensitivityProgram {
-                program: &found.method.program,
-                pivots: found.method.outputs.pivots(),
-                parameters: &found.parameters,
-            }),
-            regressor: self.regressor.as_ref().map(|found| {
-                [&found.regressor, &found.known_terms, &found.base_parameters]
-                    .map(|method| &method.program)
-            }),
         }
     }
 }

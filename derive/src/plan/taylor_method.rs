@@ -53,7 +53,8 @@ impl Methods {
         choices.sort_by_key(|(_, method)| method.program.cost());
         let unknowns = self.kinetics.system.forcing.len();
         for (preparation, method) in choices {
-            let accelerations = self.programs(&[]).accelerations;
+            let accelerations = &self.accelerations;
+            let accelerations = (&accelerations.program, accelerations.outputs.pivots());
             let (graph, program) = (&model.graph, &method.program);
             let is_numerical = match &method.rates {
                 Rates::Accelerations(outputs) => outputs.is_numerical(),
@@ -120,12 +121,7 @@ impl Methods {
         };
         let taylor = TaylorProgram::of(graph, program, operands);
         let taylor = taylor.map_err(NoTaylorSeries::ExternalFunction)?;
-        Ok(TaylorMethod {
-            rates: Rates::Accelerations(outputs.clone()),
-            invariants: OutputSlice::of_last_group(&taylor.initial),
-            initial: Method::initial(&taylor, method.outputs.clone()),
-            program: taylor,
-        })
+        Ok(TaylorMethod::of_accelerations(taylor, outputs.clone()))
     }
 
     /// The series of coordinates and quasi-velocities or other variables, and the setup program with their invariants; none if a constant is
@@ -140,10 +136,7 @@ impl Methods {
         layout.begin_group();
         let velocities = layout.add(&equations.velocities);
         let rates = layout.add(&equations.rates);
-        let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
-        let mut preparation = self.prepare.program.clone();
-        let staged = whole.staged(model.graph.passes);
-        let kernel = staged.with_setup_in(&mut preparation);
+        let (preparation, kernel) = self.staged(model, &layout);
         let outputs = SeriesOutputs::QuasiVelocities {
             values: values.operands(&kernel),
             velocities: velocities.operands(&kernel),
@@ -175,10 +168,7 @@ impl Methods {
         layout.begin_group();
         let residuals = layout.add(&equations.residuals);
         let solution = layout.add(&equations.solution);
-        let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
-        let mut preparation = self.prepare.program.clone();
-        let staged = whole.staged(model.graph.passes);
-        let kernel = staged.with_setup_in(&mut preparation);
+        let (preparation, kernel) = self.staged(model, &layout);
         let outputs = SeriesOutputs::Implicit {
             accelerations: match &rates {
                 AccelerationOutputs::Symbolic { accelerations, .. } => {
@@ -190,17 +180,30 @@ impl Methods {
             solution: solution.operands(&kernel),
         };
         let taylor = TaylorProgram::of(&model.graph, &kernel, outputs).ok()?;
-        let method = TaylorMethod {
-            invariants: OutputSlice::of_last_group(&taylor.initial),
-            initial: Method::initial(&taylor, MethodOutputs::Accelerations(rates.clone())),
-            rates: Rates::Accelerations(rates),
-            program: taylor,
-        };
-        method.in_range(preparation)
+        TaylorMethod::of_accelerations(taylor, rates).in_range(preparation)
+    }
+
+    /// The setup program with the invariants of what is laid out, too, and the rest.
+    fn staged(&self, model: &Model, layout: &ProgramLayout) -> (Program, Program) {
+        let whole = Program::schedule_for_staging(&model.graph, &layout.groups());
+        let mut preparation = self.prepare.program.clone();
+        let staged = whole.staged(model.graph.passes);
+        let kernel = staged.with_setup_in(&mut preparation);
+        (preparation, kernel)
     }
 }
 
 impl TaylorMethod {
+    /// The method that finds the accelerations of order 0 so.
+    fn of_accelerations(taylor: TaylorProgram, outputs: AccelerationOutputs) -> Self {
+        Self {
+            invariants: OutputSlice::of_last_group(&taylor.initial),
+            initial: Method::initial(&taylor, MethodOutputs::Accelerations(outputs.clone())),
+            rates: Rates::Accelerations(outputs),
+            program: taylor,
+        }
+    }
+
     /// The method with its setup program, unless one has a constant beyond the range of `f64`.
     fn in_range(self, preparation: Program) -> Option<(Program, Self)> {
         let Self { program, .. } = &self;

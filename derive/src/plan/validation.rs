@@ -7,11 +7,9 @@ use std::collections::BTreeSet;
 
 use lagrangian_symbolic as symbolic;
 use lagrangian_symbolic::{
-    AccelerationProgram, Equations, LinearizationProgram, Model, Passes, Program, Programs,
-    Validator,
+    ConstraintTapes, Equations, Model, Passes, SolutionTape, Tapes, Validator,
 };
 
-use super::constraint_methods::ConstraintMethods;
 use crate::plan::{Method, MethodOutputs, Methods, Requested};
 use crate::syntax::shape::Shape;
 
@@ -25,7 +23,7 @@ impl Methods {
         equations: &mut Equations,
         (shapes, requested): (&[Shape], &Requested),
     ) -> BTreeSet<symbolic::Method> {
-        let disagreements = validator.disagreements(self.programs(&self.observations()));
+        let disagreements = self.disagreements(validator);
         if disagreements.is_empty() {
             return disagreements;
         }
@@ -38,54 +36,56 @@ impl Methods {
         disagreements
     }
 
-    /// What is observed: outputs, and then events.
-    pub(crate) fn observations(&self) -> Vec<&Program> {
-        let events = self.event_functions.iter();
-        let all = core::iter::once(&self.outputs).chain(events);
-        all.map(|method| &method.program).collect()
+    /// The methods that do not compute what the equations of `validator` say.
+    pub(crate) fn disagreements(&self, validator: &Validator) -> BTreeSet<symbolic::Method> {
+        validator.disagreements(&self.tapes(validator))
     }
 
-    /// The programs as they are validated.
-    pub(crate) fn programs<'a>(&'a self, outputs: &'a [&'a Program]) -> Programs<'a> {
-        let accelerations = &self.accelerations.program;
-        let inputs = &self.input_jacobian.program;
-        let linearization = |linearize: &'a Method| {
-            let state = &linearize.program;
-            match linearize.outputs.pivots() {
-                Some(pivots) => LinearizationProgram::Solved {
-                    state,
-                    inputs,
-                    pivots,
-                    is_along_variation: linearize.outputs.is_along_variation(),
-                },
-                None => LinearizationProgram::System { state, inputs },
-            }
+    fn tapes(&self, validator: &Validator) -> Tapes {
+        let tape = |method: &Method| validator.tape([&method.program]);
+        let tape_of_all = |methods: &mut dyn Iterator<Item = &Method>| {
+            validator.tape(methods.map(|method| &method.program))
         };
-        let has_program = |method: &Method| !matches!(method.outputs, MethodOutputs::ByColumns(_));
-        let energies = self.energies.as_ref();
+        let solution = |method: &Method| SolutionTape {
+            tape: tape(method),
+            pivots: method.outputs.pivots(),
+            is_along_variation: method.outputs.is_along_variation(),
+        };
+        let has_program = |method: &&Method| !matches!(method.outputs, MethodOutputs::ByColumns(_));
         let linearize = self.linearize.as_ref();
-        let constraints = self.constraints.as_ref();
-        Programs {
-            lagrangian: &self.lagrangian.program,
-            energies: energies.map(|energies| [&energies[0].program, &energies[1].program]),
-            energy: &self.energy.program,
-            momenta: &self.momenta.program,
-            mass_matrix: has_program(&self.mass_matrix).then_some(&self.mass_matrix.program),
-            forcing: &self.forcing.program,
-            generalized_forces: &self.generalized_forces.program,
-            inverse_dynamics: &self.inverse_dynamics.program,
-            preparation: &self.prepare.program,
-            accelerations: match self.accelerations.outputs.pivots() {
-                Some(pivots) => AccelerationProgram::Solved(accelerations, pivots),
-                None => AccelerationProgram::System(accelerations),
-            },
-            linearization: linearize
-                .filter(|method| has_program(method))
-                .map(linearization),
-            input_jacobian: constraints.map(|_| (inputs, self.input_jacobian.outputs.pivots())),
-            constraints: constraints.map(ConstraintMethods::programs),
-            outputs,
-            requested: self.requested.programs(),
+        let requested = &self.requested;
+        Tapes {
+            lagrangian: tape(&self.lagrangian),
+            energies: tape_of_all(&mut self.energies.iter().flatten()),
+            energy: tape(&self.energy),
+            momenta: tape(&self.momenta),
+            mass_matrix: Some(&self.mass_matrix).filter(has_program).map(tape),
+            forcing: tape(&self.forcing),
+            generalized_forces: tape(&self.generalized_forces),
+            inverse_dynamics: tape(&self.inverse_dynamics),
+            preparation: tape(&self.prepare),
+            accelerations: solution(&self.accelerations),
+            constraints: self.constraints.as_ref().map(|methods| ConstraintTapes {
+                holonomic: methods.holonomic,
+                are_independent: methods.are_independent,
+                positions: tape(&methods.positions),
+                velocities: tape(&methods.velocities),
+                jacobian: tape(&methods.jacobian),
+                rates: tape(&methods.rates),
+            }),
+            state_jacobian: linearize.filter(has_program).map(solution),
+            input_jacobian: Some(&self.input_jacobian).filter(has_program).map(solution),
+            outputs: tape_of_all(&mut [&self.outputs].into_iter().chain(&self.event_functions)),
+            momentum_rates: requested.momentum_rates.as_ref().map(tape),
+            velocities: requested.solved_velocities.as_ref().map(tape),
+            energy_rate: requested.energy_rate.as_ref().map(tape),
+            sensitivities: requested
+                .sensitivities
+                .as_ref()
+                .map(|found| (solution(&found.method), found.parameters.clone())),
+            regressor: requested.regressor.as_ref().map(|found| {
+                [&found.regressor, &found.known_terms, &found.base_parameters].map(tape)
+            }),
         }
     }
 }

@@ -52,31 +52,42 @@ impl Methods {
         if method.program.symbols().iter().any(has_reaction) {
             return Ok(None);
         }
-        let series = ValueSeries::of(graph, &method.program, values)?;
+        let series = ValueSeries::if_possible(graph, &method.program, values)?;
         Ok(series.map(|series| EventSeries { series, branches }))
     }
 }
 
 impl ValueSeries {
-    /// The series of the values of a program; none where it applies external functions without series.
-    fn of(
+    /// The series of the values of a program.
+    pub(super) fn of(
+        graph: &Graph,
+        program: &Program,
+        values: &OutputSlice,
+    ) -> Result<Self, NoTaylorSeries> {
+        let operands = SeriesOutputs::Values(values.operands(program));
+        let taylor = TaylorProgram::of(graph, program, operands);
+        let taylor = taylor.map_err(NoTaylorSeries::ExternalFunction)?;
+        if !ValueSeriesCheck::new(graph, program, &taylor).agrees() {
+            return Err(NoTaylorSeries::Wrong);
+        }
+        Ok(Self {
+            values: values.clone(),
+            invariants: OutputSlice::of_last_group(&taylor.initial),
+            initial: Method::initial(&taylor, MethodOutputs::Vector(values.clone())),
+            program: taylor,
+        })
+    }
+
+    /// The same; none where the program applies external functions without series.
+    fn if_possible(
         graph: &Graph,
         program: &Program,
         values: &OutputSlice,
     ) -> Result<Option<Self>, NoTaylorSeries> {
-        let operands = SeriesOutputs::Values(values.operands(program));
-        let Ok(taylor) = TaylorProgram::of(graph, program, operands) else {
-            return Ok(None);
-        };
-        if !ValueSeriesCheck::new(graph, program, &taylor).agrees() {
-            return Err(NoTaylorSeries::Wrong);
+        match Self::of(graph, program, values) {
+            Err(NoTaylorSeries::ExternalFunction(_)) => Ok(None),
+            series => series.map(Some),
         }
-        Ok(Some(Self {
-            values: values.clone(),
-            invariants: OutputSlice::of_last_group(&taylor.initial),
-            initial: Method::initial(&taylor, MethodOutputs::Events(values.clone())),
-            program: taylor,
-        }))
     }
 }
 
@@ -105,7 +116,7 @@ impl BranchSeries {
         let mut layout = ProgramLayout::new();
         let values = layout.add(&functions);
         let program = Program::schedule(&model.graph, &layout.groups());
-        let series = ValueSeries::of(&model.graph, &program, &values)?;
+        let series = ValueSeries::if_possible(&model.graph, &program, &values)?;
         let of_functions = model.graph.branch_arguments(&functions);
         let are_inner = functions
             .iter()

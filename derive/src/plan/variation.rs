@@ -7,6 +7,7 @@
 
 use lagrangian_symbolic::{Kinetics, Model, Symbol};
 
+use super::derivatives::state_symbols;
 use super::method::Method;
 use super::outputs::MethodOutputs;
 
@@ -20,9 +21,7 @@ pub(crate) struct VariationMethods {
 
 impl VariationMethods {
     pub(super) fn schedule(model: &mut Model, kinetics: &Kinetics) -> Self {
-        let mut state = model.coordinate_symbols();
-        state.extend(model.velocity_symbols());
-        state.push(Symbol::Time);
+        let state = state_symbols(model);
         let has_inputs = model.inputs > 0 && kinetics.constraints.is_empty();
         let inputs = has_inputs.then(|| model.input_symbols());
         Self {

@@ -7,7 +7,7 @@ use syn::{Attribute, Expr, MacroDelimiter, Meta, Token, Type, token};
 use crate::diagnostics::{Diagnostics, similar};
 use crate::syntax::coordinate::{Coordinate, coordinates};
 use crate::syntax::external_function::FunctionDeclaration;
-use crate::syntax::grammar::{equated, position, separated, word};
+use crate::syntax::grammar::{ends, equals, equated, once, separated, word};
 use crate::syntax::named::{NamedExpression, named_expressions};
 use crate::syntax::other_clauses;
 use crate::syntax::parameter_list::{ParameterList, word_alone};
@@ -131,42 +131,25 @@ impl Clauses {
 
     fn read_root(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
         let (keyword, root) = Root::read(input)?;
-        if self.root.is_some() {
-            let message = "the crate is named already: keep one `crate = …`";
-            return Err(syn::Error::new(keyword.span(), message));
-        }
-        self.root = Some(root);
-        Ok(())
+        let message = "the crate is named already: keep one `crate = …`";
+        once(&mut self.root, root, keyword.span(), message)
     }
 
     fn read_scalar(&mut self, keyword: &Ident, input: ParseStream<'_>) -> syn::Result<()> {
         let message = "write `scalar = f64`, with the type on which the model is evaluated";
-        if !input.peek(Token![=]) {
-            return Err(syn::Error::new(position(keyword, input), message));
-        }
-        let equals = input.parse::<Token![=]>()?;
-        if input.is_empty() || input.peek(Token![,]) {
-            return Err(syn::Error::new_spanned(equals, message));
-        }
-        let scalar: Type = input
+        equals(keyword, message, input)?;
+        let scalar = input
             .parse()
             .map_err(|error| syn::Error::new(error.span(), message))?;
-        if self.scalar.is_some() {
-            let message = "the scalar is named already: keep one `scalar = …`";
-            return Err(syn::Error::new(keyword.span(), message));
-        }
-        self.scalar = Some(scalar);
-        Ok(())
+        let message = "the scalar is named already: keep one `scalar = …`";
+        once(&mut self.scalar, scalar, keyword.span(), message)
     }
 
     fn read_gravity(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
         let gravity = Clause::read(keyword, input)?;
-        if self.gravity.is_some() {
-            let message = "gravity is given already: keep one `gravity = …`";
-            return Err(syn::Error::new(gravity.keyword.span(), message));
-        }
-        self.gravity = Some(gravity);
-        Ok(())
+        let span = gravity.keyword.span();
+        let message = "gravity is given already: keep one `gravity = …`";
+        once(&mut self.gravity, gravity, span, message)
     }
 
     /// Adds the energies of the bodies to the others.
@@ -184,27 +167,20 @@ impl Clauses {
     }
 
     fn read_taylor(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
-        if !input.is_empty() && !input.peek(Token![,]) {
+        if !ends(input) {
             let message = "write `taylor` alone: the order and the tolerance are those of the integrator `Taylor`";
             return Err(syn::Error::new(input.span(), message));
         }
-        if self.taylor.is_some() {
-            let message = "the Taylor series is asked for already: keep one `taylor`";
-            return Err(syn::Error::new(keyword.span(), message));
-        }
-        self.taylor = Some(keyword);
-        Ok(())
+        let span = keyword.span();
+        let message = "the Taylor series is asked for already: keep one `taylor`";
+        once(&mut self.taylor, keyword, span, message)
     }
 
     fn read_routhian(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {
         let span = keyword.span();
         let clause = RouthianClause::read(keyword, input)?;
-        if self.routhian.is_some() {
-            let message = "the reduced model is asked for already: keep one `routhian`";
-            return Err(syn::Error::new(span, message));
-        }
-        self.routhian = Some(clause);
-        Ok(())
+        let message = "the reduced model is asked for already: keep one `routhian`";
+        once(&mut self.routhian, clause, span, message)
     }
 
     fn read_clause(&mut self, keyword: Ident, input: ParseStream<'_>) -> syn::Result<()> {

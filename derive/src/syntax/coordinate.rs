@@ -9,7 +9,7 @@ use syn::{LitInt, Token, Type, token};
 
 use crate::limits::MAX_FAMILY;
 use crate::syntax::field_type::{members, vector};
-use crate::syntax::grammar::{list, position, word};
+use crate::syntax::grammar::{ends, list, position, word};
 use crate::syntax::label::{Index, Label};
 use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
@@ -143,7 +143,7 @@ pub(crate) fn coordinates(
     list(keyword, input, "a comma between coordinates", |input| {
         if within_type {
             // A comma behind `<` that is not closed separates no coordinates.
-            while !input.is_empty() && !input.peek(Token![,]) {
+            while !ends(input) {
                 input.parse::<TokenTree>()?;
             }
             return Ok(());
@@ -178,7 +178,7 @@ fn coordinate(input: ParseStream<'_>) -> syn::Result<Coordinate> {
     let colon: Option<Token![:]> = input.parse()?;
     let vector = match colon {
         Some(_) => {
-            if input.is_empty() || input.peek(Token![,]) {
+            if ends(input) {
                 return Err(syn::Error::new(position(&name, input), how_to_type(&name)));
             }
             Some(read_vector(&name, &lengths, input)?)

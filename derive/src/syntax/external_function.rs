@@ -3,10 +3,10 @@
 //! The value is any expression of Rust; the derivatives are expressions of the declaration language.
 
 use proc_macro2::{Ident, Span};
+use syn::Expr;
 use syn::parse::ParseStream;
-use syn::{Expr, token};
 
-use crate::syntax::grammar::{expression, position, separated, word};
+use crate::syntax::grammar::{expression, in_parentheses, separated, word};
 
 /// An external function.
 #[derive(Clone)]
@@ -32,13 +32,9 @@ impl FunctionDeclaration {
         input: ParseStream<'_>,
         functions: &mut Vec<Self>,
     ) -> syn::Result<()> {
-        if !input.peek(token::Paren) {
-            return Err(syn::Error::new(position(keyword, input), HOW_TO_DECLARE));
-        }
-        let content;
-        let parentheses = syn::parenthesized!(content in input);
+        let (content, span) = in_parentheses(keyword, HOW_TO_DECLARE, input)?;
         if content.is_empty() {
-            return Err(syn::Error::new(parentheses.span.join(), HOW_TO_DECLARE));
+            return Err(syn::Error::new(span, HOW_TO_DECLARE));
         }
         let mut function = None;
         let mut derivatives = Vec::new();
@@ -106,18 +102,13 @@ impl DerivativeDeclaration {
 
 /// `(name, …)` after a word, and its span.
 fn names(before: &Ident, input: ParseStream<'_>, message: &str) -> syn::Result<(Vec<Ident>, Span)> {
-    if !input.peek(token::Paren) {
-        let message = format!("write `{before}(x) = …`");
-        return Err(syn::Error::new(position(before, input), message));
-    }
-    let content;
-    let parentheses = syn::parenthesized!(content in input);
+    let (content, span) = in_parentheses(before, &format!("write `{before}(x) = …`"), input)?;
     let mut names = Vec::new();
     separated(&content, "a comma", |input| {
         names.push(word(input, message)?);
         Ok(())
     })?;
-    Ok((names, parentheses.span.join()))
+    Ok((names, span))
 }
 
 const HOW_TO_DECLARE: &str =

@@ -2,8 +2,8 @@
 
 use proc_macro2::{Ident, Span, TokenTree};
 use syn::ext::IdentExt;
-use syn::parse::ParseStream;
 use syn::parse::discouraged::Speculative;
+use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Attribute, Expr, Token, token};
 
 use crate::syntax::other_notation;
@@ -15,17 +15,51 @@ pub(crate) fn equated(word: &Ident, input: ParseStream<'_>) -> syn::Result<Expr>
 
 /// `= expression` after a word, or an error that says how to write it.
 pub(crate) fn expression(word: &Ident, message: &str, input: ParseStream<'_>) -> syn::Result<Expr> {
-    if !input.peek(Token![=]) {
-        return Err(syn::Error::new(position(word, input), message));
-    }
-    let equals = input.parse::<Token![=]>()?;
-    if input.is_empty() || input.peek(Token![,]) {
-        return Err(syn::Error::new_spanned(equals, message));
-    }
+    equals(word, message, input)?;
     let written = input.fork();
     input
         .parse()
         .map_err(|error| other_notation::within(&written).unwrap_or(error))
+}
+
+/// `=` after a word, with something behind it, or an error that says how to write it.
+pub(crate) fn equals(word: &Ident, message: &str, input: ParseStream<'_>) -> syn::Result<()> {
+    if !input.peek(Token![=]) {
+        return Err(syn::Error::new(position(word, input), message));
+    }
+    let equals = input.parse::<Token![=]>()?;
+    if ends(input) {
+        return Err(syn::Error::new_spanned(equals, message));
+    }
+    Ok(())
+}
+
+/// What stands in parentheses after a word, and their span, or an error that says how to write it.
+pub(crate) fn in_parentheses<'a>(
+    word: &Ident,
+    message: &str,
+    input: ParseStream<'a>,
+) -> syn::Result<(ParseBuffer<'a>, Span)> {
+    if !input.peek(token::Paren) {
+        return Err(syn::Error::new(position(word, input), message));
+    }
+    let content;
+    let parentheses = syn::parenthesized!(content in input);
+    Ok((content, parentheses.span.join()))
+}
+
+/// Notes a clause of which there is one; an error with this message if it is there already.
+pub(crate) fn once<T>(
+    clause: &mut Option<T>,
+    found: T,
+    span: Span,
+    message: impl core::fmt::Display,
+) -> syn::Result<()> {
+    if clause.is_some() {
+        return Err(syn::Error::new(span, message));
+    }
+    *clause = Some(found);
+    Ok(())
 }
 
 /// A name, or an error that says what the name is for.
@@ -50,15 +84,11 @@ pub(crate) fn list(
     separator: &str,
     read: impl FnMut(ParseStream<'_>) -> syn::Result<()>,
 ) -> syn::Result<()> {
-    if !input.peek(token::Paren) {
-        let message = match keyword.to_string().as_str() {
-            "coordinates" => "write `coordinates(theta, phi)`".to_owned(),
-            word => format!("write `{word}(name = expression, …)`"),
-        };
-        return Err(syn::Error::new(position(keyword, input), message));
-    }
-    let content;
-    syn::parenthesized!(content in input);
+    let message = match keyword.to_string().as_str() {
+        "coordinates" => "write `coordinates(theta, phi)`".to_owned(),
+        word => format!("write `{word}(name = expression, …)`"),
+    };
+    let (content, _) = in_parentheses(keyword, &message, input)?;
     separated(&content, separator, read)
 }
 
@@ -74,7 +104,7 @@ pub(crate) fn separated(
         // What is read halfway is read again as mere tokens, which cannot fail.
         let item = input.fork();
         let result = read(&item).and_then(|()| {
-            if item.is_empty() || item.peek(Token![,]) {
+            if ends(&item) {
                 Ok(())
             } else {
                 let instead = other_notation::behind(&item);
@@ -88,7 +118,7 @@ pub(crate) fn separated(
             (Err(error), Some(errors)) => errors.combine(error),
             (Err(error), None) => errors = Some(error),
         }
-        while !input.is_empty() && !input.peek(Token![,]) {
+        while !ends(input) {
             input.parse::<TokenTree>()?;
         }
         input.parse::<Option<Token![,]>>()?;
@@ -96,9 +126,14 @@ pub(crate) fn separated(
     errors.map_or(Ok(()), Err)
 }
 
+/// Whether nothing follows in an item of a list.
+pub(crate) fn ends(input: ParseStream<'_>) -> bool {
+    input.is_empty() || input.peek(Token![,])
+}
+
 /// The span of an error about what follows `word`: there, or at the word if nothing follows.
 pub(crate) fn position(word: &Ident, input: ParseStream<'_>) -> Span {
-    if input.is_empty() || input.peek(Token![,]) {
+    if ends(input) {
         word.span()
     } else {
         input.span()

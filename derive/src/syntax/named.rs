@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, Span};
 use syn::parse::ParseStream;
 use syn::{Expr, Token, token};
 
-use crate::syntax::grammar::{equated, expression, list, word};
+use crate::syntax::grammar::{ends, equated, expression, list, word};
 use crate::syntax::label::Index;
 
 /// `name = expression` in a list, or `name[i] = expression for i in 0..5`.
@@ -112,12 +112,11 @@ impl ForClause {
     fn read(keyword: Token![for], input: ParseStream<'_>) -> syn::Result<Self> {
         let message = "write `for i in 0..5`";
         let here = |input: ParseStream<'_>, before: Span| {
-            let nothing = input.is_empty() || input.peek(Token![,]);
-            syn::Error::new(if nothing { before } else { input.span() }, message)
+            syn::Error::new(if ends(input) { before } else { input.span() }, message)
         };
         let index: Ident = input.parse().map_err(|_| here(input, keyword.span))?;
         let between: Token![in] = input.parse().map_err(|_| here(input, index.span()))?;
-        if input.is_empty() || input.peek(Token![,]) {
+        if ends(input) {
             return Err(here(input, between.span));
         }
         let range = input.parse()?;

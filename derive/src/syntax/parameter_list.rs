@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use syn::parse::ParseStream;
 use syn::{Token, token};
 
-use crate::syntax::grammar::{separated, word};
+use crate::syntax::grammar::{ends, in_parentheses, once, separated, word};
 
 /// A word, and the fields that it is about.
 #[derive(Clone)]
@@ -29,20 +29,16 @@ impl ParameterList {
         let how = format!(
             "write `{keyword}` alone, for all parameters, or with the names of some, as in `{keyword}(m, inertia)`"
         );
-        if input.is_empty() || input.peek(Token![,]) {
+        if ends(input) {
             *list = Some(Self {
                 keyword,
                 fields: None,
             });
             return Ok(());
         }
-        if !input.peek(token::Paren) {
-            return Err(syn::Error::new(input.span(), how));
-        }
-        let content;
-        let parentheses = syn::parenthesized!(content in input);
+        let (content, span) = in_parentheses(&keyword, &how, input)?;
         if content.is_empty() {
-            return Err(syn::Error::new(parentheses.span.join(), how));
+            return Err(syn::Error::new(span, how));
         }
         let mut fields = Vec::new();
         let read = separated(&content, "a comma", |input| {
@@ -68,14 +64,11 @@ pub(crate) fn word_alone(
     input: ParseStream<'_>,
     clause: &mut Option<Ident>,
 ) -> syn::Result<()> {
-    if !input.is_empty() && !input.peek(Token![,]) {
+    if !ends(input) {
         let message = format!("write `{keyword}` alone, and a comma behind it");
         return Err(syn::Error::new(input.span(), message));
     }
-    if clause.is_some() {
-        let message = format!("there is a `{keyword}` already: keep one");
-        return Err(syn::Error::new(keyword.span(), message));
-    }
-    *clause = Some(keyword);
-    Ok(())
+    let message = format!("there is a `{keyword}` already: keep one");
+    let span = keyword.span();
+    once(clause, keyword, span, message)
 }

@@ -8,9 +8,9 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{LitStr, Path, Token};
+use syn::{LitStr, Path};
 
-use crate::syntax::grammar::position;
+use crate::syntax::grammar::{ends, equals};
 
 /// The path of the crate `lagrangian`.
 #[derive(Clone)]
@@ -32,13 +32,7 @@ impl Root {
     /// Parses `crate = "path"` or `crate = path`; returns the keyword `crate`, too.
     pub(crate) fn read(input: ParseStream<'_>) -> syn::Result<(Ident, Self)> {
         let keyword = input.call(Ident::parse_any)?;
-        if !input.peek(Token![=]) {
-            return Err(syn::Error::new(position(&keyword, input), HOW_TO_NAME));
-        }
-        let equals = input.parse::<Token![=]>()?;
-        if input.is_empty() || input.peek(Token![,]) {
-            return Err(syn::Error::new_spanned(equals, HOW_TO_NAME));
-        }
+        equals(&keyword, HOW_TO_NAME, input)?;
         let path = if input.peek(LitStr) {
             let path = input.parse::<LitStr>()?;
             path.parse_with(Path::parse_mod_style)
@@ -47,7 +41,7 @@ impl Root {
             Path::parse_mod_style(input)
                 .map_err(|error| syn::Error::new(error.span(), HOW_TO_NAME))?
         };
-        if !(input.is_empty() || input.peek(Token![,])) {
+        if !ends(input) {
             return Err(input.error(HOW_TO_NAME));
         }
         Ok((keyword, Self(path.into_token_stream())))

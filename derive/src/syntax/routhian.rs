@@ -1,10 +1,10 @@
 //! The clause `routhian(Name)`, which asks for the model without its ignorable coordinates.
 
 use proc_macro2::Ident;
+use syn::Token;
 use syn::parse::ParseStream;
-use syn::{Token, token};
 
-use crate::syntax::grammar::{position, word};
+use crate::syntax::grammar::{in_parentheses, word};
 
 /// `routhian(Name)`, `routhian(Name, half_angles)` or `routhian(Name, without(output, regressor))`.
 pub(crate) struct RouthianClause {
@@ -20,13 +20,9 @@ pub(crate) struct RouthianClause {
 impl RouthianClause {
     /// Parses what follows the keyword.
     pub(crate) fn read(keyword: Ident, input: ParseStream<'_>) -> syn::Result<Self> {
-        if !input.peek(token::Paren) {
-            return Err(syn::Error::new(position(&keyword, input), HOW_TO_WRITE));
-        }
-        let content;
-        let parentheses = syn::parenthesized!(content in input);
+        let (content, span) = in_parentheses(&keyword, HOW_TO_WRITE, input)?;
         if content.is_empty() {
-            return Err(syn::Error::new(parentheses.span.join(), HOW_TO_WRITE));
+            return Err(syn::Error::new(span, HOW_TO_WRITE));
         }
         let mut clause = Self {
             keyword,
@@ -52,11 +48,7 @@ impl RouthianClause {
         if option != "without" || !self.without.is_empty() {
             return Err(syn::Error::new(option.span(), OPTION));
         }
-        if !input.peek(token::Paren) {
-            return Err(syn::Error::new(position(&option, input), WITHOUT));
-        }
-        let content;
-        let parentheses = syn::parenthesized!(content in input);
+        let (content, span) = in_parentheses(&option, WITHOUT, input)?;
         while !content.is_empty() {
             self.without.push(word(&content, WITHOUT)?);
             if content.parse::<Option<Token![,]>>()?.is_none() && !content.is_empty() {
@@ -64,7 +56,7 @@ impl RouthianClause {
             }
         }
         if self.without.is_empty() {
-            return Err(syn::Error::new(parentheses.span.join(), WITHOUT));
+            return Err(syn::Error::new(span, WITHOUT));
         }
         Ok(())
     }

@@ -20,6 +20,15 @@ impl Shape {
         }
     }
 
+    /// The lengths of a vector or a matrix.
+    pub(crate) fn lengths(self) -> Vec<usize> {
+        match self {
+            Self::Scalar => Vec::new(),
+            Self::Array { rows, columns: 1 } => vec![rows],
+            Self::Array { rows, columns } => vec![rows, columns],
+        }
+    }
+
     /// The index of a component, counted column by column; none for a scalar.
     pub(crate) const fn index(self, component: usize) -> Option<Index> {
         match self {

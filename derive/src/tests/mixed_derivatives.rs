@@ -122,7 +122,7 @@ fn notice_wrong_second_derivatives(stride: usize) {
             mut methods,
             ..
         } = derive(surface(&clauses));
-        let found = validator.disagreements(methods.programs(&methods.observations()));
+        let found = methods.disagreements(&validator);
         assert!(found.is_empty(), "{what}: {found:?}");
         for (method, slot) in SLOTS {
             let program = slot(&mut methods).clone();
@@ -133,7 +133,7 @@ fn notice_wrong_second_derivatives(stride: usize) {
                     continue;
                 };
                 *slot(&mut methods) = altered;
-                let found = validator.disagreements(methods.programs(&methods.observations()));
+                let found = methods.disagreements(&validator);
                 noticed += usize::from(found.contains(&method));
                 count += 1;
             }
@@ -156,6 +156,6 @@ fn contradictory_derivatives_are_no_defect_of_programs() {
     let Derived {
         validator, methods, ..
     } = derive(surface(&clauses));
-    let found = validator.disagreements(methods.programs(&methods.observations()));
+    let found = methods.disagreements(&validator);
     assert!(found.is_empty(), "{found:?}");
 }

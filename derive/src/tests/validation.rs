@@ -87,11 +87,7 @@ fn what_is_derived_agrees() {
         let Derived {
             validator, methods, ..
         } = derive(model);
-        assert!(
-            validator
-                .disagreements(methods.programs(&methods.observations()))
-                .is_empty()
-        );
+        assert!(methods.disagreements(&validator).is_empty());
     }
 }
 
@@ -254,7 +250,7 @@ fn altered_instructions_are_found(stride: usize) {
                 if (position < 40 || position % 7 == 0)
                     && differ(&all_values(&mut methods, method, slot), &expected)
                 {
-                    let found = validator.disagreements(methods.programs(&methods.observations()));
+                    let found = methods.disagreements(&validator);
                     let instruction = program.instructions().nth(position);
                     assert!(found.contains(&method), "{method:?} {instruction:?}");
                     count += 1;
@@ -297,11 +293,7 @@ fn what_disagrees_is_replaced() {
         assert!(found.contains(&symbolic::Method::Accelerations));
         assert!(found.contains(&symbolic::Method::Forcing));
         assert!(!found.contains(&symbolic::Method::MassMatrix));
-        assert!(
-            validator
-                .disagreements(methods.programs(&methods.observations()))
-                .is_empty()
-        );
+        assert!(methods.disagreements(&validator).is_empty());
         assert!(methods.accelerations.outputs.pivots().is_none());
     }
 }

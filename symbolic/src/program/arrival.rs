@@ -3,8 +3,6 @@
 //!
 //! A product that one sum alone adds is fused with it. Of two products in one sum the later one is.
 
-use core::ops::Range;
-
 use crate::limits::{
     LATENCY_OF_ADDITION, LATENCY_OF_DIVISION, LATENCY_OF_FUNCTION, LATENCY_OF_FUSED,
     LATENCY_OF_PRODUCT,
@@ -54,11 +52,11 @@ impl Arrivals {
         };
         for instruction in &group.instructions {
             let arrival = all.arrival(group, instruction);
-            all.values[results(instruction)].fill(arrival);
+            all.values[instruction.values()].fill(arrival);
             all.end = all.end.max(arrival.time);
         }
         for instruction in group.instructions.iter().rev() {
-            let tails = &all.tails[results(instruction)];
+            let tails = &all.tails[instruction.values()];
             let tail = tails.iter().max().copied().unwrap_or(0) + latency(&instruction.operation);
             for value in instruction.operation.operands().filter_map(Operand::value) {
                 all.tails[value] = all.tails[value].max(tail);
@@ -145,16 +143,11 @@ const fn latency(operation: &Operation) -> usize {
     }
 }
 
-/// The values that an instruction computes.
-const fn results(instruction: &Instruction) -> Range<usize> {
-    instruction.value..instruction.value + instruction.operation.results()
-}
-
 /// How each value of a program is used, seen from one group.
 fn uses(groups: &[OutputGroup], place: usize) -> Vec<Use> {
     let instructions = groups.iter().flat_map(|group| &group.instructions);
     let end = instructions
-        .map(|instruction| results(instruction).end)
+        .map(|instruction| instruction.values().end)
         .max();
     let mut uses = vec![Use::Never; end.unwrap_or(0)];
     for (number, group) in groups.iter().enumerate() {

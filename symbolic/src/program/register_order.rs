@@ -118,7 +118,7 @@ impl Operations {
         for need in &distinct {
             self.users[*need].push(number);
         }
-        let values = instruction.value..instruction.value + instruction.operation.results();
+        let values = instruction.values();
         self.of_value.extend(values.map(|value| (value, number)));
         self.instructions.push(instructions);
         self.needs.push(distinct);

@@ -8,9 +8,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::algebra::hashing::Table;
 use crate::program::dag::{Dag, DagOperation, ValueId};
-use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
+use crate::program::numbering::Instructions;
+use crate::program::straight_line::{Operand, Operation, OutputGroup, Program};
 use crate::{Expression, Graph, Pass, Rational, Unary};
 
 /// What is done with invariants, which depend on parameters alone.
@@ -39,12 +39,9 @@ pub(crate) struct Scheduler {
     dag: Dag,
     /// The operand that holds each value, once it has been computed.
     operands: Vec<Option<Operand>>,
-    /// Value numbers: that of the first result of each operation done.
-    numbers: Table<Operation, usize>,
     /// Arguments of both a sine and a cosine.
     paired: BTreeSet<ValueId>,
-    instructions: Vec<Instruction>,
-    next: usize,
+    instructions: Instructions,
 }
 
 impl Scheduler {
@@ -72,11 +69,9 @@ impl Scheduler {
         };
         Self {
             operands: vec![None; dag.operations.len()],
-            numbers: Table::with_capacity_and_hasher(dag.operations.len(), <_>::default()),
+            instructions: Instructions::with_capacity(dag.operations.len()),
             paired,
             dag,
-            instructions: Vec::new(),
-            next: 0,
         }
     }
 
@@ -92,7 +87,7 @@ impl Scheduler {
                 })
                 .collect();
             groups.push(OutputGroup {
-                instructions: core::mem::take(&mut self.instructions),
+                instructions: core::mem::take(&mut self.instructions.list),
                 outputs,
             });
         }
@@ -163,26 +158,15 @@ impl Scheduler {
     /// Records the expression whose value the last instruction computes.
     fn label(&mut self, operand: &Operand, expression: Option<Expression>) {
         if let Operand::Value(number) = operand
-            && let Some(last) = self.instructions.last_mut()
-            && (last.value..last.value + last.operation.results()).contains(number)
+            && let Some(last) = self.instructions.list.last_mut()
+            && last.values().contains(number)
         {
             last.expression = last.expression.or(expression);
         }
     }
 
     fn emit(&mut self, operation: Operation) -> Operand {
-        if let Some(number) = self.numbers.get(&operation) {
-            return Operand::Value(*number);
-        }
-        let value = self.next;
-        self.next += operation.results();
-        self.numbers.insert(operation.clone(), value);
-        self.instructions.push(Instruction {
-            operation,
-            value,
-            expression: None,
-        });
-        Operand::Value(value)
+        self.instructions.emit(operation)
     }
 
     fn add(&mut self, x: Operand, y: Operand) -> Operand {

@@ -6,8 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::algebra::hashing::Table;
-use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
+use crate::program::numbering::Instructions;
+use crate::program::straight_line::{Instruction, Operand, OutputGroup, Program};
 use crate::{Pass, Passes, Symbol};
 
 /// A program in two stages.
@@ -77,12 +77,7 @@ impl Staged {
 impl Program {
     /// Computes the outputs of another program in the last group, too, each value once; returns their indices there.
     fn append(&mut self, other: &Self) -> Vec<usize> {
-        let mut numbers: Table<Operation, usize> = Table::default();
-        let mut next = 0;
-        for instruction in self.instructions() {
-            numbers.insert(instruction.operation.clone(), instruction.value);
-            next = instruction.value + instruction.operation.results();
-        }
+        let mut instructions = Instructions::behind(self);
         let Some(group) = self.groups.last_mut() else {
             return Vec::new();
         };
@@ -92,17 +87,10 @@ impl Program {
             let mut operation = instruction.operation.clone();
             operation.for_each_operand(|operand| renumber(operand, &values));
             let results = operation.results();
-            let first = *numbers.entry(operation).or_insert_with_key(|operation| {
-                group.instructions.push(Instruction {
-                    operation: operation.clone(),
-                    value: next,
-                    expression: instruction.expression,
-                });
-                next += results;
-                next - results
-            });
+            let first = instructions.number(operation, instruction.expression);
             values.extend(first..first + results);
         }
+        group.instructions.append(&mut instructions.list);
         let outputs = other.groups.iter().flat_map(|group| &group.outputs);
         let indices = outputs.map(|output| {
             let mut output = output.clone();

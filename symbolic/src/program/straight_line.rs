@@ -6,6 +6,7 @@
 //! on the graph alone.
 
 use core::hash::{Hash, Hasher};
+use core::ops::Range;
 
 use crate::algebra::hashing::{Table, mix};
 use crate::{Binary, Expression, ExternalFunction, Rational, Symbol, Unary};
@@ -227,6 +228,14 @@ pub struct Instruction {
     pub expression: Option<Expression>,
 }
 
+impl Instruction {
+    /// The numbers of the values that it computes.
+    #[must_use]
+    pub const fn values(&self) -> Range<usize> {
+        self.value..self.value + self.operation.results()
+    }
+}
+
 /// A group of outputs, and the instructions that it needs beyond those of earlier groups.
 #[derive(Clone, Debug, Default)]
 pub struct OutputGroup {
@@ -245,7 +254,8 @@ pub struct Program {
 
 impl Program {
     /// All instructions, in the order in which they run.
-    pub fn instructions(&self) -> impl Iterator<Item = &Instruction> {
+    #[must_use]
+    pub fn instructions(&self) -> impl DoubleEndedIterator<Item = &Instruction> {
         self.groups.iter().flat_map(|group| &group.instructions)
     }
 

@@ -16,10 +16,9 @@ mod logistic;
 mod quotients;
 mod terms;
 
-use std::collections::BTreeSet;
-
 use crate::limits::COST_OF_CONVOLUTION;
-use crate::program::straight_line::{Operand, Operation, Program};
+use crate::program::liveness::LiveValues;
+use crate::program::straight_line::{Operand, Program};
 use crate::{ExternalFunction, Graph, Symbol};
 use builder::{Builder, ZERO};
 use quotients::with_quotients;
@@ -147,13 +146,10 @@ impl TaylorProgram {
         outputs: SeriesOutputs<'_>,
     ) -> Result<Self, NoSeries> {
         let mut builder = Builder::new(graph, program, outputs.constants_of_motion());
-        let operations = with_quotients(program);
-        let needed = needed_for(program, &operations, outputs.operands());
-        let instructions = program.instructions().zip(operations).zip(needed);
-        for ((instruction, operation), needed) in instructions {
-            if needed {
-                builder.append(&operation, instruction.value)?;
-            }
+        let instructions = with_quotients(program);
+        let live = LiveValues::of(outputs.operands(), instructions.iter());
+        for instruction in instructions.iter().filter(|one| live.contain(one)) {
+            builder.append(&instruction.operation, instruction.value)?;
         }
         let coefficients = if let SeriesOutputs::System(mass, forcing) = outputs {
             builder.residuals(mass, forcing)
@@ -174,27 +170,4 @@ impl TaylorProgram {
         }
         Ok(taylor)
     }
-}
-
-/// For each instruction of a program, whether it has to run for some operands if the `operations` stand for its own.
-fn needed_for<'a>(
-    program: &Program,
-    operations: &[Operation],
-    operands: impl Iterator<Item = &'a Operand>,
-) -> Vec<bool> {
-    let value = |operand: &Operand| match operand {
-        Operand::Value(value) => Some(*value),
-        _ => None,
-    };
-    let mut values: BTreeSet<usize> = operands.filter_map(value).collect();
-    let first: Vec<usize> = program.instructions().map(|found| found.value).collect();
-    let mut needed = vec![false; operations.len()];
-    for ((operation, first), needed) in operations.iter().zip(first).zip(&mut needed).rev() {
-        let mut results = first..first + operation.results();
-        *needed = results.any(|result| values.contains(&result));
-        if *needed {
-            values.extend(operation.operands().filter_map(value));
-        }
-    }
-    needed
 }

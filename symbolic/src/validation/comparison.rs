@@ -1,7 +1,7 @@
 //! Differences that should vanish.
 
 use crate::limits::{MAX_WITHIN_RANGE, NEGLIGIBLE_DIFFERENCE};
-use crate::validation::programs::Method;
+use crate::validation::method::Method;
 use crate::validation::sum_with_size::SumWithSize;
 
 /// A difference that should vanish.

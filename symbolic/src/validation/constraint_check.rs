@@ -1,12 +1,10 @@
 //! The constraints of a model, compared with its extension by multipliers.
 
-use super::linearization_check::input_balances;
-use super::programs::{ConstraintTapes, Method};
 use super::reference::Reference;
+use super::tapes::ConstraintTapes;
 use crate::Symbol;
 use crate::validation::comparison::Comparisons;
-use crate::validation::square_matrix::SquareMatrix;
-use crate::validation::sum_with_size::SumWithSize;
+use crate::validation::method::Method;
 
 impl Reference<'_> {
     /// Adds the power −λᵀ a = λᵀ (G q̇ − w) of the constraints to the rate of the energy.
@@ -40,29 +38,9 @@ impl Reference<'_> {
             self.lagrange
                 .moving(self.point, symbol, variation, accelerations)
         };
-        let values = tapes.positions.run(&symbol, self.perturbation);
-        let outputs = tapes.positions.outputs()[..tapes.holonomic].iter();
-        let rates: Vec<f64> = outputs.map(|slot| values[*slot as usize].first).collect();
-        let rates = &rates[..tapes.holonomic.min(rates.len())];
-        comparisons.values(Method::Constraints, rates, &velocities);
-    }
-
-    /// What should vanish of the derivatives by the inputs in a model with constraints.
-    pub(super) fn input_balances(
-        &self,
-        found: &[f64],
-        pivots: Option<usize>,
-        mass: &SquareMatrix,
-    ) -> Option<Vec<SumWithSize>> {
-        let variation = self.variation.of_inputs();
-        let (point, perturbation) = (self.point, self.perturbation);
-        let lagrange = self.lagrange;
-        let values = lagrange.values(point, &variation, self.accelerations, perturbation)?;
-        Some(input_balances(
-            found,
-            pivots,
-            mass,
-            (&values.variations, &variation),
-        ))
+        let positions = tapes.positions.evaluate(&symbol, self.perturbation);
+        let rates = positions.iter().take(tapes.holonomic);
+        let rates: Vec<f64> = rates.map(|position| position.first).collect();
+        comparisons.values(Method::Constraints, &rates, &velocities);
     }
 }

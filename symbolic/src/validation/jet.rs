@@ -27,6 +27,12 @@ impl Jet {
         ])
     }
 
+    /// The magnitude of the largest coefficient.
+    pub(crate) fn largest(jets: &[Self]) -> f64 {
+        let sizes = jets.iter().flat_map(|jet| jet.0).map(f64::abs);
+        sizes.fold(0.0, f64::max)
+    }
+
     fn is_constant(self) -> bool {
         self.0[1..].iter().all(|x| *x == 0.0)
     }

@@ -87,11 +87,26 @@ impl Variation {
 
     /// A variation of the inputs alone.
     pub(crate) fn of_inputs(&self) -> Self {
+        let parameters = BTreeMap::new();
+        let none = Self::of_parameters(self.velocities.len(), 0, parameters);
         Self {
-            state: vec![0.0; self.state.len()],
             inputs: self.inputs.clone(),
             velocities: self.velocities.clone(),
-            parameters: BTreeMap::new(),
+            ..none
+        }
+    }
+
+    /// A variation of parameters alone.
+    pub(crate) fn of_parameters(
+        coordinates: usize,
+        inputs: usize,
+        parameters: BTreeMap<Symbol, f64>,
+    ) -> Self {
+        Self {
+            state: vec![0.0; 2 * coordinates + 1],
+            inputs: vec![0.0; inputs],
+            velocities: vec![0.0; coordinates],
+            parameters,
         }
     }
 }

@@ -18,6 +18,9 @@ use crate::{Expression, Model, Symbol};
 /// Relative differences below this one are rounding errors, at most points.
 const ROUNDED: f64 = 1e-7;
 
+/// Nothing is perturbed.
+const EXACT: Perturbation = Perturbation(None);
+
 /// The tapes of what is compared.
 pub struct ReductionCheck<'a> {
     reduction: &'a Reduction,
@@ -32,12 +35,6 @@ pub struct ReductionCheck<'a> {
     reduced_weights: &'static [f64],
     /// The energies of the reduced model as they are evaluated, and their weights.
     evaluated: Option<(Tape, &'static [f64])>,
-}
-
-/// What the ignorable coordinates do at a point: u and du/dt.
-struct Eliminated {
-    velocities: Vec<f64>,
-    accelerations: Vec<f64>,
 }
 
 impl<'a> ReductionCheck<'a> {
@@ -77,47 +74,69 @@ impl<'a> ReductionCheck<'a> {
         2 * wrong <= errors.len()
     }
 
+    /// What is compared at a point, and `V_eff` there; none if there are no ignorable coordinates.
+    fn at(&self, point: RealPoint) -> Option<(AtPoint<'_>, f64)> {
+        let moving = |symbol: Symbol| HyperDual {
+            first: match symbol {
+                Symbol::Time => 1.0,
+                Symbol::Coordinate(i) => point.value(Symbol::Velocity(i)),
+                Symbol::Velocity(i) => point.value(Symbol::Acceleration(i)),
+                _ => 0.0,
+            },
+            ..HyperDual::constant(point.value(symbol))
+        };
+        let values = self.eliminated.evaluate(&moving, EXACT);
+        let (potential, velocities) = values.split_last()?;
+        let at_point = AtPoint {
+            check: self,
+            point,
+            velocities: velocities.iter().map(|u| u.value).collect(),
+            accelerations: velocities.iter().map(|u| u.first).collect(),
+        };
+        Some((at_point, potential.value))
+    }
+
+    fn constant(&self, k: usize) -> Symbol {
+        Symbol::Parameter(self.parameters + u32::try_from(k).unwrap_or(u32::MAX))
+    }
+
     /// The largest relative difference at a point; none outside of the domain.
     fn largest_difference(&self, point: RealPoint) -> Option<f64> {
-        let exact = Perturbation(None);
-        let (eliminated, potential) = self.eliminated(point)?;
-        let velocities = &eliminated.velocities;
-        let constants = (0..velocities.len()).map(|k| point.value(self.constant(k)));
-        let constants: Vec<f64> = constants.collect();
-        let lagrangian = self.lagrangian(point, &eliminated, None);
+        let (at_point, potential) = self.at(point)?;
+        let velocities = &at_point.velocities;
+        let lagrangian = at_point.lagrangian(None);
         if !lagrangian.value.is_finite() || velocities.iter().any(|u| !u.is_finite()) {
             return None;
         }
         let mut most = Largest(0.0);
         let mut routhian = lagrangian.value;
         let mut size = lagrangian.value.abs();
-        for (k, (constant, velocity)) in constants.iter().zip(velocities).enumerate() {
-            let varied = Some(self.reduction.ignorable[k]);
-            let momentum = self.lagrangian(point, &eliminated, varied);
-            most.compare(momentum.first, *constant, 1e-3);
+        for (k, velocity) in velocities.iter().enumerate() {
+            let constant = point.value(self.constant(k));
+            let momentum = at_point.lagrangian(Some(self.reduction.ignorable[k]));
+            most.compare(momentum.first, constant, 1e-3);
             routhian -= constant * velocity;
             size += (constant * velocity).abs();
         }
         let symbol = |symbol| point.value(symbol);
-        let roots = self.reduced.evaluate(&symbol, exact);
+        let roots = self.reduced.evaluate(&symbol, EXACT);
         most.compare(weighted(&roots, self.reduced_weights), routhian, size);
         if let Some((tape, weights)) = &self.evaluated {
-            let evaluated = tape.evaluate(&symbol, exact);
+            let evaluated = tape.evaluate(&symbol, EXACT);
             most.compare(weighted(&evaluated, weights), routhian, size);
         }
         let still = |symbol: Symbol| match symbol {
             Symbol::Velocity(_) => 0.0,
             other => point.value(other),
         };
-        let resting = weighted(&self.reduced.evaluate(&still, exact), self.reduced_weights);
+        let resting = weighted(&self.reduced.evaluate(&still, EXACT), self.reduced_weights);
         most.compare(potential, -resting, size);
         let (of_full, of_reduced) = (self.weights.len() + 1, self.reduced_weights.len() + 1);
         let remaining = &self.reduction.remaining;
         for (k, i) in remaining.iter().enumerate() {
-            let expected = self.force(point, &eliminated, *i);
-            most.compare(roots[of_reduced + k], expected, 1e-3);
+            most.compare(roots[of_reduced + k], at_point.force(*i), 1e-3);
         }
-        let all = self.roots_at(point, &eliminated, None);
+        let all = at_point.roots(None);
         let observed = &all[of_full + remaining.len() + velocities.len()..];
         let constraints = self.reduction.model.constraints.len();
         let outputs = self.reduction.outputs.iter().map(Result::is_ok);
@@ -132,61 +151,35 @@ impl<'a> ReductionCheck<'a> {
         }
         Some(most.0)
     }
+}
 
-    /// u and du/dt along a motion through the point, and `V_eff` there.
-    fn eliminated(&self, point: RealPoint) -> Option<(Eliminated, f64)> {
-        let moving = |symbol: Symbol| HyperDual {
-            first: match symbol {
-                Symbol::Time => 1.0,
-                Symbol::Coordinate(i) => point.value(Symbol::Velocity(i)),
-                Symbol::Velocity(i) => point.value(Symbol::Acceleration(i)),
-                _ => 0.0,
-            },
-            ..HyperDual::constant(point.value(symbol))
-        };
-        let values = self.eliminated.run(&moving, Perturbation(None));
-        let slots = self.eliminated.outputs().iter();
-        let values: Vec<HyperDual> = slots.map(|slot| values[*slot as usize]).collect();
-        let (potential, velocities) = values.split_last()?;
-        let eliminated = Eliminated {
-            velocities: velocities.iter().map(|u| u.value).collect(),
-            accelerations: velocities.iter().map(|u| u.first).collect(),
-        };
-        Some((eliminated, potential.value))
-    }
+/// The full model at a point of the reduced one.
+struct AtPoint<'a> {
+    check: &'a ReductionCheck<'a>,
+    point: RealPoint,
+    /// u, the velocities of the ignorable coordinates.
+    velocities: Vec<f64>,
+    /// du/dt along a motion through the point.
+    accelerations: Vec<f64>,
+}
 
-    fn constant(&self, k: usize) -> Symbol {
-        Symbol::Parameter(self.parameters + u32::try_from(k).unwrap_or(u32::MAX))
-    }
-
+impl AtPoint<'_> {
     /// The roots of the full model where one velocity has the derivative 1.
-    fn roots_at(
-        &self,
-        point: RealPoint,
-        eliminated: &Eliminated,
-        varied: Option<usize>,
-    ) -> Vec<HyperDual> {
+    fn roots(&self, varied: Option<usize>) -> Vec<HyperDual> {
         let symbol = |symbol: Symbol| HyperDual {
             first: match symbol {
                 Symbol::Velocity(i) if varied == Some(i as usize) => 1.0,
                 _ => 0.0,
             },
-            ..HyperDual::constant(self.value(point, eliminated, symbol))
+            ..HyperDual::constant(self.value(symbol))
         };
-        let values = self.full.run(&symbol, Perturbation(None));
-        let slots = self.full.outputs().iter();
-        slots.map(|slot| values[*slot as usize]).collect()
+        self.check.full.evaluate(&symbol, EXACT)
     }
 
-    fn lagrangian(
-        &self,
-        point: RealPoint,
-        eliminated: &Eliminated,
-        varied: Option<usize>,
-    ) -> HyperDual {
-        let roots = self.roots_at(point, eliminated, varied);
+    fn lagrangian(&self, varied: Option<usize>) -> HyperDual {
+        let roots = self.roots(varied);
         let mut sum = HyperDual::default();
-        for (root, weight) in roots.iter().zip(self.weights) {
+        for (root, weight) in roots.iter().zip(self.check.weights) {
             sum.value += weight * root.value;
             sum.first += weight * root.first;
         }
@@ -194,23 +187,18 @@ impl<'a> ReductionCheck<'a> {
     }
 
     /// The generalized force on a coordinate of the full model.
-    fn force(&self, point: RealPoint, eliminated: &Eliminated, coordinate: usize) -> f64 {
-        let roots = self.roots_at(point, eliminated, Some(coordinate));
-        let dissipation = self.weights.len();
+    fn force(&self, coordinate: usize) -> f64 {
+        let roots = self.roots(Some(coordinate));
+        let dissipation = self.check.weights.len();
         roots[dissipation + 1 + coordinate].value - roots[dissipation].first
     }
 
     /// The value of a symbol of the full model.
-    fn value(&self, point: RealPoint, eliminated: &Eliminated, symbol: Symbol) -> f64 {
-        let place = |i: u32| {
-            let mut remaining = self.reduction.remaining.iter();
-            let place = remaining.position(|other| *other == i as usize);
-            place.and_then(|place| u32::try_from(place).ok())
-        };
-        let ignorable = |i: u32| {
-            let mut ignorable = self.reduction.ignorable.iter();
-            ignorable.position(|other| *other == i as usize)
-        };
+    fn value(&self, symbol: Symbol) -> f64 {
+        let (point, reduction) = (self.point, self.check.reduction);
+        let position = |list: &[usize], i: u32| list.iter().position(|j| *j == i as usize);
+        let place = |i: u32| u32::try_from(position(&reduction.remaining, i)?).ok();
+        let ignorable = |i: u32| position(&reduction.ignorable, i);
         match symbol {
             Symbol::Coordinate(i) => match place(i) {
                 Some(place) => point.value(Symbol::Coordinate(place)),
@@ -219,15 +207,15 @@ impl<'a> ReductionCheck<'a> {
             },
             Symbol::Velocity(i) => match (place(i), ignorable(i)) {
                 (Some(place), _) => point.value(Symbol::Velocity(place)),
-                (None, Some(k)) => eliminated.velocities[k],
+                (None, Some(k)) => self.velocities[k],
                 (None, None) => 0.0,
             },
             Symbol::Acceleration(i) => match (place(i), ignorable(i)) {
                 (Some(place), _) => point.value(Symbol::Acceleration(place)),
-                (None, Some(k)) => eliminated.accelerations[k],
+                (None, Some(k)) => self.accelerations[k],
                 // A multiplier.
                 (None, None) => {
-                    let behind = u32::try_from(self.reduction.ignorable.len()).unwrap_or(0);
+                    let behind = u32::try_from(reduction.ignorable.len()).unwrap_or(0);
                     point.value(Symbol::Acceleration(i.saturating_sub(behind)))
                 }
             },

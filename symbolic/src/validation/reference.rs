@@ -4,15 +4,16 @@ use crate::Symbol;
 use crate::identity::real_point::RealPoint;
 use crate::validation::comparison::Comparisons;
 use crate::validation::lagrange::{Lagrange, Values, Variation};
-use crate::validation::linearization_check::LinearizationCheck;
+use crate::validation::method::Method;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::programs::{Method, Tapes};
 use crate::validation::square_matrix::SquareMatrix;
-use crate::validation::sum_with_size::SumWithSize;
+use crate::validation::sum_with_size::{SumWithSize, add_each};
 use crate::validation::tape::Tape;
+use crate::validation::tapes::Tapes;
 
 /// Lagrange's equations at one point.
 pub(super) struct Reference<'a> {
+    pub(super) tapes: &'a Tapes,
     pub(super) lagrange: &'a Lagrange,
     pub(super) values: Values,
     pub(super) variation: &'a Variation,
@@ -28,7 +29,7 @@ impl Reference<'_> {
     }
 
     /// The outputs of a tape at other accelerations.
-    fn evaluate(&self, accelerations: &[f64], tape: &Tape) -> Vec<f64> {
+    pub(super) fn evaluate(&self, accelerations: &[f64], tape: &Tape) -> Vec<f64> {
         tape.evaluate(&self.value(accelerations), self.perturbation)
     }
 
@@ -62,8 +63,8 @@ impl Reference<'_> {
     }
 
     /// The energies, momenta, forces and outputs.
-    pub(super) fn compare_values(&self, tapes: &Tapes, comparisons: &mut Comparisons) {
-        let values = &self.values;
+    pub(super) fn compare_values(&self, comparisons: &mut Comparisons) {
+        let (tapes, values) = (self.tapes, &self.values);
         let energy = energy(values, |symbol| self.lagrange.at(self.point, symbol));
         comparisons.balances(Method::Energy, &self.at(&tapes.energy), &[energy]);
         let forces = &values.generalized_forces;
@@ -80,24 +81,19 @@ impl Reference<'_> {
         ] {
             comparisons.values(method, &self.at(tape), expected);
         }
-        let at = |tape: &Tape| self.at(tape);
-        tapes.requested.compare_rates(at, values, comparisons);
+        self.compare_rates(comparisons);
     }
 
     /// f = M q̈ − (M q̈ − f).
     pub(super) fn forcing(&self, mass: &SquareMatrix) -> Vec<SumWithSize> {
         let mut forcing = mass.times(self.accelerations);
-        for (balance, residual) in forcing.iter_mut().zip(&self.values.residuals) {
-            balance.total -= residual.total;
-            balance.size += residual.size;
-        }
+        add_each(&mut forcing, -1.0, &self.values.residuals);
         forcing
     }
 
     /// M and M q̈ − f, at other accelerations.
     pub(super) fn compare_inverse_dynamics(
         &self,
-        tapes: &Tapes,
         mass: &SquareMatrix,
         forcing: &[SumWithSize],
         comparisons: &mut Comparisons,
@@ -105,50 +101,24 @@ impl Reference<'_> {
         let velocities = &self.variation.velocities;
         let mut residuals = mass.times(velocities);
         comparisons.against(Method::MassMatrix, &residuals, &self.values.mass_products);
-        for (balance, force) in residuals.iter_mut().zip(forcing) {
-            balance.total -= force.total;
-            balance.size += force.size;
-        }
+        add_each(&mut residuals, -1.0, forcing);
         let value = self.value(velocities);
+        let tapes = self.tapes;
         let found = tapes.prepared(&tapes.inverse_dynamics, value, self.perturbation);
         comparisons.balances(Method::InverseDynamics, &found, &residuals);
-        let at = |tape: &Tape| self.evaluate(velocities, tape);
-        tapes
-            .requested
-            .compare_regressor(at, &residuals, comparisons);
-    }
-
-    /// The velocities from momenta.
-    pub(super) fn compare_velocities(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        comparisons: &mut Comparisons,
-    ) {
-        let values = |symbol: fn(u32) -> Symbol| -> Vec<f64> {
-            let symbols = (0..).map(symbol).take(self.accelerations.len());
-            symbols.map(|symbol| self.point.value(symbol)).collect()
-        };
-        tapes.requested.compare_velocities(
-            |tape| self.at(tape),
-            mass,
-            (&values(Symbol::Velocity), &self.values.momenta),
-            &values(Symbol::RightHandSide),
-            comparisons,
-        );
+        self.compare_regressor((velocities, &residuals), comparisons);
     }
 
     /// What is solved for the accelerations where the programs find none.
     pub(super) fn compare_without_solution(
         &self,
-        tapes: &Tapes,
         mass: SquareMatrix,
         forcing: &[SumWithSize],
         comparisons: &mut Comparisons,
     ) {
-        let constraints = tapes.constraints.as_ref();
+        let constraints = self.tapes.constraints.as_ref();
         if constraints.is_some_and(|constraints| !constraints.are_independent) {
-            return self.compare_system(tapes, &mass, comparisons);
+            return self.compare_system(&mass, comparisons);
         }
         // Where M is singular there are none.
         let right: Vec<f64> = forcing.iter().map(|force| force.total).collect();
@@ -159,9 +129,10 @@ impl Reference<'_> {
     }
 
     /// The matrix and the right-hand side of a system that has no solution, as the residuals at any accelerations.
-    fn compare_system(&self, tapes: &Tapes, mass: &SquareMatrix, comparisons: &mut Comparisons) {
+    fn compare_system(&self, mass: &SquareMatrix, comparisons: &mut Comparisons) {
         let count = self.accelerations.len();
-        let Some((matrix, forcing)) = tapes.system(self.point, count, self.perturbation) else {
+        let Some((matrix, forcing)) = self.tapes.system(self.point, count, self.perturbation)
+        else {
             return comparisons.undefined(Method::Accelerations);
         };
         let products = matrix.times(self.accelerations);
@@ -170,27 +141,13 @@ impl Reference<'_> {
             .map(|(product, force)| product.total - force)
             .collect();
         comparisons.balances(Method::Accelerations, &residuals, &self.values.residuals);
-        self.compare_input_jacobian(tapes, mass, comparisons);
-    }
-
-    /// The derivatives of the accelerations and of the multipliers by the inputs.
-    fn compare_input_jacobian(
-        &self,
-        tapes: &Tapes,
-        mass: &SquareMatrix,
-        comparisons: &mut Comparisons,
-    ) {
-        if let Some((tape, pivots)) = &tapes.input_jacobian {
-            let balances = self.input_balances(&self.at(tape), *pivots, mass);
-            comparisons.vanishing(Method::Linearization, &balances.unwrap_or_default());
-        }
+        self.compare_derivatives(mass, comparisons);
     }
 
     /// The accelerations and their derivatives. What should vanish is M q̈ − f, where dp/dt is one number: its terms are
     /// those of the product.
     pub(super) fn compare_accelerations(
         &self,
-        tapes: &Tapes,
         mass: &SquareMatrix,
         forcing: &[SumWithSize],
         comparisons: &mut Comparisons,
@@ -206,25 +163,8 @@ impl Reference<'_> {
         });
         let residuals: Vec<_> = residuals.collect();
         comparisons.vanishing(Method::Accelerations, &residuals);
-        tapes.requested.compare_sensitivities(
-            |tape| self.at(tape),
-            self.lagrange,
-            (mass, self.accelerations),
-            (self.point, self.perturbation),
-            comparisons,
-        );
-        self.compare_input_jacobian(tapes, mass, comparisons);
-        let Some(([state, inputs], outputs)) = &tapes.linearization else {
-            return;
-        };
-        let changes = LinearizationCheck {
-            state: self.at(state),
-            inputs: self.at(inputs),
-            linearization_outputs: *outputs,
-        };
-        let variations = &self.values.variations;
-        let balances = changes.balances(mass, self.accelerations, variations, self.variation);
-        comparisons.vanishing(Method::Linearization, &balances);
+        self.compare_sensitivities(mass, comparisons);
+        self.compare_derivatives(mass, comparisons);
     }
 }
 

@@ -7,9 +7,9 @@ use crate::identity::real_point::RealPoint;
 use crate::program::taylor::TaylorProgram;
 use crate::validation::comparison::{Comparison, Comparisons};
 use crate::validation::jet::Jet;
+use crate::validation::method::Method;
 use crate::validation::number::Number as _;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::programs::{AccelerationProgram, Method};
 use crate::validation::recurrence_tape::{Known, RecurrenceTape, agree, input};
 use crate::validation::square_matrix::SquareMatrix;
 use crate::validation::tape::Tape;
@@ -34,20 +34,16 @@ pub struct SeriesCheck {
 
 impl SeriesCheck {
     /// The check of `taylor`, which was made of the program `accelerations` with the setup program `preparation`, both
-    /// scheduled from `graph`. The last numbers are those of accelerations and multipliers, and whether these are solved for
-    /// numerically.
+    /// scheduled from `graph`. That program computes as many pivots and q̈, or M and f. The last numbers are those of
+    /// accelerations and multipliers, and whether these are solved for numerically.
     #[must_use]
     pub fn new(
         graph: &Graph,
         preparation: &Program,
-        accelerations: AccelerationProgram<'_>,
+        (accelerations, pivots): (&Program, Option<usize>),
         taylor: &TaylorProgram,
         (coordinates, is_numerical): (usize, bool),
     ) -> Self {
-        let (accelerations, pivots) = match accelerations {
-            AccelerationProgram::Solved(program, pivots) => (program, Some(pivots)),
-            AccelerationProgram::System(program) => (program, None),
-        };
         Self {
             preparation: Tape::of_program(preparation),
             accelerations: Tape::of_program_with_slopes(graph, accelerations),
@@ -62,23 +58,41 @@ impl SeriesCheck {
     /// Whether the two agree at random points of the domain, and exist at most of them; true if there is none.
     #[must_use]
     pub fn agrees(&self) -> bool {
-        agree(&|point, perturbation| self.compare(point, perturbation))
+        agree(&|point, perturbation| {
+            let prepared = self
+                .preparation
+                .evaluate(&|symbol| point.value(symbol), perturbation);
+            let at_point = AtPoint {
+                check: self,
+                point,
+                prepared,
+                perturbation,
+            };
+            at_point.compare()
+        })
     }
+}
 
-    /// The differences of the coefficients at a point; none outside of the domain.
-    fn compare(&self, point: RealPoint, perturbation: Perturbation) -> Option<Vec<Comparison>> {
-        let prepared = |symbol: Symbol| point.value(symbol);
-        let prepared = self.preparation.evaluate(&prepared, perturbation);
-        let (motion, largest) = self.motion(point, &prepared, perturbation)?;
-        let found = match self.quasi_velocities {
-            Some(count) => {
-                self.recurrence_in_quasi_velocities(count, point, &prepared, &motion, perturbation)
-            }
-            None => self.recurrence(point, &prepared, &motion, perturbation)?,
+/// A check at one point.
+struct AtPoint<'a> {
+    check: &'a SeriesCheck,
+    point: RealPoint,
+    /// The invariants of the program for q̈.
+    prepared: Vec<f64>,
+    perturbation: Perturbation,
+}
+
+impl AtPoint<'_> {
+    /// The differences of the coefficients; none outside of the domain.
+    fn compare(&self) -> Option<Vec<Comparison>> {
+        let (motion, largest) = self.motion()?;
+        let found = match self.check.quasi_velocities {
+            Some(count) => self.recurrence_in_quasi_velocities(count, &motion),
+            None => self.recurrence(&motion)?,
         };
         let mut comparisons = Comparisons::default();
         for (found, expected) in found.iter().zip(&motion) {
-            if self.is_numerical {
+            if self.check.is_numerical {
                 comparisons.solutions(Method::Accelerations, found, expected);
             } else {
                 comparisons.values(Method::Accelerations, found, expected);
@@ -89,16 +103,12 @@ impl SeriesCheck {
     }
 
     /// The coefficients of the accelerations, by automatic differentiation, and the largest intermediate result.
-    fn motion(
-        &self,
-        point: RealPoint,
-        prepared: &[f64],
-        perturbation: Perturbation,
-    ) -> Option<(Coefficients, f64)> {
+    fn motion(&self) -> Option<(Coefficients, f64)> {
         let mut largest = 0.0_f64;
-        let mut motion: Coefficients = core::array::from_fn(|_| vec![0.0; self.coordinates]);
+        let unknown = vec![0.0; self.check.coordinates];
+        let mut motion: Coefficients = core::array::from_fn(|_| unknown.clone());
         for order in 0..motion.len() {
-            let (along, size) = self.along(point, prepared, &motion, perturbation);
+            let (along, size) = self.along(&motion);
             largest = largest.max(size);
             motion[order] = self.solution(&along, &motion, order)?;
         }
@@ -107,19 +117,13 @@ impl SeriesCheck {
     }
 
     /// The outputs of the program along the motion, as far as it is known, and the largest coefficient of a result.
-    fn along(
-        &self,
-        point: RealPoint,
-        prepared: &[f64],
-        motion: &Coefficients,
-        perturbation: Perturbation,
-    ) -> (Vec<Jet>, f64) {
+    fn along(&self, motion: &Coefficients) -> (Vec<Jet>, f64) {
         let symbol = |symbol: Symbol| {
-            let value = point.value(symbol);
+            let value = self.point.value(symbol);
             match symbol {
                 Symbol::Time => Jet([value, 1.0, 0.0, 0.0]),
                 Symbol::Coordinate(i) => {
-                    let velocity = point.value(Symbol::Velocity(i));
+                    let velocity = self.point.value(Symbol::Velocity(i));
                     let i = i as usize;
                     Jet([value, velocity, motion[0][i] / 2.0, motion[1][i] / 6.0])
                 }
@@ -128,15 +132,13 @@ impl SeriesCheck {
                     Jet([value, motion[0][i], motion[1][i] / 2.0, motion[2][i] / 3.0])
                 }
                 Symbol::Input(_) => input(value),
-                Symbol::Invariant(i) => Jet::constant(prepared[i as usize]),
+                Symbol::Invariant(i) => Jet::constant(self.prepared[i as usize]),
                 _ => Jet::constant(value),
             }
         };
-        let values = self.accelerations.run(&symbol, perturbation);
-        let slots = self.accelerations.outputs().iter();
-        let outputs = slots.map(|slot| values[*slot as usize]).collect();
-        let sizes = values.iter().flat_map(|jet| jet.0).map(f64::abs);
-        (outputs, sizes.fold(0.0, f64::max))
+        let tape = &self.check.accelerations;
+        let values = tape.run(&symbol, self.perturbation);
+        (tape.outputs_of(&values), Jet::largest(&values))
     }
 
     /// The coefficient of this order of the accelerations, where those of lower orders are known.
@@ -144,12 +146,13 @@ impl SeriesCheck {
         let of_order = |part: &[Jet], order: usize| -> Vec<f64> {
             part.iter().map(|jet| jet.0[order]).collect()
         };
-        if let Some(pivots) = self.pivots {
+        if let Some(pivots) = self.check.pivots {
             return Some(of_order(&outputs[pivots..], order));
         }
         // M₀ q̈ₖ = fₖ − Σ Mᵢ q̈ₖ₋ᵢ.
-        let (lower, forcing) = outputs.split_at(outputs.len() - self.coordinates);
-        let mass = |order| SquareMatrix::symmetric(&of_order(lower, order), self.coordinates);
+        let n = self.check.coordinates;
+        let (lower, forcing) = outputs.split_at(outputs.len() - n);
+        let mass = |order| SquareMatrix::symmetric(&of_order(lower, order), n);
         let mut right = of_order(forcing, order);
         for i in 1..=order {
             for (x, product) in right.iter_mut().zip(mass(i).times(&motion[order - i])) {
@@ -160,15 +163,9 @@ impl SeriesCheck {
     }
 
     /// The coefficients by the recurrence, where that of order 0 is given.
-    fn recurrence(
-        &self,
-        point: RealPoint,
-        prepared: &[f64],
-        motion: &Coefficients,
-        perturbation: Perturbation,
-    ) -> Option<Coefficients> {
-        let n = self.coordinates;
-        let (outputs, invariants) = self.initial(point, prepared, motion, perturbation);
+    fn recurrence(&self, motion: &Coefficients) -> Option<Coefficients> {
+        let n = self.check.coordinates;
+        let (outputs, invariants) = self.initial(motion);
         let mut found = motion.clone();
         // The factors of order 1, 2, …
         let mut factors: Vec<Vec<f64>> = Vec::new();
@@ -181,13 +178,13 @@ impl SeriesCheck {
             let evaluate = |accelerations: &[f64]| {
                 let symbol = |symbol| match symbol {
                     Symbol::Acceleration(i) => accelerations[i as usize],
-                    _ => term(point, motion, symbol, k),
+                    _ => term(self.point, motion, symbol, k),
                 };
-                self.taylor.terms(&known, &symbol, perturbation)
+                self.check.taylor.terms(&known, &symbol, self.perturbation)
             };
             let mut terms = evaluate(&unknown);
             *found = terms[..n].to_vec();
-            if self.is_numerical {
+            if self.check.is_numerical {
                 let (lower, _) = outputs.split_at(outputs.len() - n);
                 *found = SquareMatrix::symmetric(lower, n).solve(found)?;
                 terms = evaluate(found);
@@ -198,16 +195,9 @@ impl SeriesCheck {
     }
 
     /// The coefficients by a recurrence for velocities and quasi-velocities: those of q̈ are k q̇ₖ, k = 1, 2, …
-    fn recurrence_in_quasi_velocities(
-        &self,
-        count: usize,
-        point: RealPoint,
-        prepared: &[f64],
-        motion: &Coefficients,
-        perturbation: Perturbation,
-    ) -> Coefficients {
-        let n = self.coordinates;
-        let (mut outputs, invariants) = self.initial(point, prepared, motion, perturbation);
+    fn recurrence_in_quasi_velocities(&self, count: usize, motion: &Coefficients) -> Coefficients {
+        let n = self.check.coordinates;
+        let (mut outputs, invariants) = self.initial(motion);
         // The rates of the order before.
         let mut rates = outputs.split_off(count + n);
         let mut factors: Vec<Vec<f64>> = Vec::new();
@@ -219,9 +209,9 @@ impl SeriesCheck {
             };
             let symbol = |symbol| match symbol {
                 Symbol::QuasiVelocity(i) => rates[i as usize] / order,
-                _ => term(point, motion, symbol, factors.len() + 1),
+                _ => term(self.point, motion, symbol, factors.len() + 1),
             };
-            let mut terms = self.taylor.terms(&known, &symbol, perturbation);
+            let mut terms = self.check.taylor.terms(&known, &symbol, self.perturbation);
             factors.push(terms.split_off(n + count));
             rates = terms.split_off(n);
             terms.iter().map(|velocity| velocity * order).collect()
@@ -229,19 +219,13 @@ impl SeriesCheck {
     }
 
     /// The outputs of order 0, and the invariants.
-    fn initial(
-        &self,
-        point: RealPoint,
-        prepared: &[f64],
-        motion: &Coefficients,
-        perturbation: Perturbation,
-    ) -> (Vec<f64>, Vec<f64>) {
+    fn initial(&self, motion: &Coefficients) -> (Vec<f64>, Vec<f64>) {
         let symbol = |symbol: Symbol| match symbol {
             Symbol::Acceleration(i) => motion[0][i as usize],
-            Symbol::Invariant(i) => prepared[i as usize],
-            _ => point.value(symbol),
+            Symbol::Invariant(i) => self.prepared[i as usize],
+            _ => self.point.value(symbol),
         };
-        self.taylor.initial(&symbol, perturbation)
+        self.check.taylor.initial(&symbol, self.perturbation)
     }
 }
 

@@ -13,3 +13,19 @@ impl SumWithSize {
         self.size += term.abs();
     }
 }
+
+/// A number that is no sum.
+pub(crate) const fn exact(total: f64) -> SumWithSize {
+    SumWithSize {
+        total,
+        size: total.abs(),
+    }
+}
+
+/// Adds other sums to sums, each with this sign.
+pub(crate) fn add_each(sums: &mut [SumWithSize], sign: f64, others: &[SumWithSize]) {
+    for (sum, other) in sums.iter_mut().zip(others) {
+        sum.total += sign * other.total;
+        sum.size += other.size;
+    }
+}

@@ -38,7 +38,7 @@ enum Entry {
 
 /// A list of operations, and where the results are.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Tape {
+pub struct Tape {
     entries: Vec<Entry>,
     /// Arguments and partial derivatives of external functions.
     arguments: Vec<Slot>,
@@ -98,17 +98,18 @@ impl Tape {
     }
 
     /// The values of the outputs alone.
-    pub(crate) fn evaluate(
+    pub(crate) fn evaluate<N: Number>(
         &self,
-        symbol: &dyn Fn(Symbol) -> f64,
+        symbol: &dyn Fn(Symbol) -> N,
         perturbation: Perturbation,
-    ) -> Vec<f64> {
-        let values = self.run(symbol, perturbation);
-        let mut outputs = Vec::with_capacity(self.outputs.len());
-        for slot in &self.outputs {
-            outputs.push(values[*slot as usize]);
-        }
-        outputs
+    ) -> Vec<N> {
+        self.outputs_of(&self.run(symbol, perturbation))
+    }
+
+    /// The values of the outputs among those of all entries.
+    pub(crate) fn outputs_of<N: Number>(&self, values: &[N]) -> Vec<N> {
+        let outputs = self.outputs.iter();
+        outputs.map(|slot| values[*slot as usize]).collect()
     }
 
     /// The values of all entries.

@@ -13,13 +13,14 @@ use crate::limits::{
 };
 use crate::validation::comparison::{Comparison, Comparisons};
 use crate::validation::lagrange::{Lagrange, Variation};
+use crate::validation::method::Method;
 use crate::validation::mixed_derivatives::MixedDerivatives;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::programs::{Method, Programs, Tapes};
 use crate::validation::reference::Reference;
 use crate::validation::square_matrix::SquareMatrix;
-use crate::validation::tape::StandIns;
-use crate::{Model, Node};
+use crate::validation::tape::{StandIns, Tape};
+use crate::validation::tapes::Tapes;
+use crate::{Model, Node, Program};
 
 /// Lagrange's equations of a model, the reference of all comparisons.
 pub struct Validator {
@@ -67,13 +68,19 @@ impl Validator {
         }
     }
 
+    /// The tape of programs, one after the other.
+    pub fn tape<'a>(&self, programs: impl IntoIterator<Item = &'a Program>) -> Tape {
+        let mut tape = Tape::of_programs(programs);
+        tape.use_stand_ins(&self.stand_ins);
+        tape
+    }
+
     /// The methods whose programs do not compute what the equations say; none where no random point is in the
     /// domain, and none that takes second derivatives where the declared ones of an external function may depend on
     /// their order.
     #[must_use]
-    pub fn disagreements(&self, programs: Programs<'_>) -> BTreeSet<Method> {
+    pub fn disagreements(&self, tapes: &Tapes) -> BTreeSet<Method> {
         let mut found = BTreeSet::new();
-        let tapes = Tapes::new(&programs, &self.stand_ins);
         let mut points = 0;
         let mut undefined = Vec::new();
         for number in 0..VALIDATION_ATTEMPTS {
@@ -85,7 +92,7 @@ impl Validator {
             } else {
                 RealPoint::spread(number)
             };
-            let Some(comparisons) = self.compare(&tapes, point, Perturbation(None)) else {
+            let Some(comparisons) = self.compare(tapes, point, Perturbation(None)) else {
                 continue;
             };
             points += 1;
@@ -96,7 +103,7 @@ impl Validator {
                     .map(|comparison| comparison.method)
                     .collect::<BTreeSet<_>>(),
             );
-            let compare = |perturbation| self.compare(&tapes, point, perturbation);
+            let compare = |perturbation| self.compare(tapes, point, perturbation);
             if comparisons
                 .iter()
                 .any(|x| x.is_significant() && !found.contains(&x.method))
@@ -142,6 +149,7 @@ impl Validator {
         let lagrange = &self.lagrange;
         let values = lagrange.values(point, &variation, accelerations, perturbation)?;
         let mut reference = Reference {
+            tapes,
             lagrange,
             values,
             variation: &variation,
@@ -164,15 +172,15 @@ impl Validator {
             reference.add_power(&jacobian, &velocities);
             reference.compare_constraints(constraints, &mut comparisons);
         }
-        reference.compare_values(tapes, &mut comparisons);
+        reference.compare_values(&mut comparisons);
         let expected = reference.forcing(&mass);
         comparisons.balances(Method::Forcing, &forcing, &expected);
-        reference.compare_velocities(tapes, &mass, &mut comparisons);
-        reference.compare_inverse_dynamics(tapes, &mass, &expected, &mut comparisons);
+        reference.compare_velocities(&mass, &mut comparisons);
+        reference.compare_inverse_dynamics(&mass, &expected, &mut comparisons);
         if solved.is_some() {
-            reference.compare_accelerations(tapes, &mass, &expected, &mut comparisons);
+            reference.compare_accelerations(&mass, &expected, &mut comparisons);
         } else if !uses_pivoting {
-            reference.compare_without_solution(tapes, mass, &expected, &mut comparisons);
+            reference.compare_without_solution(mass, &expected, &mut comparisons);
         }
         comparisons.forgive_overflow(reference.values.largest);
         Some(comparisons.0)

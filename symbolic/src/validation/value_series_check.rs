@@ -6,9 +6,9 @@ use crate::identity::real_point::RealPoint;
 use crate::program::taylor::TaylorProgram;
 use crate::validation::comparison::{Comparison, Comparisons};
 use crate::validation::jet::Jet;
+use crate::validation::method::Method;
 use crate::validation::number::Number as _;
 use crate::validation::perturbation::Perturbation;
-use crate::validation::programs::Method;
 use crate::validation::recurrence_tape::{Known, RecurrenceTape, agree, input};
 use crate::validation::tape::Tape;
 use crate::{Graph, Program, Symbol};
@@ -47,21 +47,18 @@ impl ValueSeriesCheck {
         let jets = self
             .values
             .run(&|symbol| along(point, symbol), perturbation);
-        let expected = self.values.outputs().iter();
-        let expected: Vec<Jet> = expected.map(|slot| jets[*slot as usize]).collect();
+        let expected = self.values.outputs_of(&jets);
         let is_finite = expected.iter().flat_map(|jet| jet.0).all(f64::is_finite);
         if !is_finite {
             return None;
         }
-        let sizes = jets.iter().flat_map(|jet| jet.0).map(f64::abs);
-        let largest = sizes.fold(0.0, f64::max);
         let found = self.series(point, perturbation);
         let mut comparisons = Comparisons::default();
         for (k, found) in found.iter().enumerate() {
             let expected: Vec<f64> = expected.iter().map(|jet| jet.0[k]).collect();
             comparisons.values(Method::Outputs, found, &expected);
         }
-        comparisons.forgive_overflow(largest);
+        comparisons.forgive_overflow(Jet::largest(&jets));
         Some(comparisons.0)
     }
 

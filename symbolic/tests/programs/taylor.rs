@@ -1,9 +1,9 @@
 //! Taylor series of programs, and the check that every expansion makes of them.
 
 use lagrangian_symbolic::{
-    AccelerationProgram, Binary, Equations, Expression, FirstOrderEquations, Graph,
-    ImplicitEquations, Kinetics, Model, Operation, PoleForm, Program, Reduction, SeriesCheck,
-    SeriesOutputs, Staged, Symbol, TaylorProgram, ValueSeriesCheck,
+    Binary, Equations, Expression, FirstOrderEquations, Graph, ImplicitEquations, Kinetics, Model,
+    Operation, PoleForm, Program, Reduction, SeriesCheck, SeriesOutputs, Staged, Symbol,
+    TaylorProgram, ValueSeriesCheck,
 };
 use lagrangian_symbolic_testing::mutation::wrong_series;
 use lagrangian_symbolic_testing::systems::{
@@ -153,10 +153,7 @@ impl Accelerations {
 
     fn agree_with(&self, taylor: &TaylorProgram) -> bool {
         let kernel = &self.staged.kernel;
-        let program = match self.pivots {
-            Some(pivots) => AccelerationProgram::Solved(kernel, pivots),
-            None => AccelerationProgram::System(kernel),
-        };
+        let program = (kernel, self.pivots);
         let setup = &self.staged.setup;
         let solution = (self.coordinates, self.pivots.is_none());
         SeriesCheck::new(&self.graph, setup, program, taylor, solution).agrees()

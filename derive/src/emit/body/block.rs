@@ -24,8 +24,9 @@ pub(super) enum Form {
 }
 
 /// The statements of one group.
-pub(super) struct Block {
+pub(super) struct Block<'a> {
     form: Form,
+    scalar: &'a Scalar<'a>,
     written: TokenStream,
     /// Where variables are assigned: what is still to be declared, and the statements that assign it.
     declared: Vec<Ident>,
@@ -34,10 +35,11 @@ pub(super) struct Block {
     statements: Vec<(Statement, TokenStream)>,
 }
 
-impl Block {
-    pub(super) fn new(form: Form) -> Self {
+impl<'a> Block<'a> {
+    pub(super) fn new(form: Form, scalar: &'a Scalar<'a>) -> Self {
         Self {
             form,
+            scalar,
             written: TokenStream::new(),
             declared: Vec::new(),
             assignments: TokenStream::new(),
@@ -51,10 +53,11 @@ impl Block {
     }
 
     /// Gives a variable the value that is read from elsewhere.
-    pub(super) fn read(&mut self, name: &Ident, value: TokenStream, scalar: &Scalar<'_>) {
+    pub(super) fn read(&mut self, name: &Ident, value: TokenStream) {
         match self.form {
-            Form::Assigned => self.assign([name.clone()], quote!(#name), value, scalar),
+            Form::Assigned => self.assign([name.clone()], quote!(#name), value),
             Form::Nested | Form::Pieces => {
+                let scalar = self.scalar;
                 set(&mut self.written, quote!(let #name: #scalar), value);
             }
         }
@@ -66,10 +69,9 @@ impl Block {
         names: Vec<Ident>,
         pattern: TokenStream,
         array: TokenStream,
-        scalar: &Scalar<'_>,
     ) {
         match self.form {
-            Form::Assigned => self.assign(names, pattern, array, scalar),
+            Form::Assigned => self.assign(names, pattern, array),
             Form::Nested | Form::Pieces => set(&mut self.written, quote!(let #pattern), array),
         }
     }
@@ -82,13 +84,12 @@ impl Block {
         value: TokenStream,
         reads: Vec<Read>,
         calls_model: bool,
-        scalar: &Scalar<'_>,
     ) {
         match self.form {
             Form::Nested => set(&mut self.written, quote!(let #pattern), value),
             Form::Assigned => {
                 let names = defines.into_iter().map(|(_, name)| name);
-                self.assign(names, pattern, value, scalar);
+                self.assign(names, pattern, value);
             }
             Form::Pieces => {
                 let mut tokens = TokenStream::new();
@@ -108,20 +109,19 @@ impl Block {
         names: impl IntoIterator<Item = Ident>,
         pattern: TokenStream,
         value: TokenStream,
-        scalar: &Scalar<'_>,
     ) {
         if self.declared.len() >= DECLARED_AT_ONCE {
-            self.declare(scalar);
+            self.declare();
         }
         self.declared.extend(names);
         set(&mut self.assignments, pattern, value);
     }
 
     /// Writes the declarations and assignments that are due.
-    fn declare(&mut self, scalar: &Scalar<'_>) {
+    fn declare(&mut self) {
         let declared = core::mem::take(&mut self.declared);
         if !declared.is_empty() {
-            let count = declared.len();
+            let (count, scalar) = (declared.len(), self.scalar);
             self.written
                 .extend(quote!(let [#(#declared),*]: [#scalar; #count];));
             self.written.extend(core::mem::take(&mut self.assignments));
@@ -134,8 +134,8 @@ impl Block {
     }
 
     /// What is written since the last time.
-    pub(super) fn take(&mut self, scalar: &Scalar<'_>) -> TokenStream {
-        self.declare(scalar);
+    pub(super) fn take(&mut self) -> TokenStream {
+        self.declare();
         core::mem::take(&mut self.written)
     }
 }

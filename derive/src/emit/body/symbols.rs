@@ -135,8 +135,7 @@ impl Body<'_> {
                 self.read_before.insert(symbol);
                 names.extend(self.symbols.get(&symbol).cloned());
             }
-            self.block
-                .read_array(names, pattern, array.value, self.scalar);
+            self.block.read_array(names, pattern, array.value);
         }
     }
 
@@ -171,7 +170,7 @@ impl Body<'_> {
     fn load(&mut self, symbol: Symbol) {
         if self.read_before.insert(symbol) {
             let (name, read) = (&self.symbols[&symbol], self.source.read(symbol));
-            self.block.read(name, read, self.scalar);
+            self.block.read(name, read);
         }
     }
 }

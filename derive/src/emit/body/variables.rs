@@ -101,7 +101,7 @@ fn keep_order(instructions: &[Instruction], variables: &mut [bool]) {
 
 /// How often each value is used, and whether by a group behind its own; that counts twice, so that it is not inlined.
 fn count_uses(program: &Program) -> (Vec<usize>, Vec<bool>) {
-    let end = |last: &Instruction| last.value + last.operation.results();
+    let end = |last: &Instruction| last.values().end;
     let mut uses = vec![0; program.instructions().last().map_or(0, end)];
     let mut read_later = vec![false; uses.len()];
     let mut start = 0;

@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use lagrangian_symbolic::{
-    Instruction, Operand, Operation, OutputGroup, Pass, Passes, Program, Rational, Symbol,
+    Instruction, LiveValues, Operand, Operation, OutputGroup, Pass, Passes, Program, Rational,
+    Symbol,
 };
 
 use crate::emit::body::variables::Variables;
@@ -25,7 +26,7 @@ pub(super) struct Body<'a> {
     fusions: BTreeMap<usize, Fusion<'a>>,
     /// The products that are.
     fused: BTreeSet<usize>,
-    is_needed: Vec<bool>,
+    needed: LiveValues,
     /// How many groups are written.
     written: usize,
     /// The values that are written before their group.
@@ -115,7 +116,7 @@ impl<'a> Body<'a> {
             parameters,
             fusions,
             fused,
-            is_needed: needed(program, unneeded),
+            needed: needed(program, unneeded),
             written: 0,
             hoisted: BTreeSet::new(),
             reads: BTreeSet::new(),
@@ -149,7 +150,7 @@ impl<'a> Body<'a> {
             };
             let value = instruction.value;
             if instruction.operation.operands().any(is_varied) {
-                varies.extend(value..value + instruction.operation.results());
+                varies.extend(instruction.values());
             } else {
                 self.needed_instruction(instruction);
                 self.hoisted.insert(value);
@@ -248,9 +249,7 @@ impl<'a> Body<'a> {
 
     /// Writes an instruction, if it is needed and not part of another one.
     fn needed_instruction(&mut self, instruction: &Instruction) {
-        let results = instruction.value..instruction.value + instruction.operation.results();
-        let mut results = results.map(|value| self.is_needed[value]);
-        if results.any(|needed| needed) && !self.fused.contains(&instruction.value) {
+        if self.needed.contain(instruction) && !self.fused.contains(&instruction.value) {
             self.instruction(instruction);
         }
     }
@@ -344,34 +343,19 @@ pub(super) fn mentions(text: &str, name: &str) -> bool {
 }
 
 /// The values that outputs depend on, without some of them.
-fn needed(program: &Program, unneeded: &[Unneeded<'_>]) -> Vec<bool> {
-    let last = program.instructions().last();
-    let count = last.map_or(0, |last| last.value + last.operation.results());
-    let mut needed = vec![false; count];
+fn needed(program: &Program, unneeded: &[Unneeded<'_>]) -> LiveValues {
+    let mut needed = Vec::new();
     for (index, group) in program.groups.iter().enumerate() {
         for (position, output) in group.outputs.iter().enumerate() {
             let is_left_out = unneeded.iter().any(|(slice, is_left_out)| {
                 slice.index_of(index, position).is_some_and(is_left_out)
             });
-            if let (Some(value), false) = (output.value(), is_left_out) {
-                needed[value] = true;
+            if !is_left_out {
+                needed.push(output);
             }
         }
     }
-    for instruction in program
-        .groups
-        .iter()
-        .rev()
-        .flat_map(|group| group.instructions.iter().rev())
-    {
-        let mut results = instruction.value..instruction.value + instruction.operation.results();
-        if results.any(|value| needed[value]) {
-            for value in instruction.operation.operands().filter_map(Operand::value) {
-                needed[value] = true;
-            }
-        }
-    }
-    needed
+    LiveValues::of(needed.into_iter(), program.instructions())
 }
 
 /// The number nearest to an exact one, in parentheses if it has a sign.

@@ -5,46 +5,17 @@ use super::Export;
 use super::body::Body;
 use super::derivatives::unless;
 use super::methods::are_positive;
-use crate::plan::{
-    DerivativeOutputs, InputJacobianOutputs, Method, OutputSlice, ParameterSource, Residuals,
-};
+use crate::plan::{DerivativeOutputs, Method, OutputSlice, ParameterSource, Residuals};
 
 impl Export<'_> {
-    /// The function for the derivatives by the inputs.
-    pub(super) fn input_jacobian(&self, method: &Method, outputs: &InputJacobianOutputs) -> String {
-        let inputs = self.emitter.model.inputs as usize;
-        if inputs == 0 {
-            return String::new();
-        }
-        let of_multipliers = |i: usize| self.is_of_multiplier(i);
-        let mut body;
-        match outputs {
-            InputJacobianOutputs::Symbolic {
-                pivots,
-                derivatives,
-                residuals,
-            } => {
-                body = self.body(method, &[(derivatives, &of_multipliers)]);
-                let pivots = body.compute(pivots);
-                let parts = (derivatives, residuals.as_ref());
-                self.columns_or_solved(&mut body, &pivots, parts, inputs);
-            }
-            InputJacobianOutputs::Numerical { mass, residuals } => {
-                body = self.body(method, &[]);
-                self.factors(&mut body, mass, ParameterSource::Fields);
-                self.solved_columns(&mut body, residuals, inputs);
-            }
-        }
-        body.into_function("static void $_input_jacobian_at(const $_point *at, double *x)")
-    }
-
-    /// The function for the derivatives by parameters.
-    pub(super) fn sensitivities(
+    /// The function with this name that writes so many columns of derivatives, by the inputs or by parameters.
+    pub(super) fn derivatives_by(
         &self,
+        name: &str,
         method: &Method,
         outputs: &DerivativeOutputs<OutputSlice>,
+        count: usize,
     ) -> String {
-        let count = self.sensitive_parameters().len();
         if count == 0 {
             return String::new();
         }
@@ -58,6 +29,7 @@ impl Export<'_> {
                 derivatives,
                 residuals,
             } => {
+                let accelerations = accelerations.as_ref();
                 let mut unneeded: Vec<_> = unless(reads, accelerations).into_iter().collect();
                 unneeded.push((derivatives, &of_multipliers));
                 body = self.body(method, &unneeded);
@@ -73,12 +45,15 @@ impl Export<'_> {
                 forcing,
                 residuals,
             } => {
+                let forcing = forcing.as_ref();
                 body = self.body(method, unless(reads, forcing).as_slice());
                 self.system(&mut body, mass, forcing);
                 self.solved_columns(&mut body, residuals, count);
             }
         }
-        body.into_function("static void $_sensitivities_at(const $_point *at, double *x)")
+        body.into_function(&format!(
+            "static void $_{name}_at(const $_point *at, double *x)"
+        ))
     }
 
     /// Writes columns where all pivots are positive, and elsewhere what is solved for numerically.

@@ -28,6 +28,7 @@ impl Export<'_> {
                 derivatives,
                 residuals,
             } => {
+                let accelerations = accelerations.as_ref();
                 let mut body = self.body(method, unless(reads, accelerations).as_slice());
                 let pivots = self.pivots(&mut body, pivots, accelerations);
                 let residuals = residuals.as_ref().filter(|_| !pivots.is_empty());
@@ -39,6 +40,7 @@ impl Export<'_> {
                 forcing,
                 residuals,
             } => {
+                let forcing = forcing.as_ref();
                 let mut body = self.body(method, unless(reads, forcing).as_slice());
                 self.system(&mut body, mass, forcing);
                 self.solved(&mut body, method, residuals);
@@ -55,10 +57,10 @@ impl Export<'_> {
         &self,
         body: &mut Body<'_>,
         pivots: &OutputSlice,
-        accelerations: &OutputSlice,
+        accelerations: Option<&OutputSlice>,
     ) -> Vec<String> {
         let pivots = body.compute(pivots);
-        if body.reads_accelerations() {
+        if let Some(accelerations) = accelerations.filter(|_| body.reads_accelerations()) {
             let accelerations = body.compute(accelerations);
             body.line(&format!("double a[{}];", self.emitter.unknowns()));
             let found = (&pivots[..], accelerations);
@@ -68,9 +70,14 @@ impl Export<'_> {
     }
 
     /// Computes factors, and the accelerations if derivatives read them.
-    pub(super) fn system(&self, body: &mut Body<'_>, mass: &LowerTriangle, forcing: &OutputSlice) {
+    pub(super) fn system(
+        &self,
+        body: &mut Body<'_>,
+        mass: &LowerTriangle,
+        forcing: Option<&OutputSlice>,
+    ) {
         self.factors(body, mass, ParameterSource::Fields);
-        if body.reads_accelerations() {
+        if let Some(forcing) = forcing.filter(|_| body.reads_accelerations()) {
             let forcing = body.compute(forcing);
             body.line(&format!("double a[{}];", self.emitter.unknowns()));
             body.assign("a", forcing.into_iter().enumerate());
@@ -145,7 +152,7 @@ impl Export<'_> {
         self.each_row(body, &format!("{place} = -column[i];"));
     }
 
-    pub(super) fn each_row(&self, body: &mut Body<'_>, statement: &str) {
+    fn each_row(&self, body: &mut Body<'_>, statement: &str) {
         body.line(&format!(
             "for (i = 0; i < {}; ++i) {{",
             self.emitter.coordinates()
@@ -174,9 +181,7 @@ impl Export<'_> {
         ));
         body.line("delta[j] = 1.0;");
         let column = body.compute(variation);
-        body.assign("column", column.into_iter().enumerate());
-        body.line("$_solve(&factors, column);");
-        self.each_row(body, &format!("{} = -column[i];", place_of_state(n)));
+        self.solved_column(body, &column, &place_of_state(n));
         body.line("}");
     }
 }
@@ -190,6 +195,7 @@ pub(super) fn place_of_state(n: usize) -> String {
 }
 
 /// Outputs that are not needed, unless accelerations are read.
-pub(super) fn unless(reads: bool, slice: &OutputSlice) -> Option<Unneeded<'_>> {
-    (!reads).then_some((slice, &|_| true))
+pub(super) fn unless(reads: bool, slice: Option<&OutputSlice>) -> Option<Unneeded<'_>> {
+    let slice = slice.filter(|_| !reads)?;
+    Some((slice, &|_| true))
 }

@@ -3,7 +3,6 @@
 use super::Export;
 use super::body::{Body, Unneeded};
 use super::structs::{Field, place};
-use crate::emit::locals::Locals;
 use crate::plan::{
     AccelerationOutputs, Columns, EmittedMethod, LowerTriangle, Method, MethodOutputs, OutputSlice,
     ParameterSource,
@@ -74,8 +73,14 @@ impl Export<'_> {
             MethodOutputs::Accelerations(outputs) => self.accelerations(method, outputs),
             MethodOutputs::Declared(outputs) => self.declared(method, outputs),
             MethodOutputs::Linearization(outputs) => self.linearization(method, outputs),
-            MethodOutputs::InputJacobian(outputs) => self.input_jacobian(method, outputs),
-            MethodOutputs::Sensitivities(outputs) => self.sensitivities(method, outputs),
+            MethodOutputs::InputJacobian(outputs) => {
+                let inputs = self.emitter.model.inputs as usize;
+                self.derivatives_by(name, method, outputs, inputs)
+            }
+            MethodOutputs::Sensitivities(outputs) => {
+                let parameters = self.sensitive_parameters().len();
+                self.derivatives_by(name, method, outputs, parameters)
+            }
             MethodOutputs::ByColumns(Columns::MassMatrix) => self.mass_matrix_by_columns(),
             _ => return None,
         };
@@ -84,11 +89,9 @@ impl Export<'_> {
 
     /// The function of a program, of which some outputs may not be needed.
     pub(super) fn body<'b>(&'b self, method: &'b Method, unneeded: &[Unneeded<'_>]) -> Body<'b> {
-        let graph = &self.emitter.model.graph;
-        let lowered = self.emitter.lowered;
-        let locals = Locals::new(graph, &lowered.scope, &lowered.quantities);
-        let reads = &self.parameters.reads;
-        Body::new(&method.program, (graph.passes, &locals), reads, unneeded)
+        let passes = self.emitter.model.graph.passes;
+        let (locals, reads) = (self.emitter.locals(), &self.parameters.reads);
+        Body::new(&method.program, (passes, &locals), reads, unneeded)
     }
 
     /// The function of a method that returns a vector, or a matrix with so many columns from its elements column by column.
@@ -208,11 +211,10 @@ impl Export<'_> {
 
     /// The argument for the compliances of constraints; none without constraints.
     fn compliances(&self, body: &mut Body<'_>, source: ParameterSource) -> &'static str {
-        let constraints = self.emitter.methods.constraints.as_ref();
-        let declared = constraints.and_then(|methods| methods.compliances.as_ref());
-        match (constraints, declared) {
-            (None, _) => "",
-            (Some(_), Some(_)) if source == ParameterSource::Prepared => {
+        let is_declared = self.has(EmittedMethod::Compliances);
+        match source {
+            _ if !self.is_constrained() => "",
+            ParameterSource::Prepared if is_declared => {
                 body.line(&format!(
                     "double compliances[{}];",
                     self.emitter.constraint_count()

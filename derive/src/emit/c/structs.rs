@@ -90,11 +90,7 @@ impl Field {
                 let declared = unraw(&output.name);
                 Self {
                     name: names.name(&declared),
-                    lengths: match *shape {
-                        Shape::Scalar => Vec::new(),
-                        Shape::Array { rows, columns: 1 } => vec![rows],
-                        Shape::Array { rows, columns } => vec![rows, columns],
-                    },
+                    lengths: shape.lengths(),
                     is_body: false,
                     documentation: String::new(),
                     declared,

@@ -55,9 +55,7 @@ impl Export<'_> {
         if !body.reads_variation() {
             body.line("(void)delta;");
         }
-        body.assign("column", column.into_iter().enumerate());
-        body.line("$_solve(&factors, column);");
-        self.each_row(&mut body, &format!("{place} = -column[i];"));
+        self.solved_column(&mut body, &column, place);
         body.line("}");
         body.into_function(signature)
     }

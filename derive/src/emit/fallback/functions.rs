@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::Fallback;
 use crate::emit::external_functions::{of_checks, signatures, values};
+use crate::emit::implementation;
 
 impl Fallback<'_> {
     pub(super) fn functions(&self) -> TokenStream {
@@ -13,29 +14,25 @@ impl Fallback<'_> {
             return TokenStream::new();
         }
         let root = &declaration.root;
-        let name = &declaration.name;
         let scalar = of_checks(&self.scalar);
         let generics = if self.scalar.is_generic() {
             declaration.generics.clone()
         } else {
             self.scalar.generics(&declaration.generics)
         };
-        let (generics, _, conditions) = generics.split_for_impl();
-        let (_, arguments, _) = declaration.generics.split_for_impl();
         let signatures = signatures(declaration);
         let values = values(declaration, &self.scalar);
-        quote! {
-            impl #generics #name #arguments #conditions { #values }
-
-            #[automatically_derived]
-            impl #generics #root::ExternalFunctions for #name #arguments #conditions {
-                type Scalar = #scalar;
-                #signatures
-                fn function(&self, _: usize, _: &[#scalar]) -> #scalar { ::core::unreachable!() }
-                fn derivative(
-                    &self, _: usize, _: usize, _: &[#scalar],
-                ) -> ::core::option::Option<#scalar> { ::core::unreachable!() }
-            }
-        }
+        let own = implementation::inherent(declaration, &generics, &values);
+        let items = quote! {
+            type Scalar = #scalar;
+            #signatures
+            fn function(&self, _: usize, _: &[#scalar]) -> #scalar { ::core::unreachable!() }
+            fn derivative(
+                &self, _: usize, _: usize, _: &[#scalar],
+            ) -> ::core::option::Option<#scalar> { ::core::unreachable!() }
+        };
+        let interface = quote!(#root::ExternalFunctions);
+        let implemented = implementation::of_trait(declaration, &generics, &interface, &items);
+        quote!(#own #implemented)
     }
 }

@@ -17,17 +17,17 @@ impl Fallback<'_> {
         let none = TokenStream::new();
         let mut impls = TokenStream::new();
         if clauses.hamiltonian.is_some() {
-            impls.extend(self.asked_for(Interface::Hamiltonian, &none));
+            impls.extend(self.interface(Interface::Hamiltonian, &none));
         }
         if clauses.energy_balance.is_some() {
-            impls.extend(self.asked_for(Interface::EnergyBalance, &none));
+            impls.extend(self.interface(Interface::EnergyBalance, &none));
         }
         if clauses.sensitivities.is_some() {
             let count = self.parameters().len();
             let items = quote!(const PARAMETERS: [&'static str; #count] = [""; #count];);
-            impls.extend(self.asked_for(Interface::Sensitivities, &items));
+            impls.extend(self.interface(Interface::Sensitivities, &items));
             if self.lowered.constraints.len() > 0 {
-                impls.extend(self.asked_for(Interface::MultiplierSensitivities, &none));
+                impls.extend(self.interface(Interface::MultiplierSensitivities, &none));
             }
         }
         if clauses.regressor.is_some() {
@@ -38,7 +38,7 @@ impl Fallback<'_> {
                 const WITHOUT_EFFECT: &'static [&'static str] = &[];
                 fn base_parameters(&self) -> #output { ::core::unreachable!() }
             };
-            impls.extend(self.asked_for(Interface::Regressor, &items));
+            impls.extend(self.interface(Interface::Regressor, &items));
         }
         impls
     }
@@ -98,16 +98,6 @@ impl Fallback<'_> {
             None => quantities.parameter_symbols(),
         });
         names(quantities, &symbols.unwrap_or_default())
-    }
-
-    /// The impl of a trait. How many base parameters there are is not known: any number fits.
-    fn asked_for(&self, interface: Interface, items: &TokenStream) -> TokenStream {
-        let count = base_parameters();
-        let parameter = (interface == Interface::Regressor).then(|| quote!(const #count: usize));
-        let methods = self.methods_of(interface);
-        let path = self.signatures().interface(interface);
-        let items = quote!(#items #methods);
-        self.implement_for(&path, Some(&self.scalar), &items, parameter.as_ref())
     }
 }
 

@@ -7,6 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::Fallback;
+use crate::emit::implementation;
 use crate::emit::item_names::outputs_name;
 use crate::emit::routhian::reduced_struct;
 use crate::lower::Lowered;
@@ -110,15 +111,13 @@ impl Fallback<'_> {
             let interface = quote!(#root::quantities::RouthianSeries<#n, #k, #scalar>);
             self.implement(&interface, Some(scalar), &items)
         });
-        let (name, visibility) = (&self.declaration.name, &self.declaration.visibility);
-        let (generics, arguments, conditions) = self.declaration.generics.split_for_impl();
+        let visibility = &self.declaration.visibility;
         let constants = self.on_own_scalar(&quote!(constants), k);
-        let own = quote! {
-            impl #generics #name #arguments #conditions {
-                #visibility const ELIMINATED: [&'static str; #k] = [""; #k];
-                #constants
-            }
+        let items = quote! {
+            #visibility const ELIMINATED: [&'static str; #k] = [""; #k];
+            #constants
         };
+        let own = implementation::inherent(self.declaration, &self.declaration.generics, &items);
         [own, routhian, series.to_token_stream()]
             .into_iter()
             .collect()

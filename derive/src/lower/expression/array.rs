@@ -7,26 +7,18 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprArray, ExprRepeat};
 
-use super::{ExpressionContext, Lowerer};
-use crate::lower::hints;
+use super::Lowerer;
 use crate::syntax::shape::Shape;
 
 impl Lowerer<'_> {
     /// `[x, y, z]`, or `[[a, b], [c, d]]` row by row.
-    pub(super) fn array(&mut self, array: &ExprArray, context: ExpressionContext) -> Option<Value> {
-        let values = self.each(&array.elems, context, Self::lower)?;
+    pub(super) fn array(&mut self, array: &ExprArray) -> Option<Value> {
+        let values = self.each(&array.elems, Self::lower)?;
         if values.is_empty() {
             return self.reject(array, "write the components: `[x, y, z]`");
         }
         let values = self.filled(values)?;
-        let rows = match self.stacked(&values) {
-            Ok(rows) => rows?,
-            Err(odd) => {
-                let message =
-                    hints::incompatible_rows(self.shape(values[0]), self.shape(values[odd]));
-                return self.reject(&array.elems[odd], message);
-            }
-        };
+        let rows = self.rows(values, |odd| &array.elems[odd])?;
         // It may be a rotation that is written out, or a homogeneous matrix.
         if let Shape::Array {
             rows: 3..,
@@ -40,12 +32,8 @@ impl Lowerer<'_> {
     }
 
     /// `[0.0; 3]`.
-    pub(super) fn repeat(
-        &mut self,
-        repeat: &ExprRepeat,
-        context: ExpressionContext,
-    ) -> Option<Value> {
-        let value = self.lower(&repeat.expr, context);
+    pub(super) fn repeat(&mut self, repeat: &ExprRepeat) -> Option<Value> {
+        let value = self.lower(&repeat.expr);
         let length = self.integer(&repeat.len);
         let (value, length) = (value?, length?);
         let value = if self.is_empty_sum(value) {
@@ -56,11 +44,7 @@ impl Lowerer<'_> {
         let shape = self.shape(value);
         match usize::try_from(length) {
             Ok(length) if length > 0 && length <= MAX_ARRAY / shape.count() => {
-                if let Ok(rows) = self.stacked(&vec![value; length]) {
-                    return rows;
-                }
-                let message = hints::incompatible_rows(shape, shape);
-                self.reject(&repeat.expr, message)
+                self.rows(vec![value; length], |_| &repeat.expr)
             }
             _ => {
                 let message = format!("an array has from 1 to {MAX_ARRAY} components");

@@ -3,7 +3,7 @@
 use lagrangian_symbolic::{Components, Rational, TypedGraph, Value};
 use syn::{BinOp, Expr, ExprBinary};
 
-use super::{ExpressionContext, Lowerer};
+use super::Lowerer;
 use crate::lower::hints;
 use crate::lower::value::{Product, Sum};
 use crate::syntax::shape::Shape;
@@ -56,21 +56,17 @@ impl OperatorChain {
 }
 
 impl Lowerer<'_> {
-    pub(super) fn chain(
-        &mut self,
-        binary: &ExprBinary,
-        context: ExpressionContext,
-    ) -> Option<Value> {
+    pub(super) fn chain(&mut self, binary: &ExprBinary) -> Option<Value> {
         let mut steps = vec![(&binary.op, &*binary.right)];
         let mut first = &*binary.left;
         while let Expr::Binary(inner) = first {
             steps.push((&inner.op, &*inner.right));
             first = &*inner.left;
         }
-        let first = self.lower(first, context);
+        let first = self.lower(first);
         let mut chain = first.map(|first| OperatorChain::Sum(Sum::of(&self.typed, first)));
         for (operator, operand) in steps.into_iter().rev() {
-            let value = self.operand(operator, operand, context);
+            let value = self.operand(operator, operand);
             chain = match (chain, value) {
                 (Some(chain), Some(value)) => self.extend(chain, operator, value),
                 _ => None,
@@ -80,19 +76,14 @@ impl Lowerer<'_> {
     }
 
     /// The right operand, where the operator is supported.
-    fn operand(
-        &mut self,
-        operator: &BinOp,
-        operand: &Expr,
-        context: ExpressionContext,
-    ) -> Option<Value> {
+    fn operand(&mut self, operator: &BinOp, operand: &Expr) -> Option<Value> {
         let is_remainder = self.within_index && matches!(operator, BinOp::Rem(_));
         if let Some(hint) = hints::unsupported_operator(operator)
             && !is_remainder
         {
             return self.reject(operator, hint);
         }
-        let value = self.lower(operand, context)?;
+        let value = self.lower(operand)?;
         if matches!(operator, BinOp::Div(_) | BinOp::Rem(_)) && self.vanishes(value) {
             return self.reject(
                 operand,

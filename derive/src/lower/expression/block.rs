@@ -5,8 +5,8 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Expr;
 
+use super::Lowerer;
 use super::repetition::without_parentheses;
-use super::{ExpressionContext, Lowerer};
 use crate::lower::builtins;
 use crate::syntax::shape::Shape;
 
@@ -22,7 +22,6 @@ impl Lowerer<'_> {
         name: &Ident,
         arguments: &[&Expr],
         call: &dyn ToTokens,
-        context: ExpressionContext,
     ) -> Option<Option<Value>> {
         let written = name.to_string();
         let example = builtins::example_of_blocks(&written)?;
@@ -38,15 +37,15 @@ impl Lowerer<'_> {
             return Some(self.reject(call, format!("write `{example}`")));
         }
         Some(match written.as_str() {
-            "homogeneous" => self.homogeneous(arguments, context),
-            "push" => self.push(arguments, context),
-            _ => self.part(&written, arguments, example, context),
+            "homogeneous" => self.homogeneous(arguments),
+            "push" => self.push(arguments),
+            _ => self.part(&written, arguments, example),
         })
     }
 
     /// The value of an argument that is an array, with its numbers of rows and columns.
-    fn matrix(&mut self, argument: &Expr, context: ExpressionContext) -> Option<(Value, Pair)> {
-        let value = self.lower(argument, context)?;
+    fn matrix(&mut self, argument: &Expr) -> Option<(Value, Pair)> {
+        let value = self.lower(argument)?;
         match self.shape(value) {
             Shape::Array { rows, columns } => Some((value, (rows, columns))),
             shape @ Shape::Scalar => {
@@ -57,14 +56,8 @@ impl Lowerer<'_> {
     }
 
     /// A block of a matrix.
-    fn part(
-        &mut self,
-        name: &str,
-        arguments: &[&Expr],
-        example: &str,
-        context: ExpressionContext,
-    ) -> Option<Value> {
-        let matrix = self.matrix(arguments[0], context);
+    fn part(&mut self, name: &str, arguments: &[&Expr], example: &str) -> Option<Value> {
+        let matrix = self.matrix(arguments[0]);
         let (first, size) = match name {
             "xyz" => ((0, 0), (3, 1)),
             "view" => {
@@ -74,8 +67,8 @@ impl Lowerer<'_> {
             }
             _ => {
                 let (first, count) = (
-                    self.natural_number(arguments[1]),
-                    self.natural_number(arguments[2]),
+                    self.natural_number(arguments[1], "this"),
+                    self.natural_number(arguments[2], "this"),
                 );
                 let (first, count) = (first?, count?);
                 let (_, (rows, columns)) = matrix?;
@@ -103,8 +96,8 @@ impl Lowerer<'_> {
     }
 
     /// [r p; 0 1].
-    fn homogeneous(&mut self, arguments: &[&Expr], context: ExpressionContext) -> Option<Value> {
-        let [rotation, place] = [0, 1].map(|i| self.matrix(arguments[i], context));
+    fn homogeneous(&mut self, arguments: &[&Expr]) -> Option<Value> {
+        let [rotation, place] = [0, 1].map(|i| self.matrix(arguments[i]));
         let ((rotation, shape), (place, _)) = (rotation?, place?);
         if let Some(matrix) = self.add(TypedOperation::Homogeneous(rotation, place)) {
             return Some(matrix);
@@ -126,9 +119,9 @@ impl Lowerer<'_> {
     }
 
     /// A vector with one more component.
-    fn push(&mut self, arguments: &[&Expr], context: ExpressionContext) -> Option<Value> {
-        let vector = self.matrix(arguments[0], context);
-        let last = self.scalar(arguments[1], context);
+    fn push(&mut self, arguments: &[&Expr]) -> Option<Value> {
+        let vector = self.matrix(arguments[0]);
+        let last = self.scalar(arguments[1]);
         let ((vector, (rows, columns)), last) = (vector?, last?);
         if columns != 1 {
             let shape = Shape::Array { rows, columns };
@@ -142,23 +135,12 @@ impl Lowerer<'_> {
     fn pair(&mut self, argument: &Expr, example: &str) -> Option<Pair> {
         match without_parentheses(argument) {
             Expr::Tuple(pair) if pair.elems.len() == 2 => {
-                let [first, second] = [0, 1].map(|i| self.natural_number(&pair.elems[i]));
+                let [first, second] = [0, 1].map(|i| self.natural_number(&pair.elems[i], "this"));
                 Some((first?, second?))
             }
             _ => self.reject(
                 argument,
                 format!("here a row and a column stand in parentheses: write `{example}`"),
-            ),
-        }
-    }
-
-    fn natural_number(&mut self, written: &Expr) -> Option<usize> {
-        let number = self.integer(written)?;
-        match usize::try_from(number) {
-            Ok(number) => Some(number),
-            Err(_) => self.reject(
-                written,
-                format!("this is not negative: here it is {number}"),
             ),
         }
     }

@@ -9,10 +9,11 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, Member};
 
+use super::Lowerer;
 use super::component::base_and_indices;
+use super::repetition::as_name;
 use super::rotation::no_rotation;
-use super::{ExpressionContext, Lowerer};
-use crate::diagnostics::similar;
+use crate::diagnostics::hint;
 use crate::lower::body::Body;
 use crate::lower::hints;
 use crate::lower::scope::{Binding, Origin};
@@ -45,10 +46,7 @@ impl Lowerer<'_> {
     #[allow(clippy::option_option)] // Whether it is a body, and whether there are no errors.
     pub(super) fn body(&mut self, written: &Expr) -> Option<Option<Body>> {
         let (base, indices) = base_and_indices(written);
-        let Expr::Path(path) = base else {
-            return None;
-        };
-        let name = path.path.get_ident().filter(|_| path.qself.is_none())?;
+        let name = as_name(base)?;
         let Binding::Bodies(family) = self.scope.resolve(name)? else {
             return None;
         };
@@ -78,10 +76,7 @@ impl Lowerer<'_> {
             return Some(Some(body.quantity(quantity)));
         }
         let names = BodyQuantity::ALL.map(BodyQuantity::name);
-        let hint = similar(&written, names).map_or_else(
-            || format!("write one of `{}`", names.join("`, `")),
-            |meant| format!("did you mean `{meant}`?"),
-        );
+        let hint = hint(&written, &names, "one");
         Some(self.reject(member, format!("a body has no `{written}`: {hint}")))
     }
 
@@ -92,11 +87,10 @@ impl Lowerer<'_> {
         name: &Ident,
         arguments: &[&Expr],
         call: &dyn ToTokens,
-        context: ExpressionContext,
     ) -> Option<Option<Value>> {
         let mut functions = BODY_FUNCTIONS.iter();
         let function = functions.find(|function| name == function.name)?;
-        Some(self.energy_of_body(function, arguments, call, context))
+        Some(self.energy_of_body(function, arguments, call))
     }
 
     fn energy_of_body(
@@ -104,7 +98,6 @@ impl Lowerer<'_> {
         function: &BodyFunction,
         arguments: &[&Expr],
         call: &dyn ToTokens,
-        context: ExpressionContext,
     ) -> Option<Value> {
         let BodyFunction { name, others, .. } = function;
         let expected = function.arguments;
@@ -120,30 +113,26 @@ impl Lowerer<'_> {
             return None;
         };
         let body = self.expected_body(name, body);
-        // What the kinetic energy is made of is differentiated.
-        let context_of_place = if gravity.is_empty() {
-            ExpressionContext::Observation
-        } else {
-            context
+        let place = |lowerer: &mut Self| {
+            let rotation = "a rotation, which is a 3×3 matrix,";
+            let origin = "a position, which has three components,";
+            (
+                lowerer.matrix_of(3, written, rotation),
+                lowerer.matrix_of(1, position, origin),
+            )
         };
-        let rotation = self.matrix_of(
-            3,
-            written,
-            "a rotation, which is a 3×3 matrix,",
-            context_of_place,
-        );
-        let position = self.matrix_of(
-            1,
-            position,
-            "a position, which has three components,",
-            context_of_place,
-        );
+        // What the kinetic energy is made of is differentiated.
+        let (rotation, position) = if gravity.is_empty() {
+            self.with_accelerations(place)
+        } else {
+            place(self)
+        };
         let [gravity] = gravity else {
             let rotation = (rotation?, *written);
-            return self.kinetic_of_body(&body?, rotation, position?, call, context);
+            return self.kinetic_of_body(&body?, rotation, position?, call);
         };
         let what = "the acceleration of gravity, which is a vector such as `[0.0, 0.0, -g]`,";
-        let gravity = self.matrix_of(1, gravity, what, context);
+        let gravity = self.matrix_of(1, gravity, what);
         let rotation = rotation?;
         if let Components::Array(matrix) = self.typed.components(rotation).clone()
             && let Err(reason) = self.typed.geometry.check_rotation(&matrix)
@@ -159,7 +148,7 @@ impl Lowerer<'_> {
             return body;
         }
         // An unknown name is reported as such.
-        let value = self.lower(argument, ExpressionContext::Observation)?;
+        let value = self.lower_with_accelerations(argument)?;
         let message = format!(
             "`{function}` is of a body, a field of type `RigidBody`, `PrincipalBody` or `SymmetricBody`, and this is {}",
             self.shape(value)
@@ -168,15 +157,9 @@ impl Lowerer<'_> {
     }
 
     /// The value of an argument that has three rows and so many columns.
-    fn matrix_of(
-        &mut self,
-        columns: usize,
-        argument: &Expr,
-        what: &str,
-        context: ExpressionContext,
-    ) -> Option<Value> {
+    fn matrix_of(&mut self, columns: usize, argument: &Expr, what: &str) -> Option<Value> {
         let expected = Shape::Array { rows: 3, columns };
-        let value = self.lower(argument, context)?;
+        let value = self.lower(argument)?;
         if columns == 1 && self.is_empty_sum(value) {
             return expected.zeros(&mut self.typed);
         }
@@ -205,11 +188,10 @@ impl Lowerer<'_> {
         (rotation, argument): (Value, &Expr),
         position: Value,
         call: &dyn ToTokens,
-        context: ExpressionContext,
     ) -> Option<Value> {
         let center = self.center_of_body(body, rotation, position)?;
-        let angular = self.velocity(call, argument, rotation, false, context)?;
-        let velocity = self.rate(call, center, context)?;
+        let angular = self.velocity(call, argument, rotation, false)?;
+        let velocity = self.rate(call, center)?;
         let mass = self.typed.expression(body.mass);
         self.turning.push((mass, self.elements(angular).to_vec()));
         let square = self.of_arrays("norm_squared", vec![velocity])?;

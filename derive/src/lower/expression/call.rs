@@ -5,8 +5,8 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprMethodCall};
 
-use super::repetition::{repeated, without_parentheses};
-use super::{ExpressionContext, Lowerer};
+use super::Lowerer;
+use super::repetition::{as_name, repeated, without_parentheses};
 use crate::lower::builtins;
 use crate::lower::hints;
 use crate::lower::scope::Binding;
@@ -14,41 +14,33 @@ use crate::syntax::names::unraw;
 use crate::syntax::shape::Shape;
 
 impl Lowerer<'_> {
-    pub(super) fn call(&mut self, call: &ExprCall, context: ExpressionContext) -> Option<Value> {
-        let name = match &*call.func {
-            Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
-            _ => None,
-        };
-        let Some(name) = name else {
+    pub(super) fn call(&mut self, call: &ExprCall) -> Option<Value> {
+        let Some(name) = as_name(&call.func) else {
             return self.reject(&call.func, hints::not_callable(&call.func));
         };
         let arguments: Vec<&Expr> = call.args.iter().collect();
         if name == "dot" {
-            return self.time_derivative(call, &arguments, context);
+            return self.time_derivative(call, &arguments);
         }
         if name == "reaction" && self.scope.function(name).is_none() {
             return self.reaction(call, &arguments);
         }
         if name == "vector" {
-            return self.family_as_vector(call, &arguments, context);
+            return self.family_as_vector(call, &arguments);
         }
-        if let Some(value) = self.rotation(name, call, &arguments, context) {
+        if let Some(value) = self.rotation(name, call, &arguments) {
             return value;
         }
-        if let Some(value) = self.function_of_body(name, &arguments, call, context) {
+        if let Some(value) = self.function_of_body(name, &arguments, call) {
             return value;
         }
-        if let Some(value) = self.function_of_blocks(name, &arguments, call, context) {
+        if let Some(value) = self.function_of_blocks(name, &arguments, call) {
             return value;
         }
-        self.apply(name, &arguments, call, context)
+        self.apply(name, &arguments, call)
     }
 
-    pub(super) fn method(
-        &mut self,
-        call: &ExprMethodCall,
-        context: ExpressionContext,
-    ) -> Option<Value> {
+    pub(super) fn method(&mut self, call: &ExprMethodCall) -> Option<Value> {
         let name = unraw(&call.method);
         if let (Some(turbofish), true) = (&call.turbofish, builtins::is_function(&name)) {
             let arguments = if call.args.is_empty() { "" } else { "…" };
@@ -58,10 +50,10 @@ impl Lowerer<'_> {
             );
         }
         if let Some(map) = repeated(call) {
-            return self.repetition(call, map, context);
+            return self.repetition(call, map);
         }
         if name == "map" {
-            return self.map(call, context);
+            return self.map(call);
         }
         if let Some(module) = self.module(&call.receiver)
             && builtins::is_function(&name)
@@ -82,10 +74,10 @@ impl Lowerer<'_> {
         }
         let mut arguments = vec![&*call.receiver];
         arguments.extend(&call.args);
-        if let Some(value) = self.function_of_body(&call.method, &arguments, call, context) {
+        if let Some(value) = self.function_of_body(&call.method, &arguments, call) {
             return value;
         }
-        if let Some(value) = self.function_of_blocks(&call.method, &arguments, call, context) {
+        if let Some(value) = self.function_of_blocks(&call.method, &arguments, call) {
             return value;
         }
         let is_quantity = self.scope.is_bound(&name) && self.scope.function(&call.method).is_none();
@@ -93,15 +85,12 @@ impl Lowerer<'_> {
             let message = hints::no_method(&call.method, call.args.len());
             return self.reject(&call.method, message);
         }
-        self.apply(&call.method, &arguments, call, context)
+        self.apply(&call.method, &arguments, call)
     }
 
     /// The name of a module, as functions have it in other languages.
     fn module(&mut self, receiver: &Expr) -> Option<Ident> {
-        let Expr::Path(path) = receiver else {
-            return None;
-        };
-        let name = path.path.get_ident()?;
+        let name = as_name(receiver)?;
         let modules = [
             "np", "numpy", "math", "Math", "cmath", "sp", "sympy", "casadi", "ca", "jnp", "torch",
         ];
@@ -110,19 +99,19 @@ impl Lowerer<'_> {
     }
 
     /// `v.map(|x| …)` of an array, component by component.
-    fn map(&mut self, call: &ExprMethodCall, context: ExpressionContext) -> Option<Value> {
+    fn map(&mut self, call: &ExprMethodCall) -> Option<Value> {
         if let Expr::Range(_) = without_parentheses(&call.receiver) {
             let message = "what is mapped has to become one quantity: write `.sum()`, `.product()` or \
                            `.collect()` behind it";
             return self.reject(&call.method, message);
         }
-        let array = self.lower(&call.receiver, context)?;
+        let array = self.lower(&call.receiver)?;
         let Shape::Array { rows, .. } = self.shape(array) else {
             let message = "`map` goes through a range or an array: write `(0..5).map(|i| …)`";
             return self.reject(&call.receiver, message);
         };
         let components = self.each_element(array)?;
-        let values = self.applied(call, components, context)?;
+        let values = self.applied(call, components)?;
         let elements: Vec<_> = values
             .into_iter()
             .map(|value| self.as_scalar(value, &call.args))
@@ -131,25 +120,17 @@ impl Lowerer<'_> {
     }
 
     /// `vector(theta)`: the members of a family as a vector, or as the rows of a matrix.
-    fn family_as_vector(
-        &mut self,
-        call: &ExprCall,
-        arguments: &[&Expr],
-        context: ExpressionContext,
-    ) -> Option<Value> {
+    fn family_as_vector(&mut self, call: &ExprCall, arguments: &[&Expr]) -> Option<Value> {
         let [argument] = arguments else {
             let message = "`vector` takes the name of a family: write `vector(theta)`, and `[x, y, z]` for a \
                            vector of components";
             return self.reject(call, message);
         };
-        let name = match without_parentheses(argument) {
-            Expr::Path(path) => path.path.get_ident(),
-            _ => None,
-        };
+        let name = as_name(without_parentheses(argument));
         let binding = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
         let Some((name, Binding::Family(origin, family))) = binding else {
             // What is a vector already stays one, and what is unknown is reported as such.
-            let value = self.lower(argument, context)?;
+            let value = self.lower(argument)?;
             return match self.shape(value) {
                 Shape::Array { .. } => Some(value),
                 shape @ Shape::Scalar => {
@@ -167,24 +148,15 @@ impl Lowerer<'_> {
         }
         let values: Vec<Value> = family.members.values().copied().collect();
         for value in &values {
-            self.check_accelerations(name, origin, *value, context)?;
+            self.check_accelerations(name, origin, *value)?;
         }
-        match self.stacked(&values) {
-            Ok(rows) => rows,
-            Err(odd) => {
-                let message =
-                    hints::incompatible_rows(self.shape(values[0]), self.shape(values[odd]));
-                self.reject(argument, message)
-            }
-        }
+        self.rows(values, |_| argument)
     }
 
     /// The number of members of a family.
     fn length_of_family(&mut self, receiver: &Expr) -> Option<i64> {
-        let Expr::Path(path) = without_parentheses(receiver) else {
-            return None;
-        };
-        match self.scope.resolve(path.path.get_ident()?)? {
+        let name = as_name(without_parentheses(receiver))?;
+        match self.scope.resolve(name)? {
             Binding::Family(_, family) => i64::try_from(family.members.len()).ok(),
             Binding::Bodies(family) if family.rank > 0 => i64::try_from(family.members.len()).ok(),
             _ => None,
@@ -192,15 +164,9 @@ impl Lowerer<'_> {
     }
 
     /// An elementary function, `sqrt`, `powi`, `powf` or `recip`, or one of vectors and matrices.
-    fn apply(
-        &mut self,
-        name: &Ident,
-        arguments: &[&Expr],
-        call: impl ToTokens,
-        context: ExpressionContext,
-    ) -> Option<Value> {
+    fn apply(&mut self, name: &Ident, arguments: &[&Expr], call: impl ToTokens) -> Option<Value> {
         if let Some(function) = self.scope.function(name) {
-            return self.application(function, arguments, call, context);
+            return self.application(function, arguments, call);
         }
         let written = name.to_string();
         let mut unary = Unary::ALL.into_iter().filter(|one| one.is_written());
@@ -235,7 +201,7 @@ impl Lowerer<'_> {
                 format!("`{written}` takes {count}: write `{example}`"),
             );
         }
-        let values = self.each(arguments.iter().copied(), context, Self::lower)?;
+        let values = self.each(arguments.iter().copied(), Self::lower)?;
         match written.as_str() {
             "identity" => return self.identity(arguments[0]),
             "row" | "column" => {

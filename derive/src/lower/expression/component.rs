@@ -4,8 +4,8 @@ use lagrangian_symbolic::{TypedOperation, Value};
 use proc_macro2::Ident;
 use syn::{Expr, ExprField, Member};
 
-use super::repetition::without_parentheses;
-use super::{ExpressionContext, Lowerer};
+use super::Lowerer;
+use super::repetition::{as_name, without_parentheses};
 use crate::lower::hints;
 use crate::lower::scope::{Binding, Family, Origin};
 use crate::syntax::label::Index;
@@ -13,13 +13,9 @@ use crate::syntax::shape::Shape;
 
 impl Lowerer<'_> {
     /// `theta[i]`, `m[(i, j)]`, `rows[i][j]`.
-    pub(super) fn indexed(&mut self, whole: &Expr, context: ExpressionContext) -> Option<Value> {
+    pub(super) fn indexed(&mut self, whole: &Expr) -> Option<Value> {
         let (base, indices) = base_and_indices(whole);
-        let name = match base {
-            Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
-            _ => None,
-        };
-        let family = name.and_then(|name| Some((name, self.scope.resolve(name)?)));
+        let family = as_name(base).and_then(|name| Some((name, self.scope.resolve(name)?)));
         let (name, origin, family) = match family {
             Some((name, Binding::Family(origin, family))) => (name, origin, family),
             Some((name, Binding::DefinedLater)) => {
@@ -42,7 +38,7 @@ impl Lowerer<'_> {
                 return self.reject(whole, message);
             }
             _ => {
-                let value = self.lower(base, context)?;
+                let value = self.lower(base)?;
                 return self.components(value, &indices);
             }
         };
@@ -55,7 +51,7 @@ impl Lowerer<'_> {
             return self.reject(whole, message);
         }
         let value = self.family_member(name, origin, &family, &indices)?;
-        self.check_accelerations(name, origin, value, context)?;
+        self.check_accelerations(name, origin, value)?;
         self.components(value, &indices[family.rank..])
     }
 
@@ -156,7 +152,7 @@ impl Lowerer<'_> {
     }
 
     /// `v.x`, `v.y`, `v.z`, `v.w`.
-    pub(super) fn field(&mut self, field: &ExprField, context: ExpressionContext) -> Option<Value> {
+    pub(super) fn field(&mut self, field: &ExprField) -> Option<Value> {
         let position = match &field.member {
             Member::Named(name) => Index::AXES.iter().position(|axis| name == axis),
             Member::Unnamed(_) => None,
@@ -168,7 +164,7 @@ impl Lowerer<'_> {
         let Some(position) = position.filter(|_| !is_self) else {
             return self.reject(field, hints::unsupported_field(field));
         };
-        let value = self.lower(&field.base, context)?;
+        let value = self.lower(&field.base)?;
         if self.is_empty_sum(value) {
             return Some(value);
         }

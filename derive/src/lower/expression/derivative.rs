@@ -5,8 +5,8 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
+use super::Lowerer;
 use super::external_function::MADE_OF;
-use super::{ExpressionContext, Lowerer};
 use crate::lower::scope::{Binding, Origin};
 
 impl Lowerer<'_> {
@@ -14,7 +14,6 @@ impl Lowerer<'_> {
         &mut self,
         call: &ExprCall,
         arguments: &[&Expr],
-        context: ExpressionContext,
     ) -> Option<Value> {
         let argument = match arguments {
             [argument] => argument,
@@ -25,7 +24,7 @@ impl Lowerer<'_> {
             }
             _ => return self.reject(call, "`dot` takes one argument: write `dot(theta)`"),
         };
-        let value = self.lower(argument, ExpressionContext::Observation)?;
+        let value = self.lower_with_accelerations(argument)?;
         let varies = self.contains(value, Contents::varies);
         if !varies && !self.is_empty_sum(value) && !self.is_named(argument.to_token_stream()) {
             return self.reject(
@@ -33,19 +32,14 @@ impl Lowerer<'_> {
                 "this is constant in time: take `dot` of a coordinate, or of what is made of coordinates",
             );
         }
-        self.rate(call, value, context)
+        self.rate(call, value)
     }
 
     /// The time derivative of a value.
-    pub(super) fn rate(
-        &mut self,
-        call: &dyn ToTokens,
-        value: Value,
-        context: ExpressionContext,
-    ) -> Option<Value> {
+    pub(super) fn rate(&mut self, call: &dyn ToTokens, value: Value) -> Option<Value> {
         self.check_differentiable(call, value)?;
         let rate = self.add(TypedOperation::TimeDerivative(value))?;
-        self.check_derivative(call, rate, context)?;
+        self.check_derivative(call, rate)?;
         Some(rate)
     }
 
@@ -76,9 +70,8 @@ impl Lowerer<'_> {
         &mut self,
         call: &dyn ToTokens,
         derivative: Value,
-        context: ExpressionContext,
     ) -> Option<()> {
-        if context == ExpressionContext::Energy && self.has_acceleration(derivative) {
+        if !self.admits_accelerations && self.has_acceleration(derivative) {
             return self.reject(
                 call,
                 "`dot` of what contains velocities contains accelerations, which energies, forces and events cannot: \

@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Expr;
 
-use super::{ExpressionContext, Lowerer};
+use super::Lowerer;
 use crate::lower::scope::{Binding, Origin};
 use crate::syntax::external_function::{DerivativeDeclaration, FunctionDeclaration};
 use crate::syntax::names::unraw;
@@ -42,7 +42,7 @@ impl Lowerer<'_> {
             }
         }
         self.within_derivative = true;
-        let value = self.scalar(&derivative.expression, ExpressionContext::Observation);
+        let value = self.with_accelerations(|lowerer| lowerer.scalar(&derivative.expression));
         self.within_derivative = false;
         for (argument, before) in hidden.into_iter().rev() {
             self.scope.release(argument, before);
@@ -86,7 +86,6 @@ impl Lowerer<'_> {
         function: ExternalFunction,
         arguments: &[&Expr],
         call: impl ToTokens,
-        context: ExpressionContext,
     ) -> Option<Value> {
         let expected = self.graph().function_arguments(function);
         if expected.len() != arguments.len() {
@@ -103,7 +102,7 @@ impl Lowerer<'_> {
             );
             return self.reject(call, message);
         }
-        let values = self.each(arguments.iter().copied(), context, Self::scalar)?;
+        let values = self.each(arguments.iter().copied(), Self::scalar)?;
         self.add(TypedOperation::External(function, values))
     }
 }

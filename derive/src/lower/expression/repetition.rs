@@ -2,9 +2,10 @@
 
 use lagrangian_symbolic::{Components, Rational, TypedOperation, Value};
 use proc_macro2::Ident;
+use quote::ToTokens;
 use syn::{Expr, ExprClosure, ExprMethodCall, Pat, RangeLimits};
 
-use super::{ExpressionContext, Lowerer};
+use super::Lowerer;
 use crate::limits::MAX_REPETITIONS;
 use crate::lower::hints;
 use crate::lower::value::{Product, Sum};
@@ -32,15 +33,14 @@ impl Lowerer<'_> {
         &mut self,
         call: &ExprMethodCall,
         map: &ExprMethodCall,
-        context: ExpressionContext,
     ) -> Option<Value> {
         if let Some(argument) = call.args.first() {
             let message = format!("write `.{}()`", call.method);
             return self.reject(argument, message);
         }
-        let values = self.mapped(map, context)?;
+        let values = self.mapped(map)?;
         if call.method == "collect" {
-            return self.collected(call, &values);
+            return self.collected(call, values);
         }
         let product = call.method == "product";
         self.folded(call, values, product)
@@ -81,11 +81,7 @@ impl Lowerer<'_> {
     }
 
     /// The values of a closure: for each index of a range, or each component of a vector.
-    pub(super) fn mapped(
-        &mut self,
-        map: &ExprMethodCall,
-        context: ExpressionContext,
-    ) -> Option<Vec<Value>> {
+    pub(super) fn mapped(&mut self, map: &ExprMethodCall) -> Option<Vec<Value>> {
         let arguments: Vec<Value> = match without_parentheses(&map.receiver) {
             range @ Expr::Range(_) => {
                 let mut indices = self.indices(range)?;
@@ -95,7 +91,7 @@ impl Lowerer<'_> {
                 })?
             }
             receiver => {
-                let array = self.lower(receiver, context)?;
+                let array = self.lower(receiver)?;
                 if self.typed.components(array).array().is_none() {
                     let message = format!(
                         "this is {}, and `map` goes through a range or an array: write `(0..5).map(|i| …)`",
@@ -106,7 +102,7 @@ impl Lowerer<'_> {
                 self.each_element(array)?
             }
         };
-        self.applied(map, arguments, context)
+        self.applied(map, arguments)
     }
 
     /// The values of the closure of `.map(|i| …)` for each of some arguments.
@@ -114,13 +110,12 @@ impl Lowerer<'_> {
         &mut self,
         map: &ExprMethodCall,
         arguments: Vec<Value>,
-        context: ExpressionContext,
     ) -> Option<Vec<Value>> {
         let (closure, variable) = self.closure(map)?;
         let mut values = Vec::with_capacity(arguments.len());
         for argument in arguments {
             let before = variable.map(|name| (name, self.scope.bind(name, argument)));
-            let value = self.lower(&closure.body, context);
+            let value = self.lower(&closure.body);
             if let Some((name, before)) = before {
                 self.scope.release(name, before);
             }
@@ -217,22 +212,15 @@ impl Lowerer<'_> {
     }
 
     /// The vector or matrix with these values as components or rows.
-    fn collected(&mut self, call: &ExprMethodCall, values: &[Value]) -> Option<Value> {
+    fn collected(&mut self, call: &ExprMethodCall, values: Vec<Value>) -> Option<Value> {
         if values.is_empty() {
             return self.reject(
                 &call.receiver,
                 "this range is empty: a vector has components",
             );
         }
-        let values = self.filled(values.to_vec())?;
-        match self.stacked(&values) {
-            Ok(rows) => rows,
-            Err(odd) => {
-                let message =
-                    hints::incompatible_rows(self.shape(values[0]), self.shape(values[odd]));
-                self.reject(&call.method, message)
-            }
-        }
+        let values = self.filled(values)?;
+        self.rows(values, |_| &call.method)
     }
 }
 
@@ -256,24 +244,38 @@ impl Lowerer<'_> {
         Some(values)
     }
 
-    /// Scalars as a vector, or vectors as the rows of a matrix; the position of the first value that does not
-    /// fit those before.
-    pub(super) fn stacked(&mut self, values: &[Value]) -> Result<Option<Value>, usize> {
-        let shape = self.shape(*values.first().ok_or(0_usize)?);
+    /// Scalars as a vector, or vectors as the rows of a matrix. Where one does not fit the first, an error is at the tokens that `at`
+    /// gives for its position.
+    pub(super) fn rows<T: ToTokens>(
+        &mut self,
+        values: Vec<Value>,
+        at: impl Fn(usize) -> T,
+    ) -> Option<Value> {
+        let shape = self.shape(*values.first()?);
         let fits = |value: &Value| {
             *self.typed.components(*value) != Components::EmptySum && self.shape(*value) == shape
         };
-        if let Some(odd) = values.iter().position(|value| !fits(value)) {
-            return Err(odd);
+        let is_matrix = matches!(
+            shape,
+            Shape::Array {
+                rows: 2..,
+                columns: 2..
+            }
+        );
+        let odd = values.iter().position(|value| !fits(value));
+        if let Some(odd) = odd.or_else(|| is_matrix.then_some(0)) {
+            let message = hints::incompatible_rows(shape, self.shape(values[odd]));
+            return self.reject(at(odd), message);
         }
-        if let Shape::Array {
-            rows: 2..,
-            columns: 2..,
-        } = shape
-        {
-            return Err(0);
-        }
-        Ok(self.add(TypedOperation::Rows(values.to_vec())))
+        self.add(TypedOperation::Rows(values))
+    }
+}
+
+/// The name that an expression is, if it is nothing else.
+pub(super) fn as_name(expression: &Expr) -> Option<&Ident> {
+    match expression {
+        Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
+        _ => None,
     }
 }
 

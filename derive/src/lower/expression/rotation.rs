@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{Expr, ExprCall};
 
-use super::{ExpressionContext, Lowerer};
+use super::Lowerer;
 use crate::limits::MAX_ROTATIONS;
 use crate::syntax::shape::Shape;
 
@@ -28,15 +28,14 @@ impl Lowerer<'_> {
         name: &Ident,
         call: &ExprCall,
         arguments: &[&Expr],
-        context: ExpressionContext,
     ) -> Option<Option<Value>> {
         let written = name.to_string();
         if let "angular_velocity" | "angular_velocity_inertial" = written.as_str() {
             let inertial = written != "angular_velocity";
-            return Some(self.angular_velocity(name, call, arguments, inertial, context));
+            return Some(self.angular_velocity(name, call, arguments, inertial));
         }
         let (function, letters) = parts(&written)?;
-        Some(self.sequence(name, call, arguments, function, letters, context))
+        Some(self.sequence(name, call, arguments, function, letters))
     }
 
     fn sequence(
@@ -46,7 +45,6 @@ impl Lowerer<'_> {
         arguments: &[&Expr],
         function: RotationFunction,
         letters: &str,
-        context: ExpressionContext,
     ) -> Option<Value> {
         let Some(axes) = axes(letters) else {
             let message = format!(
@@ -64,18 +62,18 @@ impl Lowerer<'_> {
             return self.reject(call, message);
         }
         // The angles of an angular velocity are differentiated.
-        let context_of_angles = match function {
-            RotationFunction::Rotation => context,
-            RotationFunction::AngularVelocity { .. } => ExpressionContext::Observation,
+        let angles = |lowerer: &mut Self| lowerer.each(arguments.iter().copied(), Self::scalar);
+        let angles = match function {
+            RotationFunction::Rotation => angles(self)?,
+            RotationFunction::AngularVelocity { .. } => self.with_accelerations(angles)?,
         };
-        let angles = self.each(arguments.iter().copied(), context_of_angles, Self::scalar)?;
         let factors: Vec<_> = axes.into_iter().zip(angles).collect();
         self.count_rotation(call)?;
         let rotation = self.add(TypedOperation::Rotation(factors))?;
         match function {
             RotationFunction::Rotation => Some(rotation),
             RotationFunction::AngularVelocity { is_inertial } => {
-                self.velocity(call, call, rotation, is_inertial, context)
+                self.velocity(call, call, rotation, is_inertial)
             }
         }
     }
@@ -87,21 +85,20 @@ impl Lowerer<'_> {
         call: &ExprCall,
         arguments: &[&Expr],
         inertial: bool,
-        context: ExpressionContext,
     ) -> Option<Value> {
         let [argument] = arguments else {
             let message =
                 format!("`{name}` takes one argument, a rotation matrix: write `{name}(r)`");
             return self.reject(call, message);
         };
-        let value = self.lower(argument, ExpressionContext::Observation)?;
+        let value = self.lower_with_accelerations(argument)?;
         let square = |size| Shape::Array {
             rows: size,
             columns: size,
         };
         let shape = self.shape(value);
         if shape == square(3) {
-            return self.velocity(call, argument, value, inertial, context);
+            return self.velocity(call, argument, value, inertial);
         }
         let hint = if shape == square(4) {
             ": of a homogeneous matrix write `a.view((0, 0), (3, 3))`"
@@ -132,7 +129,6 @@ impl Lowerer<'_> {
         argument: &dyn ToTokens,
         rotation: Value,
         is_inertial: bool,
-        context: ExpressionContext,
     ) -> Option<Value> {
         self.count_rotation(call)?;
         self.check_differentiable(call, rotation)?;
@@ -151,7 +147,7 @@ impl Lowerer<'_> {
             }
             Err(_) => return None,
         };
-        self.check_derivative(call, velocity, context)?;
+        self.check_derivative(call, velocity)?;
         Some(velocity)
     }
 }

@@ -30,11 +30,7 @@ impl Dag {
     /// Moves the coefficients of terms of a sum to the invariants among their factors: ½·w·(a + b) is w·(½·(a + b)),
     /// with one multiplication less in the kernel. Only values with a single use are changed.
     fn absorb_coefficients(&mut self, roots: &[Expression]) {
-        let mut invariant = vec![false; self.operations.len()];
-        let order = self.order(roots);
-        for value in &order {
-            invariant[*value] = self.is_invariant(*value, &invariant);
-        }
+        let (order, invariant) = self.invariants(roots);
         let uses = self.uses(roots);
         for value in order {
             let DagOperation::Sum(terms) = &self.operations[value] else {
@@ -91,11 +87,7 @@ impl Dag {
     /// factor already: (x·a + y·b)·c is x·(a·c) + y·(b·c), with one multiplication less in the kernel. Only values
     /// with a single use are changed.
     fn distribute_invariants(&mut self, roots: &[Expression]) {
-        let mut invariant = vec![false; self.operations.len()];
-        let order = self.order(roots);
-        for value in &order {
-            invariant[*value] = self.is_invariant(*value, &invariant);
-        }
+        let (order, invariant) = self.invariants(roots);
         let uses = self.uses(roots);
         for value in order.into_iter().rev() {
             let DagOperation::Quotient(above, below) = &self.operations[value] else {
@@ -184,6 +176,16 @@ impl Dag {
             self.operations[value].for_each_operand(|operand| waiting.push(operand));
         }
         order
+    }
+
+    /// The values that the roots need, in topological order, and which values are invariant.
+    fn invariants(&self, roots: &[Expression]) -> (Vec<ValueId>, Vec<bool>) {
+        let mut invariant = vec![false; self.operations.len()];
+        let order = self.order(roots);
+        for value in &order {
+            invariant[*value] = self.is_invariant(*value, &invariant);
+        }
+        (order, invariant)
     }
 
     /// Whether a value depends on parameters and numbers alone.

@@ -1,6 +1,5 @@
 //! The recurrence under construction.
 
-use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::external_functions::{Derivative, Pending};
@@ -8,7 +7,9 @@ use super::functions::Pair;
 use super::linear_forms::Recurrence;
 use super::{Convolution, NoSeries, TaylorProgram, implicit};
 use crate::algebra::hashing::Table;
-use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
+use crate::program::liveness::LiveValues;
+use crate::program::numbering::Instructions;
+use crate::program::straight_line::{Operand, Operation, OutputGroup, Program};
 use crate::{ExternalFunction, Graph, Rational, Symbol};
 
 /// The Taylor series of a value.
@@ -31,83 +32,6 @@ pub(super) const ZERO: Operand = Operand::Constant(Rational::ZERO);
 /// The index of a factor of convolutions.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct Factor(pub(super) usize);
-
-/// A list of instructions under construction, with value numbering.
-#[derive(Default)]
-pub(super) struct Instructions {
-    pub(super) list: Vec<Instruction>,
-    numbers: Table<Operation, usize>,
-    next: usize,
-}
-
-impl Instructions {
-    /// The group that computes these outputs and nothing else.
-    fn group(self, mut outputs: Vec<Operand>) -> OutputGroup {
-        let value = |operand: &Operand| match operand {
-            Operand::Value(value) => Some(*value),
-            _ => None,
-        };
-        let mut needed: BTreeSet<usize> = outputs.iter().filter_map(value).collect();
-        for instruction in self.list.iter().rev() {
-            let first = instruction.value;
-            let mut results = first..first + instruction.operation.results();
-            if results.any(|result| needed.contains(&result)) {
-                needed.extend(instruction.operation.operands().filter_map(value));
-                needed.insert(first);
-            }
-        }
-        let mut next = self.list.first().map_or(0, |first| first.value);
-        let mut numbers = Table::default();
-        let mut instructions = Vec::with_capacity(self.list.len());
-        for mut instruction in self.list {
-            if !needed.contains(&instruction.value) {
-                continue;
-            }
-            let renumber = |operand: &mut Operand| renumber(operand, &numbers);
-            instruction.operation.for_each_operand(renumber);
-            let results = instruction.operation.results();
-            numbers.extend((0..results).map(|i| (instruction.value + i, next + i)));
-            instruction.value = next;
-            next += results;
-            instructions.push(instruction);
-        }
-        for output in &mut outputs {
-            renumber(output, &numbers);
-        }
-        OutputGroup {
-            instructions,
-            outputs,
-        }
-    }
-
-    /// The value of an operation that is in the list or in the program before it.
-    pub(super) fn known(&self, operation: &Operation) -> Option<Operand> {
-        self.numbers.get(operation).copied().map(Operand::Value)
-    }
-
-    pub(super) fn emit(&mut self, operation: Operation) -> Operand {
-        if let Some(value) = self.numbers.get(&operation) {
-            return Operand::Value(*value);
-        }
-        let value = self.next;
-        self.next += operation.results();
-        self.numbers.insert(operation.clone(), value);
-        self.list.push(Instruction {
-            operation,
-            value,
-            expression: None,
-        });
-        Operand::Value(value)
-    }
-}
-
-pub(super) fn renumber(operand: &mut Operand, numbers: &Table<usize, usize>) {
-    if let Operand::Value(value) = operand
-        && let Some(number) = numbers.get(value)
-    {
-        *value = *number;
-    }
-}
 
 /// Different items, numbered in the order in which they were first met.
 pub(super) struct Numbered<T> {
@@ -170,20 +94,9 @@ impl<'a> Builder<'a> {
         program: &Program,
         constants_of_motion: Vec<Symbol>,
     ) -> Self {
-        let results = program.instructions().map(|instruction| {
-            // The initial program keeps the numbers of the program.
-            instruction.value + instruction.operation.results()
-        });
-        let numbers = program.instructions();
-        let numbers = numbers.map(|instruction| (instruction.operation.clone(), instruction.value));
-        let initial = Instructions {
-            next: results.max().unwrap_or(0),
-            numbers: numbers.collect(),
-            ..Instructions::default()
-        };
         Self {
             graph,
-            initial,
+            initial: Instructions::behind(program),
             invariants: Numbered::new(),
             recurrence: Instructions::default(),
             series: Vec::new(),
@@ -348,13 +261,19 @@ impl<'a> Builder<'a> {
             invariants,
             outputs: [coefficients, factors],
         } = recurrence.balanced(&mut in_initial);
+        let live = LiveValues::of(invariants.iter(), in_initial.list.iter());
+        in_initial
+            .list
+            .retain(|instruction| live.contain(instruction));
         let mut initial = program.clone();
-        initial.groups.push(in_initial.group(invariants));
+        initial.groups.push(OutputGroup {
+            instructions: in_initial.list,
+            outputs: invariants,
+        });
+        initial.renumber();
         TaylorProgram {
             initial,
-            recurrence: Program {
-                groups: implicit::in_two_groups(instructions, coefficients, factors),
-            },
+            recurrence: implicit::in_two_groups(instructions, coefficients, factors),
             convolutions: self.convolutions.items,
             quasi_velocities: None,
         }

@@ -9,9 +9,10 @@
 use std::rc::Rc;
 
 use super::builder::{Builder, Factor, Series, ZERO};
-use super::{NoSeries, needed_for, quotients::with_quotients};
+use super::{NoSeries, quotients::with_quotients};
 use crate::limits::MAX_APPLICATIONS_IN_A_SERIES;
-use crate::program::straight_line::{Instruction, Operand, Operation, Program};
+use crate::program::liveness::LiveValues;
+use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{ExternalFunction, Symbol, Unary};
 
 /// The program of a declared derivative, in the symbols of the arguments.
@@ -20,9 +21,9 @@ pub(super) struct Derivative {
     result: Operand,
 }
 
-/// An instruction of it.
+/// An operation of it.
 struct Step {
-    instruction: Instruction,
+    operation: Operation,
     /// The operation whose series is taken.
     of_series: Operation,
     /// Whether the series is needed.
@@ -49,13 +50,13 @@ impl Derivative {
     fn new(program: &Program) -> Self {
         let result = program.groups.iter().flat_map(|group| &group.outputs);
         let result = result.last().cloned().unwrap_or(ZERO);
-        let operations = with_quotients(program);
-        let needed = needed_for(program, &operations, [&result].into_iter());
-        let steps = program.instructions().zip(operations).zip(needed);
-        let steps = steps.map(|((instruction, of_series), needed)| Step {
-            instruction: instruction.clone(),
-            of_series,
-            needed,
+        let of_series = with_quotients(program);
+        let live = LiveValues::of([&result].into_iter(), of_series.iter());
+        let steps = program.instructions().zip(of_series);
+        let steps = steps.map(|(instruction, of_series)| Step {
+            operation: instruction.operation.clone(),
+            needed: live.contain(&of_series),
+            of_series: of_series.operation,
         });
         Self {
             steps: steps.collect(),
@@ -125,8 +126,8 @@ impl Builder<'_> {
         };
         let mut operations = Vec::new();
         for step in &derivative.steps {
-            let varies = inlined.varies(&step.instruction.operation);
-            let operation = inlined.operation(&step.instruction.operation);
+            let varies = inlined.varies(&step.operation);
+            let operation = inlined.operation(&step.operation);
             let results = operation.results();
             let Operand::Value(first) = self.initial.emit(operation) else {
                 continue;

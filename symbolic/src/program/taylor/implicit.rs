@@ -8,9 +8,8 @@
 use std::collections::BTreeSet;
 
 use super::TaylorProgram;
-use super::builder::{Builder, ZERO, renumber};
+use super::builder::{Builder, ZERO};
 use crate::Symbol;
-use crate::algebra::hashing::Table;
 use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
 
 impl Builder<'_> {
@@ -132,12 +131,12 @@ fn substituted(
     known.unwrap_or_else(|| operand.clone())
 }
 
-/// The groups that compute the coefficients and the factors: what depends on accelerations comes after the former.
+/// The program that computes the coefficients and the factors: what depends on accelerations comes after the former.
 pub(super) fn in_two_groups(
     instructions: Vec<Instruction>,
     coefficients: Vec<Operand>,
     factors: Vec<Operand>,
-) -> Vec<OutputGroup> {
+) -> Program {
     let mut later: BTreeSet<usize> = BTreeSet::new();
     let mut groups = [coefficients, factors].map(|outputs| OutputGroup {
         instructions: Vec::new(),
@@ -154,19 +153,9 @@ pub(super) fn in_two_groups(
         }
         groups[usize::from(depends)].instructions.push(instruction);
     }
-    if !later.is_empty() {
-        let mut numbers = Table::default();
-        for group in &mut groups {
-            for instruction in &mut group.instructions {
-                let operation = &mut instruction.operation;
-                operation.for_each_operand(|operand| renumber(operand, &numbers));
-                numbers.insert(instruction.value, numbers.len());
-                instruction.value = numbers.len() - 1;
-            }
-            for output in &mut group.outputs {
-                renumber(output, &numbers);
-            }
-        }
-    }
-    groups.into()
+    let mut program = Program {
+        groups: groups.into(),
+    };
+    program.renumber();
+    program
 }

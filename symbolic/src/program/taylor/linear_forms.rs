@@ -6,7 +6,8 @@
 //! added last (tree-height reduction of arithmetic expressions: D. J. Kuck, The Structure of Computers and
 //! Computations, 1978, chapter 2).
 
-use super::builder::{Instructions, Numbered, ZERO};
+use super::builder::{Numbered, ZERO};
+use crate::program::numbering::Instructions;
 use crate::program::straight_line::{Instruction, Operand, Operation};
 use crate::{Rational, Symbol};
 
@@ -42,11 +43,8 @@ impl Coefficient {
         matches!(&self.size, Operand::Constant(number) if number.is_one())
     }
 
-    fn negated(&self) -> Self {
-        Self {
-            is_negative: !self.is_negative,
-            size: self.size.clone(),
-        }
+    fn minus_one() -> Self {
+        Self::of(Operand::Constant(Rational::MINUS_ONE))
     }
 
     fn times(&self, other: &Self, initial: &mut Instructions) -> Self {
@@ -159,10 +157,12 @@ impl Forms {
         for instruction in &recurrence.instructions {
             let known = |operand: &Operand| known(operand, &forms, &uses);
             let operation = &instruction.operation;
+            let opposite = (Coefficient::minus_one(), 0);
+            let mut negated = |x| scaled_by(&opposite, known(x), initial);
             let form = match operation {
                 Operation::Add(x, y) => Some([known(x), known(y)].concat()),
-                Operation::Subtract(x, y) => Some([known(x), negated(known(y))].concat()),
-                Operation::Negate(x) => Some(negated(known(x))),
+                Operation::Subtract(x, y) => Some([known(x), negated(y)].concat()),
+                Operation::Negate(x) => Some(negated(x)),
                 Operation::Multiply(x, y) => {
                     let scale = |x, y| Some((Term::scale(x, &recurrence.invariants)?, known(y)));
                     let scaled = scale(x, y).or_else(|| scale(y, x));
@@ -216,14 +216,6 @@ fn known(operand: &Operand, forms: &[Form], uses: &[usize]) -> Vec<Term> {
         return terms.clone();
     }
     vec![Term::leaf(operand)]
-}
-
-fn negated(terms: Vec<Term>) -> Vec<Term> {
-    let negated = terms.into_iter().map(|term| Term {
-        coefficient: term.coefficient.negated(),
-        ..term
-    });
-    negated.collect()
 }
 
 fn scaled_by(

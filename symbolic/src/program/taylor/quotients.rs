@@ -4,24 +4,28 @@
 //! take one convolution, so that the series of 1/y is one too many.
 
 use crate::Rational;
-use crate::program::straight_line::{Operand, Operation, Program};
+use crate::program::straight_line::{Instruction, Operand, Operation, Program};
 
-/// The operations of a program, with x / y for x · (1/y).
-pub(super) fn with_quotients(program: &Program) -> Vec<Operation> {
-    let mut operations = Vec::new();
+/// The instructions of a program, with x / y for x · (1/y).
+pub(super) fn with_quotients(program: &Program) -> Vec<Instruction> {
+    let mut instructions = Vec::new();
     // The divisor of which each value is the reciprocal.
     let mut divisors: Vec<Option<Operand>> = Vec::new();
     for instruction in program.instructions() {
         let operation = &instruction.operation;
-        divisors.resize(instruction.value + operation.results(), None);
+        divisors.resize(instruction.values().end, None);
         if let Operation::Divide(Operand::Constant(one), y) = operation
             && *one == Rational::ONE
         {
             divisors[instruction.value] = Some(y.clone());
         }
-        operations.push(quotient(operation, &divisors).unwrap_or_else(|| operation.clone()));
+        let operation = quotient(operation, &divisors).unwrap_or_else(|| operation.clone());
+        instructions.push(Instruction {
+            operation,
+            ..*instruction
+        });
     }
-    operations
+    instructions
 }
 
 /// The quotient that a product with a reciprocal is.
