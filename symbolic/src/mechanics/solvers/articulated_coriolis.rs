@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use crate::mechanics::mechanism::{Turn, Vector, kept, total};
 use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, InertiaRow, Unknown, angular, linear,
+    EliminatedRow, InertiaRow, Slope, Unknown, angular, linear,
 };
 use crate::{Expression, Graph};
 
@@ -70,20 +70,15 @@ impl ArticulatedCoriolis {
         forces
     }
 
-    /// x := x + e q̈ of three unknowns.
-    pub(crate) fn split_off(
-        &mut self,
-        graph: &mut Graph,
-        unknowns: [Unknown; 3],
-        coordinate: usize,
-        slope: Vector,
-    ) {
-        let rows = self.block(graph, unknowns);
+    /// x := x + e q̈.
+    pub(crate) fn split_off(&mut self, graph: &mut Graph, slope: &Slope) {
+        let rows = slope.along.iter().map(|(u, e)| (*e, self.get(graph, *u)));
+        let rows: Vec<_> = rows.collect();
         let change = [0, 1, 2].map(|i| {
-            let pairs = slope.into_iter().zip(rows.map(|row| row[i]));
+            let pairs = rows.iter().map(|(e, row)| (*e, row[i]));
             graph.sum_of_products(pairs)
         });
-        let own = Unknown::Coordinate(coordinate);
+        let own = Unknown::Coordinate(slope.coordinate);
         let before = self.get(graph, own);
         self.0
             .insert(own, [0, 1, 2].map(|i| graph.add(before[i], change[i])));

@@ -10,15 +10,16 @@
 
 use std::collections::BTreeMap;
 
-use crate::mechanics::mechanism::{Inertia, Vector};
+use crate::mechanics::mechanism::Inertia;
 use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
 use crate::mechanics::solvers::multiplier_elimination::MultiplierElimination;
-use crate::mechanics::solvers::newton_euler::Joint;
+use crate::mechanics::solvers::newton_euler::{Joint, JointPart};
 use crate::mechanics::solvers::pivots::Pivot;
+use crate::mechanics::solvers::spatial_vectors::Twist;
 use crate::mechanics::solvers::twist_elimination::{
-    InertiaRow, Step, TwistElimination, Unknown, angular, linear,
+    InertiaRow, Slope, Step, TwistElimination, Unknown, linear, twist,
 };
 use crate::{Expression, Graph, Rational};
 
@@ -26,11 +27,21 @@ use crate::{Expression, Graph, Rational};
 #[derive(Clone, Default)]
 pub(crate) struct PassedInertia {
     /// At the acceleration of the link, along its axes.
-    pub(crate) turning: [InertiaRow; 6],
-    /// At the acceleration of its origin, along the axes of the link before.
-    pub(crate) sliding: [InertiaRow; 3],
-    /// The same, behind what slides.
+    turning: Vec<InertiaRow>,
+    /// The same, along the axes of the link before.
+    sliding: Vec<InertiaRow>,
+    /// At the acceleration of the origin, behind what slides.
     pub(crate) shift: [InertiaRow; 3],
+}
+
+impl PassedInertia {
+    /// The rows at the acceleration of the link before a part of its joint is passed.
+    pub(crate) fn before(&self, part: JointPart) -> &[InertiaRow] {
+        match part {
+            JointPart::Turning => &self.turning,
+            JointPart::Sliding => &self.sliding,
+        }
+    }
 }
 
 /// The factored equations of a mechanism.
@@ -67,27 +78,24 @@ impl ArticulatedLinks {
             multipliers.record(&row);
             steps.push(Step::Eliminate(row));
         }
-        let links = equations.mechanism.links.iter().zip(&equations.joints);
-        for (i, (link, joint)) in links.enumerate().rev() {
+        for (i, link, joint) in equations.inward() {
             elimination.add_inertia(graph, i, &link.inertia);
             let moved = (i, equations.mechanism.moved.get(i).unwrap_or(&nothing));
             multipliers.eliminate_determined(graph, &mut elimination, moved, &mut steps);
             let inertia = &mut inertias[i];
-            let [a, b, c] = elimination.rows(angular(i));
-            let [d, e, f] = elimination.rows(linear(i));
-            inertia.turning = [a, b, c, d, e, f];
+            inertia.turning = elimination.rows(i);
             let mut passage = Passage {
                 elimination: &mut elimination,
                 multipliers: &mut multipliers,
                 steps: &mut steps,
                 uses: &mut uses,
             };
-            passage.split_off(graph, angular(i), &joint.turning)?;
+            passage.split_off(graph, i, &joint.turning)?;
             passage.elimination.turn(graph, i, &link.turn);
             passage.steps.push(Step::Turn(i, link.turn));
-            inertia.sliding = passage.elimination.rows(linear(i));
-            passage.split_off(graph, linear(i), &joint.sliding)?;
-            inertia.shift = passage.elimination.rows(linear(i));
+            inertia.sliding = passage.elimination.rows(i);
+            passage.split_off(graph, i, &joint.sliding)?;
+            inertia.shift = linear(i).map(|unknown| passage.elimination.row(unknown));
             passage.elimination.shift(graph, i, link.place);
             passage.elimination.merge(graph, i, link.parent);
             let step = Step::Shift(i, link.parent, link.place);
@@ -132,8 +140,7 @@ impl ArticulatedLinks {
         }
         let mut recursion = Vec::new();
         for (link, wrench) in wrenches.iter().enumerate() {
-            let unknowns = angular(link).into_iter().chain(linear(link));
-            for (unknown, value) in unknowns.zip(wrench.components()) {
+            for (unknown, value) in twist(link).zip(wrench.components()) {
                 recursion.push(value);
                 let value = graph.negate(value);
                 right.0.insert(unknown, value);
@@ -203,9 +210,7 @@ impl ArticulatedLinks {
         let mut quotients = BTreeMap::new();
         for step in &self.steps {
             match step {
-                Step::SplitOff(unknowns, coordinate, slope) => {
-                    right.split_off(graph, *unknowns, *coordinate, *slope);
-                }
+                Step::SplitOff(slope) => right.split_off(graph, slope),
                 Step::Eliminate(row) => {
                     quotients.insert(row.coordinate, right.eliminate(graph, row));
                 }
@@ -278,14 +283,13 @@ impl Passage<'_> {
     fn split_off(
         &mut self,
         graph: &mut Graph,
-        unknowns: [Unknown; 3],
-        slopes: &[(usize, Vector)],
+        link: usize,
+        slopes: &[(usize, Twist)],
     ) -> Option<()> {
         for (coordinate, slope) in slopes {
-            self.elimination
-                .split_off(graph, unknowns, *coordinate, *slope);
-            self.steps
-                .push(Step::SplitOff(unknowns, *coordinate, *slope));
+            let slope = Slope::of(graph, link, (*coordinate, *slope));
+            self.elimination.split_off(graph, &slope);
+            self.steps.push(Step::SplitOff(slope));
             self.uses[*coordinate] -= 1;
         }
         for (coordinate, _) in slopes {

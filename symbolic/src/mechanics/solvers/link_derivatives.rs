@@ -10,11 +10,12 @@
 //! Where a joint slides and turns, it slides first, seen from the link before.
 
 use crate::limits::MAX_DIFFERENTIATED_BOTH_WAYS;
-use crate::mechanics::mechanism::{Inertia, Vector, cross, total};
+use crate::mechanics::mechanism::{Inertia, Vector, total};
 use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
-use crate::mechanics::solvers::joint_perturbations::{JointPerturbations, derivative, symbols};
+use crate::mechanics::solvers::joint_perturbations::{JointPerturbations, symbols};
 use crate::mechanics::solvers::link_equations::LinkEquations;
-use crate::mechanics::solvers::newton_euler::Wrench;
+use crate::mechanics::solvers::newton_euler::JointPart;
+use crate::mechanics::solvers::spatial_vectors::Wrench;
 use crate::{Expression, Graph, Rational, Symbol};
 
 /// The derivatives of M q̈ − f, column by column: along the links of a mechanism, unless there are few coordinates and
@@ -138,16 +139,15 @@ impl<'a> DerivativesAlongLinks<'a> {
 
     fn entries(mut self, graph: &mut Graph) -> Vec<Vec<(Expression, Rational)>> {
         let equations = self.equations;
-        let links = &equations.mechanism.links;
-        let mut all: Vec<Carried> = vec![Carried::default(); links.len()];
-        for (i, (link, joint)) in links.iter().zip(&equations.joints).enumerate().rev() {
+        let mut all: Vec<Carried> = vec![Carried::default(); self.bodies.len()];
+        for (i, link, joint) in equations.inward() {
             let mut carried = core::mem::take(&mut all[i]);
-            self.pass_turning(graph, i, &mut carried);
+            self.pass(graph, i, JointPart::Turning, &mut carried);
             if link.parent.is_none() && joint.sliding.is_empty() {
                 continue;
             }
             self.turn(graph, i, &mut carried);
-            self.pass_sliding(graph, i, &mut carried);
+            self.pass(graph, i, JointPart::Sliding, &mut carried);
             let Some(parent) = link.parent else {
                 continue;
             };
@@ -165,22 +165,22 @@ impl<'a> DerivativesAlongLinks<'a> {
         self.entries[position].push((value, Rational::ONE));
     }
 
-    /// The turning part of a joint.
-    fn pass_turning(&mut self, graph: &mut Graph, index: usize, carried: &mut Carried) {
+    /// Passes a part of a joint.
+    fn pass(&mut self, graph: &mut Graph, index: usize, part: JointPart, carried: &mut Carried) {
         let equations = self.equations;
-        let slopes = &equations.joints[index].turning;
+        let slopes = equations.joints[index].slopes(part);
         let body = self.bodies[index].clone();
         let mut columns = Vec::new();
-        for (coordinate, slope) in slopes {
-            let changes = self.perturbations.turned(graph, index, *coordinate, *slope);
+        for slope in slopes {
+            let changes = self.perturbations.at(graph, index, part, *slope);
             for (kind, change) in changes.iter().enumerate() {
                 for row in &carried.rows {
                     let value = change.times(graph, row.of_turning, &row.momentum);
-                    self.enter(kind, *coordinate, row.coordinate, value);
+                    self.enter(kind, slope.0, row.coordinate, value);
                 }
                 columns.push(Column {
                     kind,
-                    coordinate: *coordinate,
+                    coordinate: slope.0,
                     wrench: body.coriolis.wrench(graph, &body.inertia, change),
                 });
             }
@@ -188,88 +188,29 @@ impl<'a> DerivativesAlongLinks<'a> {
         carried.columns.append(&mut columns);
         for (coordinate, slope) in slopes {
             for column in &carried.columns {
-                let pairs = slope.iter().copied().zip(column.wrench.moment);
-                let value = graph.sum_of_products(pairs);
+                let value = slope.power(graph, &column.wrench);
                 self.enter(column.kind, column.coordinate, *coordinate, value);
             }
             carried.rows.push(Row {
                 coordinate: *coordinate,
-                of_turning: body.coriolis.power_of_turning(graph, *slope),
-                momentum: body.inertia.momentum_of_turning(graph, *slope),
+                of_turning: body.coriolis.power(graph, slope),
+                momentum: body.inertia.momentum(graph, slope),
             });
         }
-        self.enter_changes_of_slopes(graph, slopes, body.wrench.moment);
-        // What the joint turns along with it.
-        for (coordinate, slope) in slopes {
-            let own = |column: &&mut Column| column.kind == 0 && column.coordinate == *coordinate;
-            let Some(column) = carried.columns.iter_mut().rev().find(own) else {
-                continue;
-            };
-            let moment = graph.cross(*slope, body.wrench.moment);
-            let force = graph.cross(*slope, body.wrench.force);
-            let wrench = Wrench { moment, force };
-            column.wrench = column.wrench.plus(graph, wrench);
-        }
-    }
-
-    /// Where the direction of a rate depends on the coordinates.
-    fn enter_changes_of_slopes(
-        &mut self,
-        graph: &mut Graph,
-        slopes: &[(usize, Vector)],
-        load: Vector,
-    ) {
+        // Where the direction of a rate depends on the coordinates.
         for (row, slope) in slopes {
             for (column, _) in slopes {
-                let change = derivative(graph, *slope, symbols(*column)[0]);
-                let value = graph.sum_of_products(change.into_iter().zip(load));
+                let change = slope.derivative(graph, symbols(*column)[0]);
+                let value = change.power(graph, &body.wrench);
                 self.enter(0, *column, *row, value);
             }
         }
-    }
-
-    /// The sliding part of a joint, along the axes of the link before.
-    fn pass_sliding(&mut self, graph: &mut Graph, index: usize, carried: &mut Carried) {
-        let equations = self.equations;
-        let slopes = &equations.joints[index].sliding;
-        let body = self.bodies[index].clone();
-        let mut columns = Vec::new();
-        for (coordinate, slope) in slopes {
-            let changes = self.perturbations.moved(graph, index, *coordinate, *slope);
-            for (kind, change) in changes.into_iter().enumerate() {
-                for row in &carried.rows {
-                    let pairs = row.momentum.force.into_iter().zip(change);
-                    let value = graph.sum_of_products(pairs);
-                    self.enter(kind, *coordinate, row.coordinate, value);
-                }
-                columns.push(Column {
-                    kind,
-                    coordinate: *coordinate,
-                    wrench: body.inertia.momentum_of_sliding(graph, change),
-                });
-            }
-        }
-        carried.columns.append(&mut columns);
-        for (coordinate, slope) in slopes {
-            for column in &carried.columns {
-                let pairs = slope.iter().copied().zip(column.wrench.force);
-                let value = graph.sum_of_products(pairs);
-                self.enter(column.kind, column.coordinate, *coordinate, value);
-            }
-            carried.rows.push(Row {
-                coordinate: *coordinate,
-                of_turning: body.coriolis.power_of_sliding(graph, *slope),
-                momentum: body.inertia.momentum_of_sliding(graph, *slope),
-            });
-        }
-        self.enter_changes_of_slopes(graph, slopes, body.wrench.force);
-        // The lever of the force changes.
+        // What the joint carries along with it.
         for (coordinate, slope) in slopes {
             let own = |column: &&mut Column| column.kind == 0 && column.coordinate == *coordinate;
             if let Some(column) = carried.columns.iter_mut().rev().find(own) {
-                let lever = cross(graph, *slope, body.wrench.force);
-                let moment = column.wrench.moment;
-                column.wrench.moment = [0, 1, 2].map(|i| total(graph, &[moment[i], lever[i]]));
+                let change = slope.rate_of(graph, &body.wrench);
+                column.wrench = column.wrench.plus(graph, change);
             }
         }
     }

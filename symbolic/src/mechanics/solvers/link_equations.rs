@@ -2,7 +2,8 @@
 //! and Euler.
 
 use crate::mechanics::mechanism::Mechanism;
-use crate::mechanics::solvers::newton_euler::{Joint, Wrench};
+use crate::mechanics::solvers::newton_euler::Joint;
+use crate::mechanics::solvers::spatial_vectors::Wrench;
 use crate::{Expression, Graph, LinearSystem, Model, Symbol};
 
 /// The equations of motion of a mechanism.

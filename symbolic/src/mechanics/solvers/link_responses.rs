@@ -7,10 +7,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::mechanics::mechanism::{Turn, Vector, kept};
+use crate::mechanics::mechanism::{Turn, Vector, kept, total};
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, InertiaRow, Step, Unknown, angular, linear,
+    EliminatedRow, InertiaRow, Slope, Step, Unknown, angular, linear,
 };
 use crate::{Expression, Graph, Rational};
 
@@ -98,9 +98,7 @@ impl LinkResponses {
             response.substitute(graph, step, &none);
         }
         match step {
-            Step::SplitOff(unknowns, coordinate, slope) => {
-                self.undo_split(graph, *unknowns, *coordinate, *slope);
-            }
+            Step::SplitOff(slope) => self.undo_split(graph, slope),
             Step::Eliminate(row) => self.undo_elimination(graph, row),
             Step::Turn(link, turn) => self.undo_turn(graph, *link, turn),
             Step::Shift(link, parent, place) => match parent {
@@ -111,39 +109,34 @@ impl LinkResponses {
     }
 
     /// x := x + e q̈.
-    fn undo_split(
-        &mut self,
-        graph: &mut Graph,
-        unknowns: [Unknown; 3],
-        coordinate: usize,
-        slope: Vector,
-    ) {
-        let own = Unknown::Coordinate(coordinate);
-        let others: Vec<_> = self.matrix.keys().copied().collect();
-        let others = others.into_iter().filter(|v| !unknowns.contains(v));
+    fn undo_split(&mut self, graph: &mut Graph, slope: &Slope) {
+        let own = Unknown::Coordinate(slope.coordinate);
+        let moves = |v: &Unknown| slope.along.iter().any(|(u, _)| u == v);
+        let others: Vec<_> = self.matrix.keys().copied().filter(|v| !moves(v)).collect();
         let square = self.entry(graph, own, own);
-        let across = unknowns.map(|u| self.entry(graph, own, u));
+        let along = slope.along.iter();
+        let along: Vec<_> = along
+            .map(|(u, e)| (*u, *e, self.entry(graph, own, *u)))
+            .collect();
         for v in others {
             let rate = self.entry(graph, own, v);
-            for (u, e) in unknowns.into_iter().zip(slope) {
-                let change = graph.multiply(e, rate);
-                let sum = graph.add(self.entry(graph, u, v), change);
+            for (u, e, _) in &along {
+                let change = graph.multiply(*e, rate);
+                let sum = graph.add(self.entry(graph, *u, v), change);
                 let sum = if v == own { sum } else { kept(graph, sum) };
-                self.set(u, v, sum);
+                self.set(*u, v, sum);
             }
         }
-        for i in 0..3 {
-            for j in i..3 {
-                let squared = graph.multiply(slope[i], slope[j]);
+        for (i, (u, e, across)) in along.iter().enumerate() {
+            for (v, other, other_across) in &along[i..] {
+                let squared = graph.multiply(*e, *other);
                 let changes = [
-                    (self.entry(graph, unknowns[i], unknowns[j]), Rational::ONE),
-                    (graph.multiply(slope[i], across[j]), Rational::ONE),
-                    (graph.multiply(slope[j], across[i]), Rational::ONE),
-                    (graph.multiply(squared, square), Rational::ONE),
+                    self.entry(graph, *u, *v),
+                    graph.multiply(*e, *other_across),
+                    graph.multiply(*other, *across),
+                    graph.multiply(squared, square),
                 ];
-                let sum = graph.sum(changes);
-                let sum = kept(graph, sum);
-                self.set(unknowns[i], unknowns[j], sum);
+                self.set(*u, *v, total(graph, &changes));
             }
         }
     }

@@ -15,7 +15,7 @@ use crate::matrix::ldlt::stability::exceeds;
 use crate::mechanics::mechanism::Inertia;
 use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, Step, TwistElimination, Unknown, angular, linear,
+    EliminatedRow, Step, TwistElimination, Unknown, twist,
 };
 use crate::{Expression, Graph, Rational};
 
@@ -42,10 +42,9 @@ impl MultiplierElimination {
     ) -> Self {
         for (multiplier, constraint) in (coordinates..).zip(constraints) {
             let own = Unknown::Coordinate(multiplier);
-            for (link, [turning, moving]) in &constraint.links {
-                let unknowns = angular(*link).into_iter().chain(linear(*link));
-                for (unknown, coefficient) in unknowns.zip(turning.iter().chain(moving)) {
-                    let entry = graph.negate(*coefficient);
+            for (link, coefficients) in &constraint.links {
+                for (unknown, coefficient) in twist(*link).zip(coefficients.components()) {
+                    let entry = graph.negate(coefficient);
                     elimination.add(graph, own, unknown, entry);
                 }
             }
@@ -256,7 +255,6 @@ impl Diagonal {
         let tensor = inertia.tensor(graph);
         let entries = [tensor[0][0], tensor[1][1], tensor[2][2]];
         let entries = entries.into_iter().chain([inertia.mass; 3]);
-        let unknowns = angular(link).into_iter().chain(linear(link));
-        Self(unknowns.zip(entries).collect())
+        Self(twist(link).zip(entries).collect())
     }
 }

@@ -8,6 +8,7 @@
 use std::collections::BTreeMap;
 
 use crate::mechanics::mechanism::{Inertia, Turn, Vector, kept};
+use crate::mechanics::solvers::spatial_vectors::Twist;
 use crate::{Expression, Graph, Rational};
 
 /// An unknown.
@@ -50,6 +51,11 @@ pub(crate) const fn linear(link: usize) -> [Unknown; 3] {
     ]
 }
 
+/// The six unknowns of a link.
+pub(crate) fn twist(link: usize) -> impl Iterator<Item = Unknown> {
+    (0..6).map(move |i| Unknown::Twist(link, i))
+}
+
 /// The row of an eliminated coordinate: D q̈ = h − Σ entries · x.
 #[derive(Clone, Debug)]
 pub(crate) struct EliminatedRow {
@@ -61,10 +67,30 @@ pub(crate) struct EliminatedRow {
     pub(crate) others: Vec<(Unknown, Expression, Expression)>,
 }
 
+/// The part e q̈ that a coordinate has in the accelerations of a link.
+pub(crate) struct Slope {
+    pub(crate) coordinate: usize,
+    /// e, of the angular acceleration if it turns, and of the acceleration of the origin if it slides.
+    pub(crate) along: Vec<(Unknown, Expression)>,
+}
+
+impl Slope {
+    /// The twist of a link that a unit velocity of a coordinate gives.
+    pub(crate) fn of(graph: &Graph, link: usize, (coordinate, of): (usize, Twist)) -> Self {
+        let mut along = Vec::new();
+        for (unknowns, e) in [(angular(link), of.angular), (linear(link), of.linear)] {
+            if !e.iter().all(|x| graph.is_zero(*x)) {
+                along.extend(unknowns.into_iter().zip(e));
+            }
+        }
+        Self { coordinate, along }
+    }
+}
+
 /// One step of an elimination along links.
 pub(crate) enum Step {
-    /// x := x + e q̈ of three unknowns.
-    SplitOff([Unknown; 3], usize, Vector),
+    /// x := x + e q̈.
+    SplitOff(Slope),
     Eliminate(EliminatedRow),
     Turn(usize, Turn),
     /// From a link to the link before, from whose origin this one's is at a place.
@@ -123,9 +149,9 @@ impl TwistElimination {
         self.rows.get(&unknown).cloned().unwrap_or_default()
     }
 
-    /// The rows of three unknowns.
-    pub(crate) fn rows(&self, unknowns: [Unknown; 3]) -> [InertiaRow; 3] {
-        unknowns.map(|u| self.row(u))
+    /// The rows of a link.
+    pub(crate) fn rows(&self, link: usize) -> Vec<InertiaRow> {
+        twist(link).map(|u| self.row(u)).collect()
     }
 
     /// A block of three by three.
@@ -155,25 +181,19 @@ impl TwistElimination {
         }
     }
 
-    /// x := x + e q̈ᵢ of three unknowns.
-    pub(crate) fn split_off(
-        &mut self,
-        graph: &mut Graph,
-        unknowns: [Unknown; 3],
-        coordinate: usize,
-        slope: Vector,
-    ) {
-        let own = Unknown::Coordinate(coordinate);
+    /// x := x + e q̈ᵢ.
+    pub(crate) fn split_off(&mut self, graph: &mut Graph, slope: &Slope) {
+        let own = Unknown::Coordinate(slope.coordinate);
         let mut changes = Vec::new();
         for v in self.rows.keys().copied().collect::<Vec<_>>() {
-            let pairs = unknowns.iter().zip(slope);
-            let pairs: Vec<_> = pairs.map(|(u, e)| (e, self.entry(graph, *u, v))).collect();
+            let pairs = slope.along.iter();
+            let pairs: Vec<_> = pairs.map(|(u, e)| (*e, self.entry(graph, *u, v))).collect();
             changes.push((v, graph.sum_of_products(pairs)));
         }
         let mut square = Vec::new();
         for (v, change) in changes {
-            if let Some(i) = unknowns.iter().position(|u| *u == v) {
-                square.push((graph.multiply(slope[i], change), Rational::ONE));
+            if let Some((_, e)) = slope.along.iter().find(|(u, _)| *u == v) {
+                square.push((graph.multiply(*e, change), Rational::ONE));
             }
             if v == own {
                 square.push((change, Rational::integer(2)));
