@@ -66,7 +66,8 @@ impl ArticulatedLinks {
     ) -> Option<Self> {
         let coordinates = equations.forces.len();
         let mut uses = uses(&equations.joints, coordinates);
-        let mut elimination = TwistElimination::of_coordinates(graph, &equations.other_mass);
+        let mass = &equations.other_mass;
+        let mut elimination = TwistElimination::new(graph, mass, Unknown::Coordinate);
         let mut multipliers =
             MultiplierElimination::of(graph, &mut elimination, constraints, coordinates);
         let mut steps = Vec::new();
@@ -83,7 +84,7 @@ impl ArticulatedLinks {
             let moved = (i, equations.mechanism.moved.get(i).unwrap_or(&nothing));
             multipliers.eliminate_determined(graph, &mut elimination, moved, &mut steps);
             let inertia = &mut inertias[i];
-            inertia.turning = elimination.rows(i);
+            inertia.turning = elimination.rows_of(i);
             let mut passage = Passage {
                 elimination: &mut elimination,
                 multipliers: &mut multipliers,
@@ -93,7 +94,7 @@ impl ArticulatedLinks {
             passage.split_off(graph, i, &joint.turning)?;
             passage.elimination.turn(graph, i, &link.turn);
             passage.steps.push(Step::Turn(i, link.turn));
-            inertia.sliding = passage.elimination.rows(i);
+            inertia.sliding = passage.elimination.rows_of(i);
             passage.split_off(graph, i, &joint.sliding)?;
             inertia.shift = linear(i).map(|unknown| passage.elimination.row(unknown));
             passage.elimination.shift(graph, i, link.place);

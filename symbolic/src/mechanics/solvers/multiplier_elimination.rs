@@ -45,12 +45,12 @@ impl MultiplierElimination {
             for (link, coefficients) in &constraint.links {
                 for (unknown, coefficient) in twist(*link).zip(coefficients.components()) {
                     let entry = graph.negate(coefficient);
-                    elimination.add(graph, own, unknown, entry);
+                    elimination.increase(graph, own, unknown, entry);
                 }
             }
             for (coordinate, coefficient) in &constraint.coordinates {
                 let entry = graph.negate(*coefficient);
-                elimination.add(graph, own, Unknown::Coordinate(*coordinate), entry);
+                elimination.increase(graph, own, Unknown::Coordinate(*coordinate), entry);
             }
         }
         Self {
