@@ -103,7 +103,8 @@ impl RightHandSide {
 
     /// The right-hand side over the pivot.
     pub(crate) fn eliminate(&mut self, graph: &mut Graph, row: &EliminatedRow) -> Expression {
-        let own = self.get(graph, Unknown::Coordinate(row.coordinate));
+        let own = self.0.remove(&Unknown::Coordinate(row.coordinate));
+        let own = own.unwrap_or(graph.zero());
         let force = kept(graph, own);
         let quotient = graph.multiply(force, row.reciprocal);
         let quotient = kept(graph, quotient);

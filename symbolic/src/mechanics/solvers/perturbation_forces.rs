@@ -214,8 +214,7 @@ impl<'a> Forces<'a> {
         }
         let masses = &self.solver.inertias[index].shift;
         coriolis.shift(graph, index, link.place, speed, masses);
-        let coriolis = coriolis.at(index, parent);
-        self.coriolis[parent].add(graph, coriolis);
+        self.coriolis[parent].add(graph, &coriolis, [index, parent]);
         let wrench = wrench.moved(graph, link.place);
         self.wrenches[parent] = self.wrenches[parent].plus(graph, wrench);
         self.rows[parent].extend(rows.iter().cloned());
