@@ -65,17 +65,8 @@ impl Kinetics {
         kinetics
     }
 
-    /// The accelerations by each solver that applies, to compare them.
-    pub fn solutions(model: &mut Model, equations: &Equations) -> Vec<Solution> {
-        let (_, solvers) = Self::with_solvers(model, equations);
-        let solvers = solvers.into_iter();
-        solvers
-            .map(|solver| Solution::by(&mut model.graph, solver))
-            .collect()
-    }
-
     /// The kinetics without a solution, and the solvers that apply.
-    fn with_solvers(model: &mut Model, equations: &Equations) -> (Self, Vec<Solver>) {
+    pub(crate) fn with_solvers(model: &mut Model, equations: &Equations) -> (Self, Vec<Solver>) {
         let declared = QuasiVelocities::declared(&mut model.graph, equations.lagrangian);
         let forces = &equations.generalized_forces;
         let passes = model.graph.passes;
