@@ -158,9 +158,8 @@ impl ConstraintEquations {
 
     /// a in w = G q̇ + a.
     pub fn rheonomic(&self, model: &mut Model) -> Vec<Expression> {
-        let zero = model.graph.zero();
-        let at_rest = (0..model.coordinates).map(|i| (Symbol::Velocity(i), zero));
-        model.graph.substitute(&self.velocities, &at_rest.collect())
+        let velocities = model.velocity_symbols();
+        model.graph.at_zero(&self.velocities, &velocities)
     }
 
     /// Whether a constraint, as they are ordered here, restricts the coordinates: it is holonomic, or in disguise.

@@ -172,9 +172,8 @@ impl Kinetics {
         if graph.contains(&self.mass.concat(), is_velocity) {
             return None;
         }
-        let zero = graph.zero();
-        let at_rest = (0..model.coordinates).map(|i| (Symbol::Velocity(i), zero));
-        let offsets = graph.substitute(&self.energies.momenta, &at_rest.collect());
+        let velocities: Vec<_> = (0..model.coordinates).map(Symbol::Velocity).collect();
+        let offsets = graph.at_zero(&self.energies.momenta, &velocities);
         let mut right = Vec::with_capacity(offsets.len());
         for (i, offset) in (0..).zip(offsets) {
             let momentum = graph.symbol(Symbol::RightHandSide(i));

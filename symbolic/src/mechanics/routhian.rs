@@ -327,9 +327,8 @@ impl Split {
         let expressions = model.constraints.iter();
         let expressions: Vec<_> = expressions.map(|one| one.expression()).collect();
         let fixed = self.fixed_with(graph, &expressions, expressions.len());
-        let zero = graph.zero();
-        let at_rest = self.ignorable.iter().map(|i| (velocity(*i), zero));
-        let fixed = graph.substitute(&fixed, &at_rest.collect());
+        let velocities: Vec<_> = self.ignorable.iter().map(|i| velocity(*i)).collect();
+        let fixed = graph.at_zero(&fixed, &velocities);
         let pairs = model.constraints.iter().zip(fixed);
         pairs
             .map(|(one, expression)| one.with_expression(expression))

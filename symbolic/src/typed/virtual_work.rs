@@ -5,8 +5,6 @@
 //! the work λ·(∂g/∂θ) δθ has the moment as its factor. Of a nonholonomic constraint w = 0 it is the virtual power, with
 //! ∂w/∂ṗ in place of ∂g/∂p (Lanczos, The Variational Principles of Mechanics, 1970, III).
 
-use std::collections::BTreeMap;
-
 use crate::typed::components::Components;
 use crate::typed::evaluation::Evaluation;
 use crate::typed::graph::TypedGraph;
@@ -47,12 +45,10 @@ impl TypedGraph {
             &rates
         };
         let columns = graph.jacobian(&residuals, varied);
-        let zero = graph.zero();
-        let at_zero = displacements.iter().chain(&rates);
-        let at_zero: BTreeMap<_, _> = at_zero.map(|symbol| (*symbol, zero)).collect();
+        let all = [&*displacements, &rates].concat();
         let mut found = Vec::with_capacity(count);
         for column in columns {
-            let slopes = graph.substitute(&column, &at_zero);
+            let slopes = graph.at_zero(&column, &all);
             let pairs = slopes.into_iter().zip(forces.multipliers.iter().copied());
             found.push(graph.sum_of_products(pairs));
         }
