@@ -11,6 +11,7 @@ use crate::limits::{
     MIN_DIFFERENTIATED_ALONG_LINKS, SCHEDULING_MARGIN,
 };
 use crate::matrix::ldlt::Ldlt;
+use crate::matrix::rows::agree;
 use crate::mechanics::constraints::ConstraintEquations;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::energy_functions::EnergyFunctions;
@@ -370,9 +371,7 @@ fn link_equations(model: &mut Model, equations: &Equations) -> Option<LinkEquati
     let links = LinkEquations::of_mechanism(model, mechanism, &equations.generalized_forces);
     let graph = &mut model.graph;
     let found = links.inverse_dynamics(graph);
-    let pairs = found.iter().zip(&equations.inverse_dynamics);
-    let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
-    graph.vanishes(&differences).then_some(links)
+    agree(graph, &found, &equations.inverse_dynamics).then_some(links)
 }
 
 /// The solvers by as many quasi-velocities as there are coordinates.

@@ -21,6 +21,7 @@ mod system;
 use std::collections::BTreeMap;
 
 use crate::algebra::half_angles::HalfAngleForm;
+use crate::matrix::rows::agree;
 use crate::mechanics::conservation::independent_of;
 use crate::{Constraint, Energies, Equations, Expression, Graph, Model, Symbol};
 use elimination::Elimination;
@@ -313,9 +314,7 @@ impl Split {
             let value = graph.integer(number);
             let values = self.ignorable.iter().map(|i| (coordinate(*i), value));
             let fixed = graph.substitute(roots, &values.collect());
-            let pairs = roots.iter().zip(&fixed).take(compared);
-            let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
-            if graph.vanishes(&differences) {
+            if agree(graph, &roots[..compared], &fixed) {
                 return fixed;
             }
         }

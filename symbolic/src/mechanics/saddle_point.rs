@@ -8,6 +8,7 @@
 //! momenta are p − Gᵀ ṡ and −w, so that s̈ is λ. Multipliers therefore follow the accelerations of the coordinates, as further
 //! accelerations.
 
+use crate::matrix::rows::{differences, sums};
 use crate::mechanics::constraints::{Constraint, ConstraintEquations};
 use crate::mechanics::model::Energies;
 use crate::{Equations, Expression, Graph, LinearSystem, Model, Rational, Symbol};
@@ -42,11 +43,8 @@ impl ConstraintEquations {
         graph: &mut Graph,
         inverse_dynamics: &[Expression],
     ) -> Vec<Expression> {
-        let mut residuals = Vec::with_capacity(inverse_dynamics.len() + self.len());
         let reactions = self.reactions(graph, inverse_dynamics.len());
-        for (residual, reaction) in inverse_dynamics.iter().zip(reactions) {
-            residuals.push(graph.subtract(*residual, reaction));
-        }
+        let mut residuals = differences(graph, inverse_dynamics, &reactions);
         for (row, rate) in self.jacobian.iter().zip(&self.rates) {
             let mut terms = vec![(*rate, Rational::MINUS_ONE)];
             for (i, entry) in (0..).zip(row) {
@@ -83,17 +81,13 @@ impl ConstraintEquations {
 impl Equations {
     /// The equations with the reactions among the forces.
     pub(crate) fn with_reactions(&self, graph: &mut Graph) -> Self {
-        let mut equations = self.clone();
         let reactions = self.constraints.reactions(graph, self.mass.len());
-        for (i, reaction) in reactions.into_iter().enumerate() {
-            let force = &mut equations.generalized_forces[i];
-            *force = graph.add(*force, reaction);
-            let forcing = &mut equations.forcing[i];
-            *forcing = graph.add(*forcing, reaction);
-            let residual = &mut equations.inverse_dynamics[i];
-            *residual = graph.subtract(*residual, reaction);
+        Self {
+            generalized_forces: sums(graph, &self.generalized_forces, &reactions),
+            forcing: sums(graph, &self.forcing, &reactions),
+            inverse_dynamics: differences(graph, &self.inverse_dynamics, &reactions),
+            ..self.clone()
         }
-        equations
     }
 }
 

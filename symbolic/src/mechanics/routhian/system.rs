@@ -2,6 +2,7 @@
 //! [Routh's reduction](super).
 
 use super::elimination::Elimination;
+use crate::matrix::rows::{self, sums};
 use crate::{Energies, Expression, Graph, Rational, Symbol};
 
 /// The full model without ignorable coordinates, in its own numbers.
@@ -90,14 +91,13 @@ impl System {
         }
         let gyroscopic = graph.sum(gyroscopic);
         let gyroscopic = graph.simplest(gyroscopic);
-        let rates = constant.iter().zip(&driven);
         Some(Reduced {
             energies: Energies::Natural {
                 kinetic,
                 potential: graph.add(effective_potential, gyroscopic),
             },
             effective_potential,
-            velocities: rates.map(|(x, y)| graph.add(*x, *y)).collect(),
+            velocities: sums(graph, &constant, &driven),
         })
     }
 
@@ -179,13 +179,8 @@ impl System {
     }
 }
 
-/// x − y, entry by entry.
+/// x − y, entry by entry, each in its simplest form.
 fn differences(graph: &mut Graph, x: &[Expression], y: &[Expression]) -> Vec<Expression> {
-    let pairs = x.iter().zip(y);
-    pairs
-        .map(|(x, y)| {
-            let difference = graph.subtract(*x, *y);
-            graph.simplest(difference)
-        })
-        .collect()
+    let differences = rows::differences(graph, x, y).into_iter();
+    differences.map(|x| graph.simplest(x)).collect()
 }

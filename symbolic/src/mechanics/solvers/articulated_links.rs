@@ -10,6 +10,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::matrix::rows::sums;
 use crate::mechanics::mechanism::Inertia;
 use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::link_equations::LinkEquations;
@@ -191,10 +192,7 @@ impl ArticulatedLinks {
         let quotients = self.eliminate(graph, residuals);
         let corrections = self.substitute(graph, &quotients);
         let corrections = self.unknowns(graph, &corrections);
-        let pairs = found.into_iter().zip(corrections);
-        pairs
-            .map(|(x, correction)| graph.add(x, correction))
-            .collect()
+        sums(graph, &found, &corrections)
     }
 
     /// M q̈ − f with the accelerations as symbols.

@@ -6,7 +6,7 @@
 //! the declaration was written. A recursion takes as many steps as the tree has edges, where the mass matrix has
 //! an entry for each pair of coordinates.
 
-use crate::matrix::rows::product;
+use crate::matrix::rows::{differences, product};
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
@@ -50,7 +50,7 @@ impl KinematicTree {
         let mut additions = Vec::with_capacity(matrix.len());
         for k in 0..matrix.len() {
             let parent = parent(graph, &matrix, k);
-            let local = differences(&matrix, parent, k, graph.zero());
+            let local = changes(&matrix, parent, k, graph.zero());
             let mut terms = vec![(offsets[k], Rational::ONE)];
             if let Some(parent) = parent {
                 terms.push((offsets[parent], Rational::MINUS_ONE));
@@ -205,10 +205,7 @@ impl KinematicTree {
         let rates = self.sums_from_root(graph, &velocity_products);
         let forces = product(graph, &self.inertia, &rates);
         let forces = self.transpose_product(graph, &forces);
-        let pairs = self.right.iter().zip(forces);
-        pairs
-            .map(|(right, force)| graph.subtract(*right, force))
-            .collect()
+        differences(graph, &self.right, &forces)
     }
 
     /// M q̈ − f = Eᵀ W ẇ − r with the accelerations as symbols.
@@ -225,10 +222,7 @@ impl KinematicTree {
         let rates = self.sums_from_root(graph, &rates);
         let forces = product(graph, &self.inertia, &rates);
         let forces = self.transpose_product(graph, &forces);
-        let pairs = forces.iter().zip(&self.right);
-        pairs
-            .map(|(force, right)| graph.subtract(*force, *right))
-            .collect()
+        differences(graph, &forces, &self.right)
     }
 }
 
@@ -250,7 +244,7 @@ fn parent(graph: &Graph, matrix: &[Vec<Expression>], k: usize) -> Option<usize> 
 }
 
 /// Where form k differs from its parent: the index, the parent's coefficient and its own.
-fn differences(
+fn changes(
     matrix: &[Vec<Expression>],
     parent: Option<usize>,
     k: usize,
