@@ -168,7 +168,7 @@ impl<U: Copy + Ord> PivotRow<U> {
     }
 
     /// One of its entries over the pivot.
-    fn factor(&self, graph: &mut Graph, entry: Expression) -> Expression {
+    pub(crate) fn factor(&self, graph: &mut Graph, entry: Expression) -> Expression {
         let factor = graph.divide(entry, self.pivot);
         self.rewritten(graph, factor)
     }

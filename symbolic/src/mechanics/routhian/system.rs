@@ -52,7 +52,7 @@ impl System {
                 return Err(position);
             }
         }
-        self.elimination = Elimination::of(graph, inertia)?;
+        self.elimination = Elimination::of(graph, &inertia)?;
         Ok(())
     }
 
