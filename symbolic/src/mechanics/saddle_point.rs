@@ -13,30 +13,29 @@ use crate::mechanics::constraints::{Constraint, ConstraintEquations};
 use crate::mechanics::model::Energies;
 use crate::{Equations, Expression, Graph, LinearSystem, Model, Rational, Symbol};
 
-impl ConstraintEquations {
-    /// The matrix of the saddle point problem, row by row; M itself without constraints.
-    pub(crate) fn matrix(
-        &self,
-        graph: &mut Graph,
-        mass: &[Vec<Expression>],
-    ) -> Vec<Vec<Expression>> {
-        let zero = graph.zero();
-        let opposite = |graph: &mut Graph, entry: &Expression| graph.negate(*entry);
-        let jacobian = self.jacobian.iter();
-        let jacobian: Vec<Vec<_>> = jacobian
-            .map(|row| row.iter().map(|entry| opposite(graph, entry)).collect())
-            .collect();
-        let mut matrix = mass.to_vec();
-        for (i, row) in matrix.iter_mut().enumerate() {
-            row.extend(jacobian.iter().map(|constraint| constraint[i]));
-        }
-        matrix.extend(jacobian);
-        for row in &mut matrix[mass.len()..] {
-            row.resize(mass.len() + self.len(), zero);
-        }
-        matrix
+/// The matrix of the saddle point problem with these M and G, row by row; M itself without constraints.
+pub(crate) fn saddle_point_matrix(
+    graph: &mut Graph,
+    mass: &[Vec<Expression>],
+    jacobian: &[Vec<Expression>],
+) -> Vec<Vec<Expression>> {
+    let jacobian: Vec<Vec<_>> = jacobian
+        .iter()
+        .map(|row| row.iter().map(|entry| graph.negate(*entry)).collect())
+        .collect();
+    let mut matrix = mass.to_vec();
+    for (i, row) in matrix.iter_mut().enumerate() {
+        row.extend(jacobian.iter().map(|constraint| constraint[i]));
     }
+    let size = mass.len() + jacobian.len();
+    matrix.extend(jacobian);
+    for row in &mut matrix {
+        row.resize(size, graph.zero());
+    }
+    matrix
+}
 
+impl ConstraintEquations {
     /// The residuals M q̈ − f − Gᵀ λ and −G q̈ − γ, from M q̈ − f.
     pub(crate) fn residuals(
         &self,
@@ -104,7 +103,7 @@ impl LinearSystem {
         let mut forcing = self.forcing;
         forcing.extend(&constraints.rates);
         Self {
-            mass: constraints.matrix(graph, &self.mass),
+            mass: saddle_point_matrix(graph, &self.mass, &constraints.jacobian),
             forcing,
             inverse_dynamics: constraints.residuals(graph, &self.inverse_dynamics),
             recursion: self.recursion,

@@ -9,6 +9,8 @@
 //!
 //! Where a joint slides and turns, it slides first, seen from the link before.
 
+use std::collections::BTreeMap;
+
 use crate::limits::MAX_DIFFERENTIATED_BOTH_WAYS;
 use crate::mechanics::mechanism::{Inertia, Vector, total};
 use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
@@ -48,31 +50,27 @@ pub(crate) fn cheapest_derivatives(
 impl LinkEquations {
     /// The derivatives of M q̈ − f by the symbols, column by column, with the accelerations as symbols.
     fn derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Vec<Expression>> {
-        let size = self.forces.len();
         let others = self.residuals_of_others(graph);
         let mut columns = graph.jacobian(&others, symbols);
         let entries = DerivativesAlongLinks::new(graph, self).entries(graph);
         let mut residuals = None;
         for (column, symbol) in columns.iter_mut().zip(symbols) {
-            let (kind, coordinate) = match *symbol {
-                Symbol::Coordinate(i) => (0, i as usize),
-                Symbol::Velocity(i) => (1, i as usize),
-                other => {
-                    let residuals = residuals.get_or_insert_with(|| self.inverse_dynamics(graph));
-                    *column = graph.derivatives(residuals, other);
-                    continue;
-                }
-            };
+            if !matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_)) {
+                let residuals = residuals.get_or_insert_with(|| self.inverse_dynamics(graph));
+                *column = graph.derivatives(residuals, *symbol);
+                continue;
+            }
             for (row, value) in column.iter_mut().enumerate() {
-                let position = (kind * size + coordinate) * size + row;
-                let mut terms = entries[position].clone();
-                terms.push((*value, Rational::ONE));
-                *value = graph.sum(terms);
+                let terms = entries.get(&(*symbol, row)).into_iter().flatten().cloned();
+                *value = graph.sum(terms.chain([(*value, Rational::ONE)]));
             }
         }
         columns
     }
 }
+
+/// The terms of derivatives by coordinates and velocities, each with its row.
+pub(crate) type DerivativeTerms = BTreeMap<(Symbol, usize), Vec<(Expression, Rational)>>;
 
 /// What is carried towards the root.
 #[derive(Clone, Default)]
@@ -91,12 +89,10 @@ struct Row {
     momentum: Wrench,
 }
 
-/// The change of the wrench by a coordinate or its velocity.
+/// The change of the wrench by a coordinate or a velocity.
 #[derive(Clone)]
 struct Column {
-    /// 0: by the coordinate; 1: by its velocity.
-    kind: usize,
-    coordinate: usize,
+    symbol: Symbol,
     wrench: Wrench,
 }
 
@@ -113,8 +109,7 @@ struct DerivativesAlongLinks<'a> {
     equations: &'a LinkEquations,
     perturbations: JointPerturbations<'a>,
     bodies: Vec<Body>,
-    /// The terms of each derivative: of each row, by each coordinate and then each velocity.
-    entries: Vec<Vec<(Expression, Rational)>>,
+    entries: DerivativeTerms,
 }
 
 impl<'a> DerivativesAlongLinks<'a> {
@@ -128,16 +123,15 @@ impl<'a> DerivativesAlongLinks<'a> {
             inertia: link.inertia.clone(),
             wrench,
         });
-        let size = equations.forces.len();
         Self {
             bodies: bodies.collect(),
             perturbations,
             equations,
-            entries: vec![Vec::new(); 2 * size * size],
+            entries: DerivativeTerms::new(),
         }
     }
 
-    fn entries(mut self, graph: &mut Graph) -> Vec<Vec<(Expression, Rational)>> {
+    fn entries(mut self, graph: &mut Graph) -> DerivativeTerms {
         let equations = self.equations;
         let mut all: Vec<Carried> = vec![Carried::default(); self.bodies.len()];
         for (i, link, joint) in equations.inward() {
@@ -159,10 +153,9 @@ impl<'a> DerivativesAlongLinks<'a> {
         self.entries
     }
 
-    fn enter(&mut self, kind: usize, column: usize, row: usize, value: Expression) {
-        let size = self.equations.forces.len();
-        let position = (kind * size + column) * size + row;
-        self.entries[position].push((value, Rational::ONE));
+    fn enter(&mut self, symbol: Symbol, row: usize, value: Expression) {
+        let terms = self.entries.entry((symbol, row)).or_default();
+        terms.push((value, Rational::ONE));
     }
 
     /// Passes a part of a joint.
@@ -173,14 +166,13 @@ impl<'a> DerivativesAlongLinks<'a> {
         let mut columns = Vec::new();
         for slope in slopes {
             let changes = self.perturbations.at(graph, index, part, *slope);
-            for (kind, change) in changes.iter().enumerate() {
+            for (symbol, change) in symbols(slope.0).into_iter().zip(&changes) {
                 for row in &carried.rows {
                     let value = change.times(graph, row.of_turning, &row.momentum);
-                    self.enter(kind, slope.0, row.coordinate, value);
+                    self.enter(symbol, row.coordinate, value);
                 }
                 columns.push(Column {
-                    kind,
-                    coordinate: slope.0,
+                    symbol,
                     wrench: body.coriolis.wrench(graph, &body.inertia, change),
                 });
             }
@@ -189,7 +181,7 @@ impl<'a> DerivativesAlongLinks<'a> {
         for (coordinate, slope) in slopes {
             for column in &carried.columns {
                 let value = slope.power(graph, &column.wrench);
-                self.enter(column.kind, column.coordinate, *coordinate, value);
+                self.enter(column.symbol, *coordinate, value);
             }
             carried.rows.push(Row {
                 coordinate: *coordinate,
@@ -199,15 +191,16 @@ impl<'a> DerivativesAlongLinks<'a> {
         }
         // Where the direction of a rate depends on the coordinates.
         for (row, slope) in slopes {
-            for (column, _) in slopes {
-                let change = slope.derivative(graph, symbols(*column)[0]);
+            for (coordinate, _) in slopes {
+                let [symbol, _] = symbols(*coordinate);
+                let change = slope.derivative(graph, symbol);
                 let value = change.power(graph, &body.wrench);
-                self.enter(0, *column, *row, value);
+                self.enter(symbol, *row, value);
             }
         }
         // What the joint carries along with it.
         for (coordinate, slope) in slopes {
-            let own = |column: &&mut Column| column.kind == 0 && column.coordinate == *coordinate;
+            let own = |column: &&mut Column| column.symbol == symbols(*coordinate)[0];
             if let Some(column) = carried.columns.iter_mut().rev().find(own) {
                 let change = slope.rate_of(graph, &body.wrench);
                 column.wrench = column.wrench.plus(graph, change);

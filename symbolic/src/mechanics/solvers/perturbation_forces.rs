@@ -3,7 +3,6 @@
 
 use std::collections::BTreeSet;
 
-use crate::Graph;
 use crate::mechanics::mechanism::{Vector, kept, total};
 use crate::mechanics::solvers::articulated_coriolis::ArticulatedCoriolis;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
@@ -13,6 +12,7 @@ use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
 use crate::mechanics::solvers::newton_euler::JointPart;
 use crate::mechanics::solvers::spatial_vectors::Wrench;
 use crate::mechanics::solvers::twist_elimination::{Step, Unknown, linear, twist};
+use crate::{Graph, Symbol};
 
 /// The negative acceleration of an eliminated coordinate, by the acceleration of a link before it.
 #[derive(Clone)]
@@ -24,11 +24,9 @@ pub(super) struct Row {
     pub(super) of_turning: Vector,
 }
 
-/// What a coordinate or its velocity perturbs at a joint.
+/// What a coordinate or a velocity perturbs at a joint.
 pub(super) struct Column {
-    /// 0: by the coordinate; 1: by its velocity.
-    pub(super) kind: usize,
-    pub(super) coordinate: usize,
+    pub(super) symbol: Symbol,
     /// The change of the acceleration of the link.
     pub(super) perturbation: Accelerations,
     /// 2 δω.
@@ -277,22 +275,21 @@ impl<'a> Forces<'a> {
         let slopes = self.solver.equations.joints[index].slopes(part);
         let inertia = self.solver.inertias[index].before(part);
         let mut columns = Vec::new();
-        for (coordinate, slope) in slopes {
-            let slope = (*coordinate, *slope);
-            let changes = self.perturbations.at(graph, index, part, slope);
-            for (kind, change) in changes.iter().enumerate() {
+        for slope in slopes {
+            let changes = self.perturbations.at(graph, index, part, *slope);
+            for (symbol, change) in symbols(slope.0).into_iter().zip(changes) {
                 let perturbation = Accelerations {
                     values: twist(index).zip(change.acceleration.components()).collect(),
                 };
                 let mut forces = RightHandSide(coriolis.forces(graph, change.turning));
                 forces.add_products(graph, inertia, &perturbation);
-                if kind == 0 {
+                if matches!(symbol, Symbol::Coordinate(_)) {
                     // What the joint carries along with it; the coordinates of the joint have no part in it.
                     let carried = slope.1.rate_of(graph, wrench);
                     forces.add_wrench(graph, index, &carried);
                     for (other, direction) in slopes {
                         let carried = direction.power(graph, &carried);
-                        let changed = direction.derivative(graph, symbols(*coordinate)[0]);
+                        let changed = direction.derivative(graph, symbol);
                         let changed = changed.power(graph, wrench);
                         let difference = graph.subtract(changed, carried);
                         forces.add(graph, Unknown::Coordinate(*other), difference);
@@ -300,8 +297,7 @@ impl<'a> Forces<'a> {
                 }
                 forces.keep(graph);
                 columns.push(Column {
-                    kind,
-                    coordinate: *coordinate,
+                    symbol,
                     perturbation,
                     turning: change.turning,
                     forces,
