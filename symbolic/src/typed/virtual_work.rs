@@ -6,7 +6,6 @@
 //! ∂w/∂ṗ in place of ∂g/∂p (Lanczos, The Variational Principles of Mechanics, 1970, III).
 
 use crate::typed::components::Components;
-use crate::typed::evaluation::Evaluation;
 use crate::typed::graph::TypedGraph;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::{Axis, Expression, Matrix, Rational, Symbol};
@@ -88,6 +87,7 @@ impl TypedGraph {
         whole: Value,
         count: usize,
     ) -> Option<Vec<Expression>> {
+        let coordinates = self.coordinates + u32::try_from(count).ok()?;
         let (first, last) = (quantity.0 as usize, whole.0 as usize);
         let mut known = self.components[..=last].to_vec();
         let mut changes = vec![false; last + 1];
@@ -96,12 +96,8 @@ impl TypedGraph {
         for (i, operation) in self.operations[..=last].iter().enumerate().skip(first + 1) {
             let arguments = operation.arguments();
             if arguments.iter().any(|x| changes[x.0 as usize]) {
-                let mut evaluation = Evaluation {
-                    geometry: &mut self.geometry,
-                    coordinates: self.coordinates + u32::try_from(count).ok()?,
-                    known: &known,
-                };
-                known[i] = evaluation.evaluate(operation).ok();
+                let components = operation.evaluate(&mut self.geometry, coordinates, &known);
+                known[i] = components.ok();
                 changes[i] = true;
             }
         }
