@@ -44,6 +44,8 @@ pub(crate) struct ArticulatedBodies {
     steps: Vec<EliminationStep>,
     /// The expressions that must be positive: the pivots, and the unit of inertia that they are relative to.
     pub(crate) pivots: Vec<Expression>,
+    /// What q̈ is divided by: the pivot of each coordinate, and the unit of inertia.
+    pub(crate) divisors: Vec<Pivot>,
 }
 
 impl ArticulatedBodies {
@@ -57,25 +59,7 @@ impl ArticulatedBodies {
             quadratic.eliminate(graph, coordinate, limit)?;
         }
         let steps = quadratic.steps;
-        let mut pivots: Vec<_> = steps
-            .iter()
-            .filter_map(|step| match step {
-                EliminationStep::Eliminate(_, row) => Some(row.pivot),
-                EliminationStep::Substitute(_) => None,
-            })
-            .collect();
-        pivots.push(tree.unit);
-        pivots.retain(|pivot| graph.as_constant(*pivot).is_none_or(Rational::is_negative));
-        Some(Self {
-            tree,
-            steps,
-            pivots,
-        })
-    }
-
-    /// What q̈ is divided by: the pivot of each coordinate, and the unit of inertia.
-    pub(crate) fn divisors(&self) -> Vec<Pivot> {
-        let pivots = self.steps.iter().filter_map(|step| match step {
+        let divisors = steps.iter().filter_map(|step| match step {
             EliminationStep::Eliminate(coordinate, row) => Some(Pivot {
                 value: row.pivot,
                 coordinates: vec![*coordinate],
@@ -83,21 +67,23 @@ impl ArticulatedBodies {
             EliminationStep::Substitute(_) => None,
         });
         let unit = Pivot {
-            value: self.tree.unit,
-            coordinates: (0..self.tree.right.len()).collect(),
+            value: tree.unit,
+            coordinates: (0..tree.right.len()).collect(),
         };
-        pivots.chain([unit]).collect()
+        let divisors: Vec<_> = divisors.chain([unit]).collect();
+        let mut pivots: Vec<_> = divisors.iter().map(|pivot| pivot.value).collect();
+        pivots.retain(|pivot| graph.as_constant(*pivot).is_none_or(Rational::is_negative));
+        Some(Self {
+            tree,
+            steps,
+            pivots,
+            divisors,
+        })
     }
 
     /// The accelerations.
     pub(crate) fn accelerations(&self, graph: &mut Graph) -> Vec<Expression> {
-        let velocity_products: Vec<_> = self
-            .tree
-            .forms
-            .iter()
-            .map(|form| form.velocity_product)
-            .collect();
-        self.solve(graph, &self.tree.right, &velocity_products)
+        self.solve(graph, &self.tree.right, &self.tree.velocity_products())
     }
 
     /// x in M x = r, for M and r in the tree's unit.

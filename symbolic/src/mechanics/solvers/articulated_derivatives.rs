@@ -11,7 +11,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::mechanics::mechanism::kept;
+use crate::mechanics::mechanism::{difference, kept};
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::link_derivatives::DerivativeTerms;
 use crate::mechanics::solvers::link_responses::LinkResponses;
@@ -207,8 +207,7 @@ impl Entries {
             for (unknown, value) in &mut motion.values {
                 let change = column.perturbation.values.get(unknown);
                 let change = change.copied().unwrap_or(graph.zero());
-                let difference = graph.subtract(change, *value);
-                *value = kept(graph, difference);
+                *value = difference(graph, change, *value);
             }
             for row in &meeting.rows {
                 let motion = row.forces.power(graph, &motion);

@@ -54,8 +54,8 @@ pub(crate) struct ArticulatedLinks {
     pub(crate) inertias: Vec<PassedInertia>,
     /// The expressions that must be positive.
     pub(crate) pivots: Vec<Expression>,
-    /// What q̈ is divided by: the pivots of coordinates, and the opposites of the pivots of multipliers.
-    divisors: Vec<Pivot>,
+    /// What q̈ is divided by, with the coordinate or multiplier of each: the pivots of coordinates, and the opposites of the pivots of multipliers.
+    pub(crate) divisors: Vec<Pivot>,
 }
 
 impl ArticulatedLinks {
@@ -124,11 +124,6 @@ impl ArticulatedLinks {
     /// Whether there are no constraints.
     pub(crate) const fn is_free(&self) -> bool {
         self.constraints.is_empty()
-    }
-
-    /// What q̈ is divided by, with the coordinate or multiplier of each.
-    pub(crate) fn divisors(&self) -> Vec<Pivot> {
-        self.divisors.clone()
     }
 
     /// The accelerations, and the intermediate results of the recursion in its order: the wrenches of the links outwards, and

@@ -9,7 +9,7 @@
 //! matrix of Echeandia and Wensing, Numerical methods to compute the Coriolis matrix and Christoffel symbols for rigid-body
 //! systems, 2021, that the velocity of the origin has no share in.
 
-use crate::mechanics::mechanism::{Inertia, Turn, Vector, cross, kept, total};
+use crate::mechanics::mechanism::{Inertia, Turn, Vector, cross, difference, inner, total};
 use crate::mechanics::solvers::spatial_vectors::{Twist, Wrench};
 use crate::{Expression, Graph};
 
@@ -34,10 +34,8 @@ impl CoriolisMatrix {
     pub(crate) fn of(graph: &mut Graph, inertia: &Inertia, angular_velocity: Vector) -> Self {
         let force = cross(graph, inertia.first, angular_velocity);
         // S is symmetric: its rows are its columns.
-        let columns = inertia.second.map(|column| {
-            let product = graph.cross(column, angular_velocity);
-            product.map(|x| kept(graph, x))
-        });
+        let columns = inertia.second;
+        let columns = columns.map(|column| cross(graph, column, angular_velocity));
         Self {
             force,
             moment: transposed(columns),
@@ -72,17 +70,13 @@ impl CoriolisMatrix {
     ) -> Self {
         let force = [0, 1, 2].map(|i| {
             let momentum = graph.multiply(inertia.mass, speed[i]);
-            let difference = graph.subtract(self.force[i], momentum);
-            kept(graph, difference)
+            difference(graph, self.force[i], momentum)
         });
         // [x ×] [y ×] = y xᵀ − (x · y) 1.
         let first = inertia.first;
-        let inner = graph.sum_of_products(first.into_iter().zip(speed));
-        let outer = graph.sum_of_products(place.into_iter().zip(force));
-        let inner = kept(graph, inner);
-        let outer = kept(graph, outer);
-        let difference = graph.subtract(inner, outer);
-        let difference = kept(graph, difference);
+        let along_speed = inner(graph, first.into_iter().zip(speed));
+        let along_place = inner(graph, place.into_iter().zip(force));
+        let diagonal = difference(graph, along_speed, along_place);
         let moment = [0, 1, 2].map(|i| {
             [0, 1, 2].map(|j| {
                 let minus = graph.negate(speed[i]);
@@ -90,7 +84,7 @@ impl CoriolisMatrix {
                 let products = graph.sum_of_products(products);
                 let mut terms = vec![self.moment[i][j], products];
                 if i == j {
-                    terms.push(difference);
+                    terms.push(diagonal);
                 }
                 total(graph, &terms)
             })

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::mechanics::mechanism::{Vector, cross, kept, total};
+use crate::mechanics::mechanism::{Vector, cross, inner, kept, total};
 use crate::mechanics::solvers::coriolis_matrix::Perturbation;
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::newton_euler::{JointPart, Motion};
@@ -130,10 +130,8 @@ impl<'a> JointPerturbations<'a> {
         symbols(coordinate).map(|symbol| {
             let mut parts = Vec::new();
             if matches!(symbol, Symbol::Coordinate(_)) {
-                parts.push(before.field.map(|row| {
-                    let sum = graph.sum_of_products(row.into_iter().zip(slope));
-                    kept(graph, sum)
-                }));
+                let rows = before.field;
+                parts.push(rows.map(|row| inner(graph, row.into_iter().zip(slope))));
             }
             let change = derivative(graph, speed, symbol);
             let coriolis = graph.cross(before.angular_velocity, change);

@@ -137,7 +137,13 @@ impl KinematicTree {
         }
     }
 
-    /// W w.
+    /// The relative velocity-product acceleration of each form.
+    pub(crate) fn velocity_products(&self) -> Vec<Expression> {
+        let forms = self.forms.iter();
+        forms.map(|form| form.velocity_product).collect()
+    }
+
+    /// W w, or the forces W ẇ, of sums from the root.
     fn momenta(&self, graph: &mut Graph, additions: &[Expression]) -> Vec<Expression> {
         let values = self.sums_from_root(graph, additions);
         product(graph, &self.inertia, &values)
@@ -197,13 +203,7 @@ impl KinematicTree {
 
     /// The forcing f = r − Eᵀ W D w in M q̈ = f.
     pub(crate) fn forcing(&self, graph: &mut Graph) -> Vec<Expression> {
-        let velocity_products: Vec<_> = self
-            .forms
-            .iter()
-            .map(|form| form.velocity_product)
-            .collect();
-        let rates = self.sums_from_root(graph, &velocity_products);
-        let forces = product(graph, &self.inertia, &rates);
+        let forces = self.momenta(graph, &self.velocity_products());
         let forces = self.transpose_product(graph, &forces);
         differences(graph, &self.right, &forces)
     }
@@ -219,8 +219,7 @@ impl KinematicTree {
             }
             rates.push(graph.sum(terms));
         }
-        let rates = self.sums_from_root(graph, &rates);
-        let forces = product(graph, &self.inertia, &rates);
+        let forces = self.momenta(graph, &rates);
         let forces = self.transpose_product(graph, &forces);
         differences(graph, &forces, &self.right)
     }

@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::matrix::symmetric_elimination::SymmetricElimination;
-use crate::mechanics::mechanism::{kept, total};
+use crate::mechanics::mechanism::{inner, kept, total};
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
 use crate::mechanics::solvers::twist_elimination::{
     EliminatedRow, Slope, Step, Unknown, angular, linear,
@@ -36,8 +36,7 @@ impl LinkResponses {
             let pairs = forces
                 .iter()
                 .filter_map(|(v, force)| Some((*row.get(v)?, *force)));
-            let sum = graph.sum_of_products(pairs);
-            response.insert(*unknown, kept(graph, sum));
+            response.insert(*unknown, inner(graph, pairs));
         }
         response
     }
@@ -140,8 +139,7 @@ impl LinkResponses {
                 .iter()
                 .map(|(u, _, ratio)| (*ratio, self.matrix.entry(graph, *u, v)));
             let pairs: Vec<_> = pairs.collect();
-            let sum = graph.sum_of_products(pairs);
-            let sum = kept(graph, sum);
+            let sum = inner(graph, pairs);
             sums.insert(v, sum);
             let mut terms = vec![(sum, Rational::MINUS_ONE)];
             for (u, ..) in &units {

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::mechanics::mechanism::{Turn, Vector, kept, total};
+use crate::mechanics::mechanism::{Turn, Vector, difference, kept, total};
 use crate::mechanics::solvers::spatial_vectors::Wrench;
 use crate::mechanics::solvers::twist_elimination::{
     EliminatedRow, InertiaRow, Slope, Step, Unknown, angular, linear, twist,
@@ -83,8 +83,7 @@ impl RightHandSide {
             } else {
                 graph.multiply(*ratio, force)
             };
-            let change = graph.subtract(self.get(graph, *unknown), change);
-            let change = kept(graph, change);
+            let change = difference(graph, self.get(graph, *unknown), change);
             self.0.insert(*unknown, change);
         }
         force
@@ -114,8 +113,7 @@ impl RightHandSide {
             } else {
                 graph.multiply(*entry, quotient)
             };
-            let change = graph.subtract(self.get(graph, *v), change);
-            let change = kept(graph, change);
+            let change = difference(graph, self.get(graph, *v), change);
             self.0.insert(*v, change);
         }
         quotient

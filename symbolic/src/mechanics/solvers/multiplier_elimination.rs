@@ -97,7 +97,7 @@ impl MultiplierElimination {
                 self.tried.insert(group, restricted);
                 continue;
             };
-            let moved = Diagonal::of(graph, link, moved);
+            let moved = diagonal(graph, link, moved);
             if let Some(conditions) = self.conditions_of(graph, elimination, &eliminated, &moved) {
                 self.conditions.extend(conditions);
                 self.accept(graph, elimination, eliminated, steps);
@@ -113,7 +113,7 @@ impl MultiplierElimination {
         steps: &mut Vec<Step>,
     ) -> Option<()> {
         let eliminated = Eliminated::of(graph, elimination, &self.waiting)?;
-        let none = Diagonal::default();
+        let none = BTreeMap::new();
         let conditions = self.conditions_of(graph, elimination, &eliminated, &none)?;
         self.conditions.extend(conditions);
         self.accept(graph, elimination, eliminated, steps);
@@ -151,7 +151,7 @@ impl MultiplierElimination {
         graph: &mut Graph,
         before: &TwistElimination,
         eliminated: &Eliminated,
-        moved: &Diagonal,
+        moved: &BTreeMap<Unknown, Expression>,
     ) -> Option<Vec<Expression>> {
         let mut conditions = Vec::new();
         for (unknown, change) in eliminated.changes(graph) {
@@ -159,7 +159,7 @@ impl MultiplierElimination {
                 continue;
             }
             let inertia = before.entry(graph, unknown, unknown);
-            let moved = moved.0.get(&unknown).copied().unwrap_or(graph.zero());
+            let moved = moved.get(&unknown).copied().unwrap_or(graph.zero());
             let inertia = graph.add(inertia, moved);
             if graph.is_zero(inertia) {
                 return None;
@@ -247,14 +247,9 @@ impl Eliminated {
 }
 
 /// The diagonal entries of the inertia of a link.
-#[derive(Default)]
-struct Diagonal(BTreeMap<Unknown, Expression>);
-
-impl Diagonal {
-    fn of(graph: &mut Graph, link: usize, inertia: &Inertia) -> Self {
-        let tensor = inertia.tensor(graph);
-        let entries = [tensor[0][0], tensor[1][1], tensor[2][2]];
-        let entries = entries.into_iter().chain([inertia.mass; 3]);
-        Self(twist(link).zip(entries).collect())
-    }
+fn diagonal(graph: &mut Graph, link: usize, inertia: &Inertia) -> BTreeMap<Unknown, Expression> {
+    let tensor = inertia.tensor(graph);
+    let entries = [tensor[0][0], tensor[1][1], tensor[2][2]];
+    let entries = entries.into_iter().chain([inertia.mass; 3]);
+    twist(link).zip(entries).collect()
 }

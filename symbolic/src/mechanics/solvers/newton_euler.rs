@@ -8,7 +8,9 @@
 
 use std::rc::Rc;
 
-use crate::mechanics::mechanism::{Link, Mechanism, Vector, kept, slopes, total};
+use crate::mechanics::mechanism::{
+    Link, Mechanism, Vector, difference, inner, kept, slopes, total,
+};
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::spatial_vectors::{Twist, Wrench};
 use crate::{Expression, Graph, Rational};
@@ -211,8 +213,7 @@ impl Motion {
         let force = [0, 1, 2].map(|i| {
             let products = (0..3).map(|j| (field[i][j], first[j]));
             let products = products.chain([(inertia.mass, self.acceleration[i])]);
-            let sum = graph.sum_of_products(products);
-            kept(graph, sum)
+            inner(graph, products)
         });
         let lever = graph.cross(first, self.acceleration);
         let moment = [0, 1, 2].map(|k: usize| {
@@ -243,16 +244,10 @@ fn field(graph: &mut Graph, velocity: Vector, acceleration: Vector) -> ([Vector;
         let sum = graph.add(squares[i], squares[j]);
         let minus = graph.negate(sum);
         field[k][k] = kept(graph, minus);
-        let difference = graph.subtract(squares[j], squares[i]);
-        stretch[k] = kept(graph, difference);
-        let product = graph.multiply(velocity[i], velocity[j]);
-        let product = kept(graph, product);
-        let (ahead, behind) = (
-            graph.add(product, acceleration[k]),
-            graph.subtract(product, acceleration[k]),
-        );
-        field[j][i] = kept(graph, ahead);
-        field[i][j] = kept(graph, behind);
+        stretch[k] = difference(graph, squares[j], squares[i]);
+        let product = inner(graph, [(velocity[i], velocity[j])]);
+        field[j][i] = total(graph, &[product, acceleration[k]]);
+        field[i][j] = difference(graph, product, acceleration[k]);
     }
     (field, stretch)
 }

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::mechanics::mechanism::{Vector, kept, total};
+use crate::mechanics::mechanism::{Vector, difference, total};
 use crate::mechanics::solvers::articulated_coriolis::ArticulatedCoriolis;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
@@ -244,8 +244,7 @@ impl<'a> Forces<'a> {
                         let own = row.forces.give_way(graph, eliminated);
                         row.of_turning = [0, 1, 2].map(|i| {
                             let change = graph.multiply(own, of_turning[i]);
-                            let difference = graph.subtract(row.of_turning[i], change);
-                            kept(graph, difference)
+                            difference(graph, row.of_turning[i], change)
                         });
                     }
                     let ratios = eliminated.others.iter().map(|(u, _, ratio)| (*u, *ratio));

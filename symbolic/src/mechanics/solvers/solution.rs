@@ -139,8 +139,8 @@ impl Solution {
     pub fn divisors(&self, graph: &Graph) -> Vec<Pivot> {
         let mut divisors = match &self.solver {
             Solver::BoltzmannHamel(solver) => solver.divisors(),
-            Solver::ArticulatedBodies(solver) => solver.divisors(),
-            Solver::ArticulatedLinks(solver) => solver.divisors(),
+            Solver::ArticulatedBodies(solver) => solver.divisors.clone(),
+            Solver::ArticulatedLinks(solver) => solver.divisors.clone(),
             Solver::Ldlt(solver, _) => solver.divisors(),
         };
         divisors.retain(|pivot| graph.as_constant(pivot.value).is_none());

@@ -1,7 +1,7 @@
 //! Spatial vectors of a link: its twist, and the wrench on it (Featherstone, Rigid Body Dynamics Algorithms, 2008,
 //! chapter 2), each as two vectors along the axes of the link.
 
-use crate::mechanics::mechanism::{Inertia, Turn, Vector, kept, total};
+use crate::mechanics::mechanism::{Inertia, Turn, Vector, cross, inner, total};
 use crate::{Expression, Graph, Symbol};
 
 /// An angular velocity and the velocity of the origin, or an angular acceleration and the acceleration of the origin.
@@ -79,7 +79,7 @@ impl Wrench {
 
     /// About another origin, from which this one is at `place`.
     pub(crate) fn moved(self, graph: &mut Graph, place: Vector) -> Self {
-        let lever = graph.cross(place, self.force).map(|x| kept(graph, x));
+        let lever = cross(graph, place, self.force);
         Self {
             moment: [0, 1, 2].map(|i| total(graph, &[self.moment[i], lever[i]])),
             ..self
@@ -106,8 +106,7 @@ impl Inertia {
             total(graph, &[own, swing[i]])
         });
         let moment = [0, 1, 2].map(|i| {
-            let own = graph.sum_of_products(tensor[i].into_iter().zip(twist.angular));
-            let own = kept(graph, own);
+            let own = inner(graph, tensor[i].into_iter().zip(twist.angular));
             total(graph, &[own, lever[i]])
         });
         Wrench { moment, force }
