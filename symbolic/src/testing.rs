@@ -8,6 +8,7 @@
 mod draft;
 mod program_expressions;
 mod quantity;
+mod solutions;
 pub mod systems;
 mod verification;
 

@@ -82,7 +82,8 @@ impl Graph {
         least.filter(|(_, exponent)| !exponent.is_zero()).collect()
     }
 
-    fn terms(&self, expression: Expression) -> Vec<Term> {
+    /// An expression as a sum of multiples.
+    pub(crate) fn terms(&self, expression: Expression) -> Vec<Term> {
         match self.node(expression) {
             Node::Sum(terms) => terms.to_vec(),
             _ => vec![(expression, Rational::ONE)],

@@ -18,6 +18,17 @@ impl Graph {
         self.replace(roots, &known)
     }
 
+    /// Expressions where these symbols are zero.
+    pub(crate) fn at_zero(
+        &mut self,
+        expressions: &[Expression],
+        symbols: &[Symbol],
+    ) -> Vec<Expression> {
+        let zeros = symbols.iter().map(|symbol| (*symbol, self.zero()));
+        let zeros = zeros.collect();
+        self.substitute(expressions, &zeros)
+    }
+
     /// The roots with `values` in place of expressions that are keys, simultaneously.
     pub(crate) fn replace(
         &mut self,

@@ -99,7 +99,7 @@ impl Geometry {
             let Term::Fixed(frame, components) = term else {
                 return None;
             };
-            let components = self.resolved_vector(components);
+            let components = <[_; 3]>::try_from(self.resolved(&components)).ok()?;
             let moves = components
                 .iter()
                 .any(|x| self.graph.contents(*x).has_velocity());
@@ -292,17 +292,6 @@ impl Geometry {
         };
         let components = number.components().map(|i| self.graph.symbol(symbol(i)));
         Some(Matrix::vector(components.to_vec()))
-    }
-
-    fn resolved_vector(&mut self, vector: Vector) -> Vector {
-        if vector
-            .iter()
-            .any(|x| self.graph.contents(*x).has_component())
-        {
-            let values = self.resolved(&vector);
-            return values.try_into().unwrap_or(vector);
-        }
-        vector
     }
 
     /// Factors whose angles and elements are functions of q, with rotations that were written out recognized.

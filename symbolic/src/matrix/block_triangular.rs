@@ -6,6 +6,7 @@
 //! rotation up to a factor, and its determinant is −sin θ, with no digits lost where it is small.
 
 use crate::limits::MAX_DIAGONAL_BLOCK;
+use crate::matrix::components::components;
 use crate::matrix::determinant::{determinant, sign, without};
 use crate::{Expression, Graph, Rational};
 
@@ -176,39 +177,21 @@ impl<'a> SingletonRemoval<'a> {
 
     /// The connected components of the remaining equations and unknowns.
     fn components(&self) -> Vec<BlockIndices> {
-        let mut components = Vec::new();
-        let (mut rows, mut columns) = (self.rows.clone(), self.columns.clone());
-        while let Some(row) = rows.first().copied() {
-            let (mut block_rows, mut block_columns) = (vec![row], Vec::new());
-            loop {
-                let before = (block_rows.len(), block_columns.len());
-                block_columns = columns
-                    .iter()
-                    .copied()
-                    .filter(|column| block_rows.iter().any(|row| self.occupied[*row][*column]))
-                    .collect();
-                block_rows = rows
-                    .iter()
-                    .copied()
-                    .filter(|row| {
-                        block_rows.contains(row)
-                            || block_columns
-                                .iter()
-                                .any(|column| self.occupied[*row][*column])
-                    })
-                    .collect();
-                if before == (block_rows.len(), block_columns.len()) {
-                    break;
-                }
-            }
-            rows.retain(|row| !block_rows.contains(row));
-            columns.retain(|column| !block_columns.contains(column));
-            components.push((block_rows, block_columns));
-        }
-        if !columns.is_empty() {
-            // Unknowns without an equation: a block that is not square, which the caller rejects.
-            components.push((Vec::new(), columns));
-        }
-        components
+        // Rows first, and columns behind them. A column without a row is a component that is not square, which the caller
+        // rejects.
+        let rows = self.rows.len();
+        let found = components(rows + self.columns.len(), |i, j| {
+            let (row, column) = (i.min(j), i.max(j));
+            row < rows
+                && column >= rows
+                && self.occupied[self.rows[row]][self.columns[column - rows]]
+        });
+        let found = found.into_iter().map(|nodes| {
+            let (first, others): (Vec<_>, Vec<_>) = nodes.into_iter().partition(|i| *i < rows);
+            let columns = others.into_iter().map(|i| self.columns[i - rows]);
+            let first = first.into_iter().map(|i| self.rows[i]);
+            (first.collect(), columns.collect())
+        });
+        found.collect()
     }
 }

@@ -11,6 +11,7 @@ pub(crate) mod stability;
 
 use crate::limits::MAX_TRANSPARENT_ELIMINATION;
 use crate::matrix::elimination_order::EliminationOrder;
+use crate::matrix::rows::sums;
 use crate::matrix::symmetric_elimination::{PivotRow, SymmetricElimination};
 use crate::{Expression, Graph, Rational};
 
@@ -127,10 +128,7 @@ impl Ldlt {
             residuals[*i] = graph.opaque(residual);
         }
         let corrections = self.eliminate(graph, &residuals);
-        let pairs = solution.into_iter().zip(corrections);
-        pairs
-            .map(|(x, correction)| graph.add(x, correction))
-            .collect()
+        sums(graph, &solution, &corrections)
     }
 
     /// x in M x = `right`, by the factors alone.

@@ -28,3 +28,25 @@ pub(crate) fn product(
     }
     products
 }
+
+/// x + y, entry by entry.
+pub(crate) fn sums(graph: &mut Graph, x: &[Expression], y: &[Expression]) -> Vec<Expression> {
+    let pairs = x.iter().zip(y);
+    pairs.map(|(x, y)| graph.add(*x, *y)).collect()
+}
+
+/// x − y, entry by entry.
+pub(crate) fn differences(
+    graph: &mut Graph,
+    x: &[Expression],
+    y: &[Expression],
+) -> Vec<Expression> {
+    let pairs = x.iter().zip(y);
+    pairs.map(|(x, y)| graph.subtract(*x, *y)).collect()
+}
+
+/// Whether x and y are the same functions, entry by entry.
+pub(crate) fn agree(graph: &mut Graph, x: &[Expression], y: &[Expression]) -> bool {
+    let differences = differences(graph, x, y);
+    graph.vanishes(&differences)
+}

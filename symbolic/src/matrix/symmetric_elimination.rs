@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use crate::{Expression, Graph, Rational};
 
 /// A symmetric matrix in the course of elimination: both triangles, without zeros.
+#[derive(Clone)]
 pub(crate) struct SymmetricElimination<U> {
     rows: BTreeMap<U, BTreeMap<U, Expression>>,
 }
@@ -24,6 +25,13 @@ pub(crate) struct PivotRow<U> {
     pub(crate) others: Vec<(U, Expression)>,
     /// Whether its entries over the pivot, and its right-hand sides, are opaque: each is one value wherever it is used.
     pub(crate) is_opaque: bool,
+}
+
+impl<U> Default for SymmetricElimination<U> {
+    fn default() -> Self {
+        let rows = BTreeMap::new();
+        Self { rows }
+    }
 }
 
 impl<U: Copy + Ord> SymmetricElimination<U> {
@@ -59,6 +67,27 @@ impl<U: Copy + Ord> SymmetricElimination<U> {
     pub(crate) fn remove_pivot(&mut self, unknown: U) {
         if let Some(row) = self.rows.get_mut(&unknown) {
             row.remove(&unknown);
+        }
+    }
+
+    /// The rows that have not been taken out.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = (&U, &BTreeMap<U, Expression>)> {
+        self.rows.iter()
+    }
+
+    /// The row of an unknown.
+    pub(crate) fn row(&self, unknown: U) -> BTreeMap<U, Expression> {
+        self.rows.get(&unknown).cloned().unwrap_or_default()
+    }
+
+    /// The matrix of some of its unknowns, which may have other names there.
+    pub(crate) fn renamed(&self, name: impl Fn(U) -> Option<U>) -> Self {
+        let renamed = self.rows.iter().filter_map(|(u, row)| {
+            let row = row.iter().filter_map(|(v, x)| Some((name(*v)?, *x)));
+            Some((name(*u)?, row.collect()))
+        });
+        Self {
+            rows: renamed.collect(),
         }
     }
 
@@ -111,12 +140,14 @@ impl<U: Copy + Ord> SymmetricElimination<U> {
         self.set(graph, u, v, after);
     }
 
-    fn entry(&self, graph: &Graph, u: U, v: U) -> Expression {
+    /// An entry, zero where there is none.
+    pub(crate) fn entry(&self, graph: &Graph, u: U, v: U) -> Expression {
         let entry = self.rows.get(&u).and_then(|row| row.get(&v));
         entry.copied().unwrap_or(graph.zero())
     }
 
-    fn set(&mut self, graph: &Graph, u: U, v: U, value: Expression) {
+    /// Sets an entry, on both sides of the diagonal.
+    pub(crate) fn set(&mut self, graph: &Graph, u: U, v: U, value: Expression) {
         for (x, y) in [(u, v), (v, u)] {
             let row = self.rows.entry(x).or_default();
             if graph.is_zero(value) {
@@ -137,7 +168,7 @@ impl<U: Copy + Ord> PivotRow<U> {
     }
 
     /// One of its entries over the pivot.
-    fn factor(&self, graph: &mut Graph, entry: Expression) -> Expression {
+    pub(crate) fn factor(&self, graph: &mut Graph, entry: Expression) -> Expression {
         let factor = graph.divide(entry, self.pivot);
         self.rewritten(graph, factor)
     }

@@ -158,9 +158,8 @@ impl ConstraintEquations {
 
     /// a in w = G q̇ + a.
     pub fn rheonomic(&self, model: &mut Model) -> Vec<Expression> {
-        let zero = model.graph.zero();
-        let at_rest = (0..model.coordinates).map(|i| (Symbol::Velocity(i), zero));
-        model.graph.substitute(&self.velocities, &at_rest.collect())
+        let velocities = model.velocity_symbols();
+        model.graph.at_zero(&self.velocities, &velocities)
     }
 
     /// Whether a constraint, as they are ordered here, restricts the coordinates: it is holonomic, or in disguise.
@@ -266,22 +265,11 @@ impl ConstraintEquations {
         Ok(surplus)
     }
 
-    /// The equations without the surplus constraints.
-    pub(crate) fn without_surplus(&self) -> Self {
-        let kept: Vec<_> = (0..self.len())
-            .filter(|row| !self.surplus.contains(row))
-            .collect();
-        let expressions =
-            |all: &[Expression]| kept.iter().filter_map(|i| all.get(*i).copied()).collect();
-        Self {
-            declared: kept.iter().map(|i| self.declared[*i]).collect(),
-            positions: expressions(&self.positions),
-            velocities: expressions(&self.velocities),
-            jacobian: kept.iter().map(|i| self.jacobian[*i].clone()).collect(),
-            rates: expressions(&self.rates),
-            integrable: self.integrable.clone(),
-            surplus: Vec::new(),
-        }
+    /// G without the rows of surplus constraints.
+    pub(crate) fn regular_rows(&self) -> Vec<Vec<Expression>> {
+        let rows = self.jacobian.iter().enumerate();
+        let regular = rows.filter(|(i, _)| !self.surplus.contains(i));
+        regular.map(|(_, row)| row.clone()).collect()
     }
 }
 

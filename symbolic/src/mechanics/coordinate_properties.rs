@@ -7,6 +7,7 @@ use crate::identity::identity_testing::IdentityTest;
 use crate::identity::modular_point::ModularPoint;
 use crate::identity::tested_value::TestedValue;
 use crate::limits::MAX_PERIOD;
+use crate::matrix::components::components;
 use crate::mechanics::defects::Defect;
 use crate::{Expression, Graph, Model, Node, Rational, Symbol, Unary};
 
@@ -47,7 +48,8 @@ pub(crate) fn analyze(
     let mut singularities = vec![Vec::new(); mass.len()];
     let mut singular = Vec::new();
     let coordinates = model.coordinate_symbols();
-    for block in blocks(graph, mass) {
+    // The diagonal blocks of M.
+    for block in components(mass.len(), |i, j| !graph.is_zero(mass[i][j])) {
         let entries: Vec<Expression> = block
             .iter()
             .flat_map(|i| block.iter().map(|j| mass[*i][*j]))
@@ -92,32 +94,6 @@ pub(crate) fn analyze(
         ignorable,
         singularities,
     })
-}
-
-/// The index sets of the diagonal blocks of M, each in ascending order.
-fn blocks(graph: &Graph, mass: &[Vec<Expression>]) -> Vec<Vec<usize>> {
-    let mut seen = vec![false; mass.len()];
-    let mut blocks = Vec::new();
-    for start in 0..mass.len() {
-        if seen[start] {
-            continue;
-        }
-        seen[start] = true;
-        let mut block = vec![start];
-        let mut next = 0;
-        while let Some(row) = block.get(next).copied() {
-            for (j, entry) in mass[row].iter().enumerate() {
-                if !seen[j] && !graph.is_zero(*entry) {
-                    seen[j] = true;
-                    block.push(j);
-                }
-            }
-            next += 1;
-        }
-        block.sort_unstable();
-        blocks.push(block);
-    }
-    blocks
 }
 
 /// How the roots depend on the value of an expression.

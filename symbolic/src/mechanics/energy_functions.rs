@@ -2,6 +2,7 @@
 
 use std::mem;
 
+use crate::matrix::rows::agree;
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::{Energies, Equations, Expression, Graph, Model, Rational};
 
@@ -59,16 +60,13 @@ impl EnergyFunctions {
 
     fn along(&mut self, graph: &mut Graph, links: &LinkEquations) {
         let (energy, momenta) = links.energy_and_momenta(graph);
-        let pairs = momenta.iter().zip(&self.momenta);
-        let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
-        if graph.costs_less(&momenta, &self.momenta) && graph.vanishes(&differences) {
+        if graph.costs_less(&momenta, &self.momenta) && agree(graph, &momenta, &self.momenta) {
             self.momenta = momenta;
         }
         let Some([kinetic, potential]) = self.natural else {
             return;
         };
-        let difference = graph.subtract(energy, kinetic);
-        if !graph.costs_less(&[energy], &[kinetic]) || !graph.vanishes(&[difference]) {
+        if !graph.costs_less(&[energy], &[kinetic]) || !agree(graph, &[energy], &[kinetic]) {
             return;
         }
         self.natural = Some([energy, potential]);

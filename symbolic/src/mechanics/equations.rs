@@ -11,6 +11,7 @@ use crate::mechanics::defects::{Defect, check_momenta};
 use crate::mechanics::expanded_energy::LagrangeTerms;
 use crate::mechanics::ignorability::Ignorability;
 use crate::mechanics::lagrange::{inverse_dynamics, mass_matrix};
+use crate::mechanics::saddle_point::saddle_point_matrix;
 use crate::{Expression, Model, Symbol};
 
 /// The equations of motion of a model, as expressions of its graph.
@@ -51,8 +52,7 @@ impl Equations {
         let momenta = graph.jacobian(&[lagrangian], &velocities).concat();
         let mass = mass_matrix(graph, &momenta, &velocities);
         let constraints = ConstraintEquations::derive(model).map_err(Defect::Constraint)?;
-        let regular = constraints.without_surplus();
-        let matrix = regular.matrix(&mut model.graph, &mass);
+        let matrix = saddle_point_matrix(&mut model.graph, &mass, &constraints.regular_rows());
         check_momenta(model, &momenta, &matrix)?;
         let generalized_forces = model.generalized_forces();
         let forcing = model.forcing(lagrangian, &momenta, &generalized_forces);

@@ -111,18 +111,14 @@ pub(crate) fn linear_part(
     lagrangian: Expression,
     momenta: &[Expression],
 ) -> Expression {
-    let zero = graph.zero();
-    let indices = 0..u32::try_from(momenta.len()).unwrap_or(0);
-    let still = indices
-        .clone()
-        .map(|i| (Symbol::Velocity(i), zero))
-        .collect();
+    let velocities = (0..).map(Symbol::Velocity).take(momenta.len());
+    let velocities: Vec<_> = velocities.collect();
     let mut roots = vec![lagrangian];
     roots.extend(momenta);
-    let at_rest = graph.substitute(&roots, &still);
+    let at_rest = graph.at_zero(&roots, &velocities);
     let mut terms = vec![(at_rest[0], Rational::ONE)];
-    for (i, momentum) in indices.zip(&at_rest[1..]) {
-        let velocity = graph.symbol(Symbol::Velocity(i));
+    for (symbol, momentum) in velocities.into_iter().zip(&at_rest[1..]) {
+        let velocity = graph.symbol(symbol);
         terms.push((graph.multiply(*momentum, velocity), Rational::ONE));
     }
     graph.sum(terms)

@@ -11,6 +11,7 @@ use crate::limits::{
     MIN_DIFFERENTIATED_ALONG_LINKS, SCHEDULING_MARGIN,
 };
 use crate::matrix::ldlt::Ldlt;
+use crate::matrix::rows::agree;
 use crate::mechanics::constraints::ConstraintEquations;
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::energy_functions::EnergyFunctions;
@@ -65,17 +66,8 @@ impl Kinetics {
         kinetics
     }
 
-    /// The accelerations by each solver that applies, to compare them.
-    pub fn solutions(model: &mut Model, equations: &Equations) -> Vec<Solution> {
-        let (_, solvers) = Self::with_solvers(model, equations);
-        let solvers = solvers.into_iter();
-        solvers
-            .map(|solver| Solution::by(&mut model.graph, solver))
-            .collect()
-    }
-
     /// The kinetics without a solution, and the solvers that apply.
-    fn with_solvers(model: &mut Model, equations: &Equations) -> (Self, Vec<Solver>) {
+    pub(crate) fn with_solvers(model: &mut Model, equations: &Equations) -> (Self, Vec<Solver>) {
         let declared = QuasiVelocities::declared(&mut model.graph, equations.lagrangian);
         let forces = &equations.generalized_forces;
         let passes = model.graph.passes;
@@ -181,9 +173,8 @@ impl Kinetics {
         if graph.contains(&self.mass.concat(), is_velocity) {
             return None;
         }
-        let zero = graph.zero();
-        let at_rest = (0..model.coordinates).map(|i| (Symbol::Velocity(i), zero));
-        let offsets = graph.substitute(&self.energies.momenta, &at_rest.collect());
+        let velocities: Vec<_> = (0..model.coordinates).map(Symbol::Velocity).collect();
+        let offsets = graph.at_zero(&self.energies.momenta, &velocities);
         let mut right = Vec::with_capacity(offsets.len());
         for (i, offset) in (0..).zip(offsets) {
             let momentum = graph.symbol(Symbol::RightHandSide(i));
@@ -380,9 +371,7 @@ fn link_equations(model: &mut Model, equations: &Equations) -> Option<LinkEquati
     let links = LinkEquations::of_mechanism(model, mechanism, &equations.generalized_forces);
     let graph = &mut model.graph;
     let found = links.inverse_dynamics(graph);
-    let pairs = found.iter().zip(&equations.inverse_dynamics);
-    let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
-    graph.vanishes(&differences).then_some(links)
+    agree(graph, &found, &equations.inverse_dynamics).then_some(links)
 }
 
 /// The solvers by as many quasi-velocities as there are coordinates.

@@ -2,7 +2,7 @@
 //! 𝓛ᵢ = D ∂/∂q̇ᵢ − ∂/∂qᵢ (Lagrange, Mécanique analytique, 1788), where D is the time derivative at constant velocities.
 
 use crate::algebra::derivative::Tangents;
-use crate::matrix::rows::transposed;
+use crate::matrix::rows::{differences, transposed};
 use crate::mechanics::model::Energies;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
@@ -124,8 +124,7 @@ impl Graph {
         let slopes = self.jacobian(roots, &symbols(Symbol::Coordinate));
         let mut columns = Vec::with_capacity(slopes.len());
         for (rates, slopes) in rates.chunks(roots.len().max(1)).zip(&slopes) {
-            let pairs = rates.iter().zip(slopes);
-            columns.push(pairs.map(|(x, y)| self.subtract(*x, *y)).collect());
+            columns.push(differences(self, rates, slopes));
         }
         transposed(&columns)
     }

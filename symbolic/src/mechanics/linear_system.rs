@@ -17,40 +17,35 @@ pub struct LinearSystem {
 }
 
 impl LinearSystem {
-    /// The same system with f and M q̈ − f along a tree where they cost less so.
-    pub(crate) fn cheaper(self, graph: &mut Graph, tree: &KinematicTree) -> Self {
-        let along_tree = Self {
-            mass: self.mass.clone(),
+    /// The system with f and M q̈ − f along a tree, and with a mass matrix in the unit of the tree.
+    fn along(graph: &mut Graph, tree: &KinematicTree, mass: Vec<Vec<Expression>>) -> Self {
+        Self {
+            mass,
             forcing: tree.forcing(graph),
             inverse_dynamics: tree.inverse_dynamics(graph),
             recursion: Vec::new(),
-        };
+        }
+    }
+
+    /// The same system with f and M q̈ − f along a tree where they cost less so.
+    pub(crate) fn cheaper(self, graph: &mut Graph, tree: &KinematicTree) -> Self {
+        let along_tree = Self::along(graph, tree, self.mass.clone());
         self.or(graph, along_tree)
     }
 
     /// The same system with M, f and M q̈ − f of another where they cost less.
-    pub(crate) fn or(self, graph: &Graph, other: Self) -> Self {
-        let has_cheaper_mass = graph.costs_less(&other.mass.concat(), &self.mass.concat());
-        let has_cheaper_forcing = graph.costs_less(&other.forcing, &self.forcing);
-        let dynamics = if graph.costs_less(&other.inverse_dynamics, &self.inverse_dynamics) {
-            (other.inverse_dynamics, other.recursion)
-        } else {
-            (self.inverse_dynamics, self.recursion)
-        };
-        Self {
-            mass: if has_cheaper_mass {
-                other.mass
-            } else {
-                self.mass
-            },
-            forcing: if has_cheaper_forcing {
-                other.forcing
-            } else {
-                self.forcing
-            },
-            inverse_dynamics: dynamics.0,
-            recursion: dynamics.1,
+    pub(crate) fn or(mut self, graph: &Graph, other: Self) -> Self {
+        if graph.costs_less(&other.mass.concat(), &self.mass.concat()) {
+            self.mass = other.mass;
         }
+        if graph.costs_less(&other.forcing, &self.forcing) {
+            self.forcing = other.forcing;
+        }
+        if graph.costs_less(&other.inverse_dynamics, &self.inverse_dynamics) {
+            self.inverse_dynamics = other.inverse_dynamics;
+            self.recursion = other.recursion;
+        }
+        self
     }
 
     /// The same system in the unit of a tree.
@@ -62,11 +57,6 @@ impl LinearSystem {
         for entry in mass.iter_mut().flatten() {
             *entry = graph.divide(*entry, tree.unit);
         }
-        Self {
-            mass,
-            forcing: tree.forcing(graph),
-            inverse_dynamics: tree.inverse_dynamics(graph),
-            recursion: Vec::new(),
-        }
+        Self::along(graph, tree, mass)
     }
 }

@@ -15,8 +15,8 @@ mod turn;
 mod turned_block;
 
 pub(crate) use inertia::Inertia;
-pub(crate) use linked_constraint::{LinkedConstraint, VelocityKind};
-pub(crate) use turn::{Turn, cross, kept, slopes, total};
+pub(crate) use linked_constraint::{LinkVelocity, LinkedConstraint, VelocityKind};
+pub(crate) use turn::{Turn, cross, difference, inner, kept, slopes, total};
 
 use crate::{Expression, Graph};
 

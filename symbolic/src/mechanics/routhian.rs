@@ -21,6 +21,7 @@ mod system;
 use std::collections::BTreeMap;
 
 use crate::algebra::half_angles::HalfAngleForm;
+use crate::matrix::rows::agree;
 use crate::mechanics::conservation::independent_of;
 use crate::{Constraint, Energies, Equations, Expression, Graph, Model, Symbol};
 use elimination::Elimination;
@@ -313,9 +314,7 @@ impl Split {
             let value = graph.integer(number);
             let values = self.ignorable.iter().map(|i| (coordinate(*i), value));
             let fixed = graph.substitute(roots, &values.collect());
-            let pairs = roots.iter().zip(&fixed).take(compared);
-            let differences: Vec<_> = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
-            if graph.vanishes(&differences) {
+            if agree(graph, &roots[..compared], &fixed) {
                 return fixed;
             }
         }
@@ -327,9 +326,8 @@ impl Split {
         let expressions = model.constraints.iter();
         let expressions: Vec<_> = expressions.map(|one| one.expression()).collect();
         let fixed = self.fixed_with(graph, &expressions, expressions.len());
-        let zero = graph.zero();
-        let at_rest = self.ignorable.iter().map(|i| (velocity(*i), zero));
-        let fixed = graph.substitute(&fixed, &at_rest.collect());
+        let velocities: Vec<_> = self.ignorable.iter().map(|i| velocity(*i)).collect();
+        let fixed = graph.at_zero(&fixed, &velocities);
         let pairs = model.constraints.iter().zip(fixed);
         pairs
             .map(|(one, expression)| one.with_expression(expression))

@@ -8,45 +8,42 @@
 //! momenta are p − Gᵀ ṡ and −w, so that s̈ is λ. Multipliers therefore follow the accelerations of the coordinates, as further
 //! accelerations.
 
+use crate::matrix::rows::{differences, sums};
 use crate::mechanics::constraints::{Constraint, ConstraintEquations};
 use crate::mechanics::model::Energies;
 use crate::{Equations, Expression, Graph, LinearSystem, Model, Rational, Symbol};
 
-impl ConstraintEquations {
-    /// The matrix of the saddle point problem, row by row; M itself without constraints.
-    pub(crate) fn matrix(
-        &self,
-        graph: &mut Graph,
-        mass: &[Vec<Expression>],
-    ) -> Vec<Vec<Expression>> {
-        let zero = graph.zero();
-        let opposite = |graph: &mut Graph, entry: &Expression| graph.negate(*entry);
-        let jacobian = self.jacobian.iter();
-        let jacobian: Vec<Vec<_>> = jacobian
-            .map(|row| row.iter().map(|entry| opposite(graph, entry)).collect())
-            .collect();
-        let mut matrix = mass.to_vec();
-        for (i, row) in matrix.iter_mut().enumerate() {
-            row.extend(jacobian.iter().map(|constraint| constraint[i]));
-        }
-        matrix.extend(jacobian);
-        for row in &mut matrix[mass.len()..] {
-            row.resize(mass.len() + self.len(), zero);
-        }
-        matrix
+/// The matrix of the saddle point problem with these M and G, row by row; M itself without constraints.
+pub(crate) fn saddle_point_matrix(
+    graph: &mut Graph,
+    mass: &[Vec<Expression>],
+    jacobian: &[Vec<Expression>],
+) -> Vec<Vec<Expression>> {
+    let jacobian: Vec<Vec<_>> = jacobian
+        .iter()
+        .map(|row| row.iter().map(|entry| graph.negate(*entry)).collect())
+        .collect();
+    let mut matrix = mass.to_vec();
+    for (i, row) in matrix.iter_mut().enumerate() {
+        row.extend(jacobian.iter().map(|constraint| constraint[i]));
     }
+    let size = mass.len() + jacobian.len();
+    matrix.extend(jacobian);
+    for row in &mut matrix {
+        row.resize(size, graph.zero());
+    }
+    matrix
+}
 
+impl ConstraintEquations {
     /// The residuals M q̈ − f − Gᵀ λ and −G q̈ − γ, from M q̈ − f.
     pub(crate) fn residuals(
         &self,
         graph: &mut Graph,
         inverse_dynamics: &[Expression],
     ) -> Vec<Expression> {
-        let mut residuals = Vec::with_capacity(inverse_dynamics.len() + self.len());
         let reactions = self.reactions(graph, inverse_dynamics.len());
-        for (residual, reaction) in inverse_dynamics.iter().zip(reactions) {
-            residuals.push(graph.subtract(*residual, reaction));
-        }
+        let mut residuals = differences(graph, inverse_dynamics, &reactions);
         for (row, rate) in self.jacobian.iter().zip(&self.rates) {
             let mut terms = vec![(*rate, Rational::MINUS_ONE)];
             for (i, entry) in (0..).zip(row) {
@@ -83,17 +80,13 @@ impl ConstraintEquations {
 impl Equations {
     /// The equations with the reactions among the forces.
     pub(crate) fn with_reactions(&self, graph: &mut Graph) -> Self {
-        let mut equations = self.clone();
         let reactions = self.constraints.reactions(graph, self.mass.len());
-        for (i, reaction) in reactions.into_iter().enumerate() {
-            let force = &mut equations.generalized_forces[i];
-            *force = graph.add(*force, reaction);
-            let forcing = &mut equations.forcing[i];
-            *forcing = graph.add(*forcing, reaction);
-            let residual = &mut equations.inverse_dynamics[i];
-            *residual = graph.subtract(*residual, reaction);
+        Self {
+            generalized_forces: sums(graph, &self.generalized_forces, &reactions),
+            forcing: sums(graph, &self.forcing, &reactions),
+            inverse_dynamics: differences(graph, &self.inverse_dynamics, &reactions),
+            ..self.clone()
         }
-        equations
     }
 }
 
@@ -110,7 +103,7 @@ impl LinearSystem {
         let mut forcing = self.forcing;
         forcing.extend(&constraints.rates);
         Self {
-            mass: constraints.matrix(graph, &self.mass),
+            mass: saddle_point_matrix(graph, &self.mass, &constraints.jacobian),
             forcing,
             inverse_dynamics: constraints.residuals(graph, &self.inverse_dynamics),
             recursion: self.recursion,

@@ -4,6 +4,7 @@ pub(crate) mod pivots;
 pub(crate) mod implicit_equations;
 pub(crate) mod kinematic_tree;
 pub(crate) mod articulated_bodies;
+pub(crate) mod spatial_vectors;
 pub(crate) mod newton_euler;
 pub(crate) mod composite_links;
 pub(crate) mod link_equations;

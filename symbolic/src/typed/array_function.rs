@@ -69,26 +69,9 @@ pub static ARRAY_FUNCTIONS: [ArrayFunction; 17] = [
         let trace = arguments.first().and_then(|x| geometry.graph.trace(x));
         scalar(trace, NoValue::Arguments("a square matrix"))
     }),
-    function(
-        "determinant",
-        1,
-        ArrayNotation::None,
-        |geometry, arguments| {
-            let determinant = arguments.first().and_then(|x| geometry.determinant(x));
-            scalar(determinant, SMALL_SQUARE)
-        },
-    ),
+    function("determinant", 1, ArrayNotation::None, determinant),
     function("inverse", 1, INVERSE, inverse),
-    function(
-        "cross_matrix",
-        1,
-        ArrayNotation::None,
-        |geometry, arguments| {
-            let graph = &mut geometry.graph;
-            let matrix = arguments.first().and_then(|x| graph.cross_matrix(x));
-            array(matrix, NoValue::Arguments("a vector of 3 components"))
-        },
-    ),
+    function("cross_matrix", 1, ArrayNotation::None, cross_matrix),
     function("diagonal", 1, ArrayNotation::None, diagonal),
     of_sum("sum", 1, ArrayNotation::None, |geometry, arguments| {
         each(arguments, |x| {
@@ -226,6 +209,19 @@ fn component_mul(geometry: &mut Geometry, arguments: &[&Matrix]) -> Found {
     let graph = &mut geometry.graph;
     let product = two(arguments).and_then(|[x, y]| graph.component_product(x, y));
     array(product, SAME_SHAPE)
+}
+
+/// det A.
+fn determinant(geometry: &mut Geometry, arguments: &[&Matrix]) -> Found {
+    let determinant = arguments.first().and_then(|x| geometry.determinant(x));
+    scalar(determinant, SMALL_SQUARE)
+}
+
+/// The matrix of x ×.
+fn cross_matrix(geometry: &mut Geometry, arguments: &[&Matrix]) -> Found {
+    let graph = &mut geometry.graph;
+    let matrix = arguments.first().and_then(|x| graph.cross_matrix(x));
+    array(matrix, NoValue::Arguments("a vector of 3 components"))
 }
 
 /// A⁻¹.

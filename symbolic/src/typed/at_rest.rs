@@ -6,7 +6,6 @@
 
 use crate::Geometry;
 use crate::typed::components::{Components, NoValue};
-use crate::typed::evaluation::Evaluation;
 use crate::typed::graph::TypedGraph;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::typed::rest::Rest;
@@ -72,12 +71,7 @@ impl AtRest {
             }
             _ => {}
         }
-        let mut evaluation = Evaluation {
-            geometry: &mut self.geometry,
-            coordinates,
-            known: &self.known,
-        };
-        let components = evaluation.evaluate(operation)?;
+        let components = operation.evaluate(&mut self.geometry, coordinates, &self.known)?;
         if let (TypedOperation::OfArrays(function, arguments), Components::Array(product)) =
             (operation, &components)
             && function.name == "cross"

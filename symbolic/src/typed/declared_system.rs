@@ -5,7 +5,6 @@
 //! constraints keep the velocities of the points that they restrict.
 
 use crate::typed::components::Components;
-use crate::typed::evaluation::Evaluation;
 use crate::typed::graph::TypedGraph;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::{Expression, Geometry, Graph};
@@ -63,13 +62,8 @@ impl DeclaredSystem {
     pub(crate) fn in_frames(&self, geometry: &mut Geometry) -> Option<SystemInFrames> {
         let mut known = self.given.clone();
         for operation in &self.operations {
-            let mut evaluation = Evaluation {
-                geometry,
-                coordinates: self.coordinates,
-                known: &known,
-            };
-            let components = evaluation.evaluate(operation).ok();
-            known.push(components);
+            let components = operation.evaluate(geometry, self.coordinates, &known);
+            known.push(components.ok());
         }
         let [kinetic, potential] = self.energies.map(|energy| match known[energy.0 as usize] {
             Some(Components::Scalar(energy)) => Some(energy),

@@ -5,16 +5,33 @@ use crate::typed::components::{Components, NoValue};
 use crate::typed::operation::{TypedOperation, Value};
 use crate::{Expression, Geometry, Matrix, Rational};
 
+impl TypedOperation {
+    /// The components of its value, where these are known of the first values.
+    pub(crate) fn evaluate(
+        &self,
+        geometry: &mut Geometry,
+        coordinates: u32,
+        known: &[Option<Components>],
+    ) -> Result<Components, NoValue> {
+        let mut evaluation = Evaluation {
+            geometry,
+            coordinates,
+            known,
+        };
+        evaluation.evaluate(self)
+    }
+}
+
 /// An evaluation of a typed graph: the arena of the components, and the components that are known.
-pub(crate) struct Evaluation<'a> {
-    pub(crate) geometry: &'a mut Geometry,
-    pub(crate) coordinates: u32,
-    pub(crate) known: &'a [Option<Components>],
+struct Evaluation<'a> {
+    geometry: &'a mut Geometry,
+    coordinates: u32,
+    known: &'a [Option<Components>],
 }
 
 impl Evaluation<'_> {
     /// The components of the value of an operation.
-    pub(crate) fn evaluate(&mut self, operation: &TypedOperation) -> Result<Components, NoValue> {
+    fn evaluate(&mut self, operation: &TypedOperation) -> Result<Components, NoValue> {
         use TypedOperation as Op;
         match operation {
             Op::Given(components) => Ok(components.clone()),

@@ -1,7 +1,6 @@
 //! The typed graph of a declaration.
 
 use crate::typed::components::{Components, NoValue};
-use crate::typed::evaluation::Evaluation;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::{Expression, Geometry, Graph, Rational};
 
@@ -56,12 +55,8 @@ impl TypedGraph {
     ///
     /// If its arguments have no such value.
     pub fn add(&mut self, operation: TypedOperation) -> Result<Value, NoValue> {
-        let mut evaluation = Evaluation {
-            geometry: &mut self.geometry,
-            coordinates: self.coordinates,
-            known: &self.components,
-        };
-        let components = evaluation.evaluate(&operation)?;
+        let known = &self.components;
+        let components = operation.evaluate(&mut self.geometry, self.coordinates, known)?;
         let value = Value(u32::try_from(self.operations.len()).map_err(|_| NoValue::Size)?);
         self.operations.push(operation);
         self.components.push(Some(components));

@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 
 use crate::typed::components::Components;
-use crate::{Expression, Graph, Matrix, Node, Rational, Symbol};
+use crate::{Expression, Graph, Matrix, Rational, Symbol};
 
 /// The unknowns that stand for velocities.
 #[derive(Debug, Default)]
@@ -62,27 +62,19 @@ impl Rest {
         if !graph.contains(&[expression], moves) {
             return graph.zero();
         }
-        match graph.node(expression).clone() {
-            Node::Sum(terms) => {
-                let rates = terms.iter();
-                let rates = rates.map(|(x, c)| (self.rate_of_term(graph, *x), c.clone()));
-                let rates: Vec<_> = rates.collect();
-                graph.sum(rates)
-            }
-            _ => self.rate_of_term(graph, expression),
-        }
+        let rates = graph.terms(expression).into_iter();
+        let rates = rates.map(|(x, c)| (self.rate_of_term(graph, x), c));
+        let rates: Vec<_> = rates.collect();
+        graph.sum(rates)
     }
 
     fn rate_of_term(&mut self, graph: &mut Graph, term: Expression) -> Expression {
         if !graph.contains(&[term], moves) {
             return graph.zero();
         }
-        let factors = match graph.node(term) {
-            Node::Product(factors) => factors.to_vec(),
-            _ => vec![(term, Rational::ONE)],
-        };
         let moving = |(x, _): &(Expression, Rational)| graph.contains(&[*x], moves);
-        let (moving, constant): (Vec<_>, Vec<_>) = factors.into_iter().partition(moving);
+        let factors = graph.factors(term).into_iter();
+        let (moving, constant): (Vec<_>, Vec<_>) = factors.partition(moving);
         let (moving, constant) = (graph.product(moving), graph.product(constant));
         let rate = match self.rates.get(&moving) {
             Some(rate) => *rate,
@@ -158,15 +150,13 @@ impl Rest {
         };
         let unknowns = graph.symbols(&[expression]).into_iter();
         let unknowns: Vec<_> = unknowns.filter(|symbol| is_unknown(*symbol)).collect();
-        let zero = graph.zero();
-        let at_rest = unknowns.iter().map(|symbol| (*symbol, zero)).collect();
         // What is of first degree in the unknowns; their products vanish with each of them.
         let slopes: Vec<_> = unknowns
             .iter()
             .map(|symbol| graph.derivative(expression, *symbol))
             .collect();
-        let slopes = graph.substitute(&slopes, &at_rest);
-        let constant = graph.substitute(&[expression], &at_rest)[0];
+        let slopes = graph.at_zero(&slopes, &unknowns);
+        let constant = graph.at_zero(&[expression], &unknowns)[0];
         let terms: Vec<_> = slopes
             .into_iter()
             .zip(&unknowns)
@@ -205,7 +195,6 @@ impl Rest {
                 None => equations.push((position, product)),
             }
         }
-        let zero = graph.zero();
         let mut rates: Vec<Expression> = equations.iter().map(|(of, _)| of.rate).collect();
         rates.push(linear);
         for (number, (_, product)) in equations.iter().enumerate() {
@@ -215,7 +204,7 @@ impl Rest {
             };
             // c ṙ + … + s ω × p = 0.
             let slope = graph.derivative(rates[number], symbol);
-            let others = graph.substitute(&[rates[number]], &BTreeMap::from([(symbol, zero)]))[0];
+            let others = graph.at_zero(&[rates[number]], &[symbol])[0];
             let product = graph.scale(*product, sign);
             let sum = graph.add(others, product);
             let quotient = graph.divide(sum, slope);
@@ -227,8 +216,8 @@ impl Rest {
         let others = others.filter(|symbol| {
             self.is_rate(*symbol) || self.moves_elsewhere(graph, *symbol, components)
         });
-        let values = others.map(|symbol| (symbol, zero)).collect();
-        graph.substitute(&[linear], &values)[0]
+        let others: Vec<_> = others.collect();
+        graph.at_zero(&[linear], &others)[0]
     }
 
     /// Whether the position of a product does not move along this component, but does along another one to which its rate

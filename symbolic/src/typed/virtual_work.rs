@@ -5,10 +5,7 @@
 //! the work λ·(∂g/∂θ) δθ has the moment as its factor. Of a nonholonomic constraint w = 0 it is the virtual power, with
 //! ∂w/∂ṗ in place of ∂g/∂p (Lanczos, The Variational Principles of Mechanics, 1970, III).
 
-use std::collections::BTreeMap;
-
 use crate::typed::components::Components;
-use crate::typed::evaluation::Evaluation;
 use crate::typed::graph::TypedGraph;
 use crate::typed::operation::{TypedOperation, Value};
 use crate::{Axis, Expression, Matrix, Rational, Symbol};
@@ -47,12 +44,10 @@ impl TypedGraph {
             &rates
         };
         let columns = graph.jacobian(&residuals, varied);
-        let zero = graph.zero();
-        let at_zero = displacements.iter().chain(&rates);
-        let at_zero: BTreeMap<_, _> = at_zero.map(|symbol| (*symbol, zero)).collect();
+        let all = [&*displacements, &rates].concat();
         let mut found = Vec::with_capacity(count);
         for column in columns {
-            let slopes = graph.substitute(&column, &at_zero);
+            let slopes = graph.at_zero(&column, &all);
             let pairs = slopes.into_iter().zip(forces.multipliers.iter().copied());
             found.push(graph.sum_of_products(pairs));
         }
@@ -92,6 +87,7 @@ impl TypedGraph {
         whole: Value,
         count: usize,
     ) -> Option<Vec<Expression>> {
+        let coordinates = self.coordinates + u32::try_from(count).ok()?;
         let (first, last) = (quantity.0 as usize, whole.0 as usize);
         let mut known = self.components[..=last].to_vec();
         let mut changes = vec![false; last + 1];
@@ -100,12 +96,8 @@ impl TypedGraph {
         for (i, operation) in self.operations[..=last].iter().enumerate().skip(first + 1) {
             let arguments = operation.arguments();
             if arguments.iter().any(|x| changes[x.0 as usize]) {
-                let mut evaluation = Evaluation {
-                    geometry: &mut self.geometry,
-                    coordinates: self.coordinates + u32::try_from(count).ok()?,
-                    known: &known,
-                };
-                known[i] = evaluation.evaluate(operation).ok();
+                let components = operation.evaluate(&mut self.geometry, coordinates, &known);
+                known[i] = components.ok();
                 changes[i] = true;
             }
         }

@@ -169,13 +169,9 @@ pub(crate) fn combination(
     };
     let mut parts = Vec::new();
     for (term, number) in terms.clone() {
-        let factors = match graph.node(term) {
-            Node::Product(factors) => factors.to_vec(),
-            _ => vec![(term, Rational::ONE)],
-        };
-        let (constant, moving): (Vec<_>, Vec<_>) = factors
-            .into_iter()
-            .partition(|(x, _)| is_constant(graph, *x));
+        let factors = graph.factors(term).into_iter();
+        let (constant, moving): (Vec<_>, Vec<_>) =
+            factors.partition(|(x, _)| is_constant(graph, *x));
         let [(form, exponent)] = &*moving else {
             return None;
         };

@@ -28,11 +28,8 @@ impl QuasiVelocities {
 
     /// The offsets b: the quasi-velocities where all velocities vanish.
     pub(crate) fn offsets(&self, graph: &mut Graph, coordinates: u32) -> Vec<Expression> {
-        let zero = graph.zero();
-        let still = (0..coordinates)
-            .map(|i| (Symbol::Velocity(i), zero))
-            .collect();
-        graph.substitute(&self.forms, &still)
+        let velocities: Vec<_> = (0..coordinates).map(Symbol::Velocity).collect();
+        graph.at_zero(&self.forms, &velocities)
     }
 
     /// The same energy with each form primitive and [with a positive leading coefficient](positive_leading), constant

@@ -67,13 +67,8 @@ fn by_constant(graph: &mut Graph, mass: &Rows) -> Option<Vec<(Expression, Rows)>
 
 /// A product as its constant factors times the varying ones.
 fn split_constant(graph: &mut Graph, monomial: Expression) -> (Expression, Expression) {
-    let factors = match graph.node(monomial) {
-        Node::Product(factors) => factors.to_vec(),
-        _ => vec![(monomial, Rational::ONE)],
-    };
-    let (constant, varying): (Vec<_>, Vec<_>) = factors
-        .into_iter()
-        .partition(|(x, _)| is_constant(graph, *x));
+    let factors = graph.factors(monomial).into_iter();
+    let (constant, varying): (Vec<_>, Vec<_>) = factors.partition(|(x, _)| is_constant(graph, *x));
     (graph.product(constant), graph.product(varying))
 }
 

@@ -12,7 +12,7 @@ use crate::frames::vector_in_frames::{Term, VectorId};
 use crate::mechanics::mechanism::points::Places;
 use crate::mechanics::mechanism::reading::Reader;
 use crate::mechanics::mechanism::{Link, Vector};
-use crate::{Expression, Graph, Symbol};
+use crate::{Expression, Symbol};
 
 /// A constraint as Σ n·v of velocities v that belong to links, and what is left of it.
 #[derive(Clone, Debug)]
@@ -42,25 +42,6 @@ pub(crate) enum VelocityKind {
     Fixed(Vector),
     /// The axes of the link: an angular velocity.
     Axes,
-}
-
-impl LinkedConstraint {
-    /// The coefficients of the angular velocities of links and of the velocities of their origins, along their axes.
-    pub(crate) fn twists(&self, graph: &mut Graph) -> Vec<(usize, [Vector; 2])> {
-        let none = [graph.zero(); 3];
-        let velocities = self.velocities.iter();
-        velocities
-            .map(|velocity| {
-                let n = velocity.direction;
-                let coefficients = match velocity.kind {
-                    VelocityKind::Point(place) => [graph.cross(place, n), n],
-                    VelocityKind::Fixed(vector) => [graph.cross(vector, n), none],
-                    VelocityKind::Axes => [n, none],
-                };
-                (velocity.link, coefficients)
-            })
-            .collect()
-    }
 }
 
 /// The components of vectors, along inertial axes or the axes of a link.

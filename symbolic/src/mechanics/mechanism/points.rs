@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use crate::Expression;
 use crate::frames::factor::MatrixFactor;
 use crate::frames::frame_tree::Frame;
 use crate::mechanics::mechanism::reading::{Point, Reader};
 use crate::mechanics::mechanism::{Inertia, Link, Turn, Vector};
-use crate::{Expression, Graph, Node};
 
 /// A sum of vectors along the axes of frames.
 pub(super) type Places = BTreeMap<Frame, Vector>;
@@ -59,17 +59,9 @@ impl Reader {
 
     /// A place along inertial axes without its constant terms, which no velocity shows.
     pub(super) fn moving_part(&mut self, place: Expression) -> Expression {
-        let varies = |graph: &Graph, x: Expression| graph.contents(x).varies();
-        let moving: Vec<_> = match self.geometry.graph.node(place) {
-            Node::Sum(terms) => terms
-                .iter()
-                .filter(|(x, _)| varies(&self.geometry.graph, *x))
-                .cloned()
-                .collect(),
-            _ if varies(&self.geometry.graph, place) => return place,
-            _ => Vec::new(),
-        };
-        self.geometry.graph.sum(moving)
+        let mut terms = self.geometry.graph.terms(place);
+        terms.retain(|(x, _)| self.geometry.graph.contents(*x).varies());
+        self.geometry.graph.sum(terms)
     }
 
     /// Goes from a link with the axes of the first frame to one with those of the second, at this place.

@@ -160,3 +160,18 @@ pub(crate) fn total(graph: &mut Graph, terms: &[Expression]) -> Expression {
     let sum = graph.sum(terms.iter().map(|x| (*x, Rational::ONE)));
     kept(graph, sum)
 }
+
+/// x − y, kept.
+pub(crate) fn difference(graph: &mut Graph, x: Expression, y: Expression) -> Expression {
+    let difference = graph.subtract(x, y);
+    kept(graph, difference)
+}
+
+/// Σ xᵢ·yᵢ, kept.
+pub(crate) fn inner(
+    graph: &mut Graph,
+    pairs: impl IntoIterator<Item = (Expression, Expression)>,
+) -> Expression {
+    let sum = graph.sum_of_products(pairs);
+    kept(graph, sum)
+}

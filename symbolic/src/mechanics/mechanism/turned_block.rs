@@ -1,7 +1,7 @@
 //! Tensors along the axes of the link before: a turn about a coordinate axis takes four products for each block of two
 //! rows, by the double angle.
 
-use crate::mechanics::mechanism::{Inertia, Turn, Vector, kept, total};
+use crate::mechanics::mechanism::{Inertia, Turn, Vector, difference, inner, kept, total};
 use crate::{Expression, Graph, Rational};
 
 impl Turn {
@@ -26,11 +26,8 @@ impl Turn {
                         Rational::ONE
                     };
                     let across = graph.scale(sine, &sign);
-                    let value = graph.sum_of_products([(cosine, x), (across, y)]);
-                    turned[i][k] = kept(graph, value);
-                    let value =
-                        graph.sum_of_products([(cosine, block[k][i]), (across, block[k][j])]);
-                    turned[k][i] = kept(graph, value);
+                    turned[i][k] = inner(graph, [(cosine, x), (across, y)]);
+                    turned[k][i] = inner(graph, [(cosine, block[k][i]), (across, block[k][j])]);
                 }
                 let plane = [[block[a][a], block[a][b]], [block[b][a], block[b][b]]];
                 let plane = if is_symmetric {
@@ -56,9 +53,7 @@ type Plane = [[Expression; 2]; 2];
 
 /// cos² and sin cos, each computed once.
 fn products(graph: &mut Graph, cosine: Expression, sine: Expression) -> [Expression; 2] {
-    let square = graph.square(cosine);
-    let product = graph.multiply(cosine, sine);
-    [kept(graph, square), kept(graph, product)]
+    [cosine, sine].map(|x| inner(graph, [(cosine, x)]))
 }
 
 /// R B Rᵀ of a symmetric block of two rows.
@@ -74,13 +69,10 @@ fn symmetric_plane(
     let twice = graph.scale(square, &Rational::integer(2));
     let double_cosine = graph.add_constant(twice, &Rational::MINUS_ONE);
     let double_cosine = kept(graph, double_cosine);
-    let difference = graph.subtract(x, z);
-    let difference = kept(graph, difference);
+    let stretch = difference(graph, x, z);
     let minus = graph.negate(double_sine);
-    let change = graph.sum_of_products([(square, difference), (minus, y)]);
-    let change = kept(graph, change);
-    let across = graph.sum_of_products([(product, difference), (double_cosine, y)]);
-    let across = kept(graph, across);
+    let change = inner(graph, [(square, stretch), (minus, y)]);
+    let across = inner(graph, [(product, stretch), (double_cosine, y)]);
     let minus = graph.negate(change);
     [
         [total(graph, &[z, change]), across],
@@ -96,14 +88,11 @@ fn plane_turned(
     [[e, f], [g, h]]: Plane,
 ) -> Plane {
     let [square, product] = products(graph, cosine, sine);
-    let difference = graph.subtract(e, h);
-    let difference = kept(graph, difference);
+    let stretch = difference(graph, e, h);
     let sum = total(graph, &[f, g]);
     let minus = graph.negate(product);
-    let change = graph.sum_of_products([(square, difference), (minus, sum)]);
-    let change = kept(graph, change);
-    let across = graph.sum_of_products([(product, difference), (square, sum)]);
-    let across = kept(graph, across);
+    let change = inner(graph, [(square, stretch), (minus, sum)]);
+    let across = inner(graph, [(product, stretch), (square, sum)]);
     let [minus, minus_f, minus_g] = [change, f, g].map(|x| graph.negate(x));
     [
         [total(graph, &[h, change]), total(graph, &[across, minus_g])],

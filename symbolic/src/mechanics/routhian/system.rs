@@ -1,9 +1,8 @@
 //! The elimination of the velocities of ignorable coordinates from a Lagrangian, with the formulas of
 //! [Routh's reduction](super).
 
-use std::collections::BTreeMap;
-
 use super::elimination::Elimination;
+use crate::matrix::rows::{self, sums};
 use crate::{Energies, Expression, Graph, Rational, Symbol};
 
 /// The full model without ignorable coordinates, in its own numbers.
@@ -31,11 +30,10 @@ impl System {
     pub(super) fn eliminate(&mut self, graph: &mut Graph) -> Result<(), usize> {
         let momenta = graph.jacobian(&[self.lagrangian], &self.ignorable).concat();
         let columns = graph.jacobian(&momenta, &self.ignorable);
-        let zeros = at_rest(graph, &self.ignorable.clone());
-        self.offsets = graph.substitute(&momenta, &zeros);
+        self.offsets = graph.at_zero(&momenta, &self.ignorable);
         let mut inertia = vec![Vec::new(); momenta.len()];
         for column in &columns {
-            let column = graph.substitute(column, &zeros);
+            let column = graph.at_zero(column, &self.ignorable);
             for (row, entry) in inertia.iter_mut().zip(column) {
                 row.push(graph.simplest(entry));
             }
@@ -54,22 +52,21 @@ impl System {
                 return Err(position);
             }
         }
-        self.elimination = Elimination::of(graph, inertia)?;
+        self.elimination = Elimination::of(graph, &inertia)?;
         Ok(())
     }
 
     /// The reduction of an L of degree two in all velocities; none for others.
     pub(super) fn of_degree_two(&self, graph: &mut Graph) -> Option<Reduced> {
-        let zeros = at_rest(graph, &self.velocities);
         if graph.velocity_degree(self.lagrangian)? != 2 {
             return None;
         }
-        let resting = graph.substitute(&[self.lagrangian], &zeros)[0];
+        let resting = graph.at_zero(&[self.lagrangian], &self.velocities)[0];
         let slopes = graph
             .jacobian(&[self.lagrangian], &self.velocities)
             .concat();
-        let linear = graph.substitute(&slopes, &zeros);
-        let bias = graph.substitute(&self.offsets, &zeros);
+        let linear = graph.at_zero(&slopes, &self.velocities);
+        let bias = graph.at_zero(&self.offsets, &self.velocities);
         let moved = differences(graph, &bias, &self.offsets);
         let excess = differences(graph, &self.constants, &bias);
         let [moved, excess] = [moved, excess].map(|right| self.elimination.forward(graph, right));
@@ -94,14 +91,13 @@ impl System {
         }
         let gyroscopic = graph.sum(gyroscopic);
         let gyroscopic = graph.simplest(gyroscopic);
-        let rates = constant.iter().zip(&driven);
         Some(Reduced {
             energies: Energies::Natural {
                 kinetic,
                 potential: graph.add(effective_potential, gyroscopic),
             },
             effective_potential,
-            velocities: rates.map(|(x, y)| graph.add(*x, *y)).collect(),
+            velocities: sums(graph, &constant, &driven),
         })
     }
 
@@ -114,10 +110,9 @@ impl System {
     ) -> Option<Expression> {
         if let Some([kinetic, potential]) = self.kinetic_and_potential {
             let rest = [kinetic, potential].map(|part| graph.velocity_degree(part));
-            let all = at_rest(graph, &self.velocities);
             let slopes = graph.jacobian(&[kinetic], &self.velocities).concat();
-            let mut still = graph.substitute(&slopes, &all);
-            still.extend(graph.substitute(&[kinetic], &all));
+            let mut still = graph.at_zero(&slopes, &self.velocities);
+            still.extend(graph.at_zero(&[kinetic], &self.velocities));
             let ignored: Vec<Expression> = self.difference_of_energies(graph, kinetic, potential);
             if matches!(rest, [Some(2), Some(0 | 1)])
                 && graph.vanishes(&still)
@@ -168,16 +163,14 @@ impl System {
 
     /// The reduction of an L that is quadratic in the velocities of the ignorable coordinates.
     pub(super) fn quadratic_in_ignorable_velocities(&self, graph: &mut Graph) -> Reduced {
-        let zeros = at_rest(graph, &self.ignorable);
-        let still = graph.substitute(&[self.lagrangian], &zeros)[0];
+        let still = graph.at_zero(&[self.lagrangian], &self.ignorable)[0];
         let excess = differences(graph, &self.constants, &self.offsets);
         let excess = self.elimination.forward(graph, excess);
         let velocities = self.elimination.backward(graph, &excess);
         let centrifugal = self.elimination.product(graph, &excess, &excess);
         let centrifugal = graph.scale(centrifugal, &Rational::HALF);
         let lagrangian = graph.subtract(still, centrifugal);
-        let all = at_rest(graph, &self.velocities);
-        let resting = graph.substitute(&[lagrangian], &all)[0];
+        let resting = graph.at_zero(&[lagrangian], &self.velocities)[0];
         Reduced {
             energies: Energies::General(lagrangian),
             effective_potential: graph.negate(resting),
@@ -186,19 +179,8 @@ impl System {
     }
 }
 
-/// Zeros for these symbols.
-fn at_rest(graph: &Graph, symbols: &[Symbol]) -> BTreeMap<Symbol, Expression> {
-    let zeros = symbols.iter().map(|symbol| (*symbol, graph.zero()));
-    zeros.collect()
-}
-
-/// x − y, entry by entry.
+/// x − y, entry by entry, each in its simplest form.
 fn differences(graph: &mut Graph, x: &[Expression], y: &[Expression]) -> Vec<Expression> {
-    let pairs = x.iter().zip(y);
-    pairs
-        .map(|(x, y)| {
-            let difference = graph.subtract(*x, *y);
-            graph.simplest(difference)
-        })
-        .collect()
+    let differences = rows::differences(graph, x, y).into_iter();
+    differences.map(|x| graph.simplest(x)).collect()
 }

@@ -44,6 +44,8 @@ pub(crate) struct ArticulatedBodies {
     steps: Vec<EliminationStep>,
     /// The expressions that must be positive: the pivots, and the unit of inertia that they are relative to.
     pub(crate) pivots: Vec<Expression>,
+    /// What q̈ is divided by: the pivot of each coordinate, and the unit of inertia.
+    pub(crate) divisors: Vec<Pivot>,
 }
 
 impl ArticulatedBodies {
@@ -57,25 +59,7 @@ impl ArticulatedBodies {
             quadratic.eliminate(graph, coordinate, limit)?;
         }
         let steps = quadratic.steps;
-        let mut pivots: Vec<_> = steps
-            .iter()
-            .filter_map(|step| match step {
-                EliminationStep::Eliminate(_, row) => Some(row.pivot),
-                EliminationStep::Substitute(_) => None,
-            })
-            .collect();
-        pivots.push(tree.unit);
-        pivots.retain(|pivot| graph.as_constant(*pivot).is_none_or(Rational::is_negative));
-        Some(Self {
-            tree,
-            steps,
-            pivots,
-        })
-    }
-
-    /// What q̈ is divided by: the pivot of each coordinate, and the unit of inertia.
-    pub(crate) fn divisors(&self) -> Vec<Pivot> {
-        let pivots = self.steps.iter().filter_map(|step| match step {
+        let divisors = steps.iter().filter_map(|step| match step {
             EliminationStep::Eliminate(coordinate, row) => Some(Pivot {
                 value: row.pivot,
                 coordinates: vec![*coordinate],
@@ -83,21 +67,23 @@ impl ArticulatedBodies {
             EliminationStep::Substitute(_) => None,
         });
         let unit = Pivot {
-            value: self.tree.unit,
-            coordinates: (0..self.tree.right.len()).collect(),
+            value: tree.unit,
+            coordinates: (0..tree.right.len()).collect(),
         };
-        pivots.chain([unit]).collect()
+        let divisors: Vec<_> = divisors.chain([unit]).collect();
+        let mut pivots: Vec<_> = divisors.iter().map(|pivot| pivot.value).collect();
+        pivots.retain(|pivot| graph.as_constant(*pivot).is_none_or(Rational::is_negative));
+        Some(Self {
+            tree,
+            steps,
+            pivots,
+            divisors,
+        })
     }
 
     /// The accelerations.
     pub(crate) fn accelerations(&self, graph: &mut Graph) -> Vec<Expression> {
-        let velocity_products: Vec<_> = self
-            .tree
-            .forms
-            .iter()
-            .map(|form| form.velocity_product)
-            .collect();
-        self.solve(graph, &self.tree.right, &velocity_products)
+        self.solve(graph, &self.tree.right, &self.tree.velocity_products())
     }
 
     /// x in M x = r, for M and r in the tree's unit.
@@ -138,7 +124,7 @@ impl ArticulatedBodies {
         self.back_substitute(graph, &right_hand_side, velocity_products)
     }
 
-    /// The accelerations, from the last elimination back to the first.
+    /// The accelerations, from the last step back to the first: what a step needs was eliminated or substituted behind it.
     fn back_substitute(
         &self,
         graph: &mut Graph,
@@ -146,23 +132,28 @@ impl ArticulatedBodies {
         velocity_products: &[Expression],
     ) -> Vec<Expression> {
         let zero = graph.zero();
-        let mut known = BackSubstitution {
-            tree: &self.tree,
-            velocity_products,
-            accelerations: vec![None; self.tree.right.len()],
-            rates: vec![None; self.tree.forms.len()],
-        };
+        let mut known = BTreeMap::new();
+        let value = |known: &BTreeMap<_, _>, u: &Unknown| known.get(u).copied().unwrap_or(zero);
         for step in self.steps.iter().rev() {
-            let EliminationStep::Eliminate(coordinate, row) = step else {
-                continue;
+            let (unknown, found) = match step {
+                EliminationStep::Eliminate(_, row) => {
+                    let others = |_: &mut Graph, u| value(&known, &u);
+                    let found = row.solve(graph, &right_hand_side.0, others);
+                    (row.unknown, found)
+                }
+                EliminationStep::Substitute(step) => {
+                    let mut terms = vec![(velocity_products[step.form], Rational::ONE)];
+                    for (u, s) in &step.parts {
+                        let part = graph.multiply(*s, value(&known, u));
+                        terms.push((part, Rational::ONE));
+                    }
+                    (step.row.unknown, graph.sum(terms))
+                }
             };
-            let acceleration = row.solve(graph, &right_hand_side.0, |graph, unknown| {
-                known.value(graph, unknown).unwrap_or(zero)
-            });
-            known.accelerations[*coordinate] = Some(graph.opaque(acceleration));
+            known.insert(unknown, graph.opaque(found));
         }
-        let accelerations = known.accelerations.into_iter();
-        accelerations.map(|value| value.unwrap_or(zero)).collect()
+        let unknowns = (0..self.tree.right.len()).map(Unknown::Coordinate);
+        unknowns.map(|unknown| value(&known, &unknown)).collect()
     }
 }
 
@@ -281,56 +272,6 @@ impl RightHandSide {
         for (v, entry) in &step.row.others {
             self.add(graph, *v, *entry, opposite);
         }
-    }
-}
-
-/// The accelerations and rates found so far.
-struct BackSubstitution<'a> {
-    tree: &'a KinematicTree,
-    velocity_products: &'a [Expression],
-    accelerations: Vec<Option<Expression>>,
-    rates: Vec<Option<Expression>>,
-}
-
-impl BackSubstitution<'_> {
-    fn value(&mut self, graph: &mut Graph, unknown: Unknown) -> Option<Expression> {
-        match unknown {
-            Unknown::Coordinate(i) => self.accelerations[i],
-            Unknown::Rate(k) => self.rate(graph, k),
-        }
-    }
-
-    /// ẇₖ, where the accelerations it is made of are known.
-    fn rate(&mut self, graph: &mut Graph, k: usize) -> Option<Expression> {
-        // From k towards the root until a rate is known, then back.
-        let mut path = vec![k];
-        while let Some(parent) = path.last().and_then(|k| self.tree.forms[*k].parent) {
-            if self.rates[parent].is_some() {
-                break;
-            }
-            path.push(parent);
-        }
-        for k in path.into_iter().rev() {
-            if self.rates[k].is_none() {
-                self.rates[k] = self.step(graph, k);
-            }
-        }
-        self.rates[k]
-    }
-
-    /// ẇₖ from that of its parent.
-    fn step(&self, graph: &mut Graph, k: usize) -> Option<Expression> {
-        let form = &self.tree.forms[k];
-        let mut terms = vec![(self.velocity_products[k], Rational::ONE)];
-        if let Some(parent) = form.parent {
-            terms.push((self.rates[parent]?, Rational::ONE));
-        }
-        for (i, coefficient) in &form.local {
-            let product = graph.multiply(*coefficient, self.accelerations[*i]?);
-            terms.push((product, Rational::ONE));
-        }
-        let sum = graph.sum(terms);
-        Some(graph.opaque(sum))
     }
 }
 

@@ -6,53 +6,55 @@
 //! The change δω passes joints as that of a rigid body does. Where a coordinate is eliminated, the matrix is changed as a
 //! force is; its acceleration then has a share of 2 δω.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use crate::mechanics::mechanism::{Turn, Vector, kept, total};
+use crate::mechanics::mechanism::{Turn, Vector, total};
 use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
+use crate::mechanics::solvers::link_vectors::RightHandSide;
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, InertiaRow, Unknown, angular, linear,
+    EliminatedRow, InertiaRow, Slope, Unknown, angular, linear, twist,
 };
 use crate::{Expression, Graph};
 
-/// The coefficients of 2 δω, along the axes of a link, in the forces at unknowns.
+/// The forces that each component of 2 δω takes, along the axes of a link.
 #[derive(Clone, Default)]
-pub(crate) struct ArticulatedCoriolis(BTreeMap<Unknown, Vector>);
+pub(crate) struct ArticulatedCoriolis([RightHandSide; 3]);
 
 impl ArticulatedCoriolis {
-    fn get(&self, graph: &Graph, unknown: Unknown) -> Vector {
-        let row = self.0.get(&unknown);
-        row.copied().unwrap_or([graph.zero(); 3])
+    /// The coefficients of 2 δω in the force at an unknown.
+    fn row(&self, graph: &Graph, unknown: Unknown) -> Vector {
+        [0, 1, 2].map(|axis| self.0[axis].get(graph, unknown))
     }
 
-    fn block(&self, graph: &Graph, unknowns: [Unknown; 3]) -> [Vector; 3] {
-        unknowns.map(|u| self.get(graph, u))
-    }
-
-    fn set_block(&mut self, unknowns: [Unknown; 3], rows: [Vector; 3]) {
-        self.0.extend(unknowns.into_iter().zip(rows));
+    fn set_row(&mut self, unknown: Unknown, row: Vector) {
+        for (column, force) in self.0.iter_mut().zip(row) {
+            column.0.insert(unknown, force);
+        }
     }
 
     fn increase(&mut self, graph: &mut Graph, unknown: Unknown, change: Vector) {
-        let before = self.get(graph, unknown);
+        let before = self.row(graph, unknown);
         let sum = [0, 1, 2].map(|i| total(graph, &[before[i], change[i]]));
-        self.0.insert(unknown, sum);
+        self.set_row(unknown, sum);
+    }
+
+    fn rows(&self, graph: &Graph) -> Vec<(Unknown, Vector)> {
+        let unknowns = self.0[0].0.keys();
+        unknowns.map(|u| (*u, self.row(graph, *u))).collect()
     }
 
     /// Adds that of what a link itself carries.
     pub(crate) fn add_link(&mut self, graph: &mut Graph, link: usize, own: &CoriolisMatrix) {
         let rows = own.rows(graph);
-        for (unknowns, rows) in [angular(link), linear(link)].into_iter().zip(rows) {
-            for (unknown, row) in unknowns.into_iter().zip(rows) {
-                self.increase(graph, unknown, row);
-            }
+        for (unknown, row) in twist(link).zip(rows.into_iter().flatten()) {
+            self.increase(graph, unknown, row);
         }
     }
 
-    /// Adds another one along the same axes.
-    pub(crate) fn add(&mut self, graph: &mut Graph, other: Self) {
-        for (unknown, row) in other.0 {
-            self.increase(graph, unknown, row);
+    /// Adds that of a link behind, about the origin and along the axes of this one.
+    pub(crate) fn add(&mut self, graph: &mut Graph, other: &Self, [link, parent]: [usize; 2]) {
+        for (unknown, row) in other.rows(graph) {
+            self.increase(graph, unknown.moved(link, parent), row);
         }
     }
 
@@ -62,69 +64,37 @@ impl ArticulatedCoriolis {
         graph: &mut Graph,
         turning: Vector,
     ) -> BTreeMap<Unknown, Expression> {
-        let mut forces = BTreeMap::new();
-        for (unknown, row) in &self.0 {
-            let force = graph.sum_of_products(row.iter().copied().zip(turning));
-            forces.insert(*unknown, force);
-        }
-        forces
+        let rows = self.rows(graph).into_iter();
+        let forces = rows.map(|(u, row)| (u, graph.sum_of_products(row.into_iter().zip(turning))));
+        forces.collect()
     }
 
-    /// x := x + e q̈ of three unknowns.
-    pub(crate) fn split_off(
-        &mut self,
-        graph: &mut Graph,
-        unknowns: [Unknown; 3],
-        coordinate: usize,
-        slope: Vector,
-    ) {
-        let rows = self.block(graph, unknowns);
-        let change = [0, 1, 2].map(|i| {
-            let pairs = slope.into_iter().zip(rows.map(|row| row[i]));
-            graph.sum_of_products(pairs)
-        });
-        let own = Unknown::Coordinate(coordinate);
-        let before = self.get(graph, own);
-        self.0
-            .insert(own, [0, 1, 2].map(|i| graph.add(before[i], change[i])));
+    /// x := x + e q̈.
+    pub(crate) fn split_off(&mut self, graph: &mut Graph, slope: &Slope) {
+        for column in &mut self.0 {
+            column.split_off(graph, slope);
+        }
     }
 
     /// Eliminates a coordinate; the negative share of 2 δω in its acceleration.
     pub(crate) fn eliminate(&mut self, graph: &mut Graph, row: &EliminatedRow) -> Vector {
-        let own = self.0.remove(&Unknown::Coordinate(row.coordinate));
-        let own = own.unwrap_or([graph.zero(); 3]);
-        let quotient = own.map(|x| {
-            let x = kept(graph, x);
-            let quotient = graph.multiply(x, row.reciprocal);
-            kept(graph, quotient)
-        });
-        for (unknown, entry, _) in &row.others {
-            let change = if *entry == row.pivot {
-                own
-            } else {
-                quotient.map(|x| graph.multiply(*entry, x))
-            };
-            let before = self.get(graph, *unknown);
-            let after = [0, 1, 2].map(|i| {
-                let difference = graph.subtract(before[i], change[i]);
-                kept(graph, difference)
-            });
-            self.0.insert(*unknown, after);
-        }
-        quotient
+        self.0.each_mut().map(|column| column.eliminate(graph, row))
     }
 
     /// Along the axes of the link before.
     pub(crate) fn turn(&mut self, graph: &mut Graph, link: usize, turn: &Turn) {
-        for (unknown, row) in &mut self.0 {
+        for (unknown, row) in self.rows(graph) {
             if matches!(unknown, Unknown::Coordinate(_)) {
-                *row = turn.outward(graph, *row);
+                let row = turn.outward(graph, row);
+                self.set_row(unknown, row);
             }
         }
         for unknowns in [angular(link), linear(link)] {
-            let block = self.block(graph, unknowns);
+            let block = unknowns.map(|u| self.row(graph, u));
             let block = turn.outward_block(graph, block, false);
-            self.set_block(unknowns, block);
+            for (unknown, row) in unknowns.into_iter().zip(block) {
+                self.set_row(unknown, row);
+            }
         }
     }
 
@@ -138,36 +108,20 @@ impl ArticulatedCoriolis {
         speed: Vector,
         masses: &[InertiaRow; 3],
     ) {
-        let mut unknowns: Vec<_> = masses.iter().flat_map(|row| row.keys()).copied().collect();
-        unknowns.sort_unstable();
-        unknowns.dedup();
+        let zero = graph.zero();
+        let unknowns: BTreeSet<_> = masses.iter().flat_map(|row| row.keys()).collect();
         for unknown in unknowns {
-            let column = [0, 1, 2].map(|i| {
-                let entry = masses[i].get(&unknown);
-                entry.copied().unwrap_or(graph.zero())
-            });
-            let change = graph.cross(speed, column);
-            self.increase(graph, unknown, change);
+            let column = masses.each_ref().map(|row| row.get(unknown).copied());
+            let change = graph.cross(speed, column.map(|entry| entry.unwrap_or(zero)));
+            self.increase(graph, *unknown, change);
         }
-        let forces = self.block(graph, linear(link));
-        for axis in 0..3 {
-            let force = forces.map(|row| row[axis]);
+        for column in &mut self.0 {
+            let force = column.vector(graph, linear(link));
             let lever = graph.cross(place, force);
             for (unknown, change) in angular(link).into_iter().zip(lever) {
-                let mut row = self.get(graph, unknown);
-                row[axis] = total(graph, &[row[axis], change]);
-                self.0.insert(unknown, row);
+                let sum = total(graph, &[column.get(graph, unknown), change]);
+                column.0.insert(unknown, sum);
             }
         }
-    }
-
-    /// The same at the unknowns of the link before.
-    pub(crate) fn at(self, link: usize, parent: usize) -> Self {
-        let renamed = self.0.into_iter();
-        Self(
-            renamed
-                .map(|(unknown, row)| (unknown.moved(link, parent), row))
-                .collect(),
-        )
     }
 }

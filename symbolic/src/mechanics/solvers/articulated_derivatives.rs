@@ -11,8 +11,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::mechanics::mechanism::kept;
+use crate::mechanics::mechanism::{difference, kept};
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
+use crate::mechanics::solvers::link_derivatives::DerivativeTerms;
 use crate::mechanics::solvers::link_responses::LinkResponses;
 use crate::mechanics::solvers::link_vectors::Accelerations;
 use crate::mechanics::solvers::perturbation_forces::{
@@ -52,17 +53,17 @@ impl ArticulatedLinks {
         let slopes = graph.jacobian(&others, symbols);
         let mut columns = Vec::with_capacity(symbols.len());
         for (symbol, slopes) in symbols.iter().zip(slopes) {
-            let place = match *symbol {
-                Symbol::Coordinate(i) => Some((0, i as usize)),
-                Symbol::Velocity(i) => Some((1, i as usize)),
-                Symbol::Input(_) => None,
-                _ => {
-                    columns.extend(self.solved_columns(graph, &[*symbol]));
-                    continue;
-                }
-            };
-            let column = (0..slopes.len()).map(|row| entries.sum(graph, place, row, &slopes));
-            columns.push(column.collect());
+            let is_known = matches!(
+                symbol,
+                Symbol::Coordinate(_) | Symbol::Velocity(_) | Symbol::Input(_)
+            );
+            if is_known {
+                let rows = 0..slopes.len();
+                let column = rows.map(|row| entries.sum(graph, *symbol, row, &slopes));
+                columns.push(column.collect());
+            } else {
+                columns.extend(self.solved_columns(graph, &[*symbol]));
+            }
         }
         columns
     }
@@ -81,9 +82,7 @@ impl ArticulatedLinks {
 
 /// The terms of the derivatives.
 struct Entries {
-    size: usize,
-    /// Of each coordinate, by each coordinate and then each velocity.
-    terms: Vec<Vec<(Expression, Rational)>>,
+    terms: DerivativeTerms,
     /// Entries of M⁻¹, on one side of the diagonal.
     inverse: BTreeMap<(usize, usize), Expression>,
 }
@@ -91,32 +90,26 @@ struct Entries {
 impl Entries {
     /// The entries, of M⁻¹ alone unless `with_state`.
     fn new(graph: &mut Graph, solver: &ArticulatedLinks, with_state: bool) -> Option<Self> {
-        let size = solver.equations.forces.len();
         let steps = steps_of_joints(solver)?;
         let needed = coordinates_before(solver, &steps)?;
         let joints = Forces::new(graph, solver, with_state).joints(graph, &steps);
         let mut entries = Self {
-            size,
-            terms: vec![Vec::new(); 2 * size * size],
+            terms: DerivativeTerms::new(),
             inverse: BTreeMap::new(),
         };
         entries.collect(graph, solver, &steps, &needed, &joints);
         Some(entries)
     }
 
-    /// ∂q̈/∂x of a coordinate, where the links depend on x by terms at a place, and what no link has by these derivatives of
-    /// M q̈ − f.
+    /// ∂q̈/∂x of a coordinate, where what no link has depends on x by these derivatives of M q̈ − f.
     fn sum(
         &self,
         graph: &mut Graph,
-        place: Option<(usize, usize)>,
+        symbol: Symbol,
         row: usize,
         others: &[Expression],
     ) -> Expression {
-        let terms = place.map(|(kind, column)| {
-            let position = (kind * self.size + column) * self.size + row;
-            self.terms[position].clone()
-        });
+        let terms = self.terms.get(&(symbol, row)).cloned();
         let mut terms = terms.unwrap_or_default();
         for (coordinate, slope) in others.iter().enumerate() {
             if graph.is_zero(*slope) {
@@ -133,8 +126,8 @@ impl Entries {
     }
 
     fn enter(&mut self, column: &Column, row: usize, value: Expression) {
-        let position = (column.kind * self.size + column.coordinate) * self.size + row;
-        self.terms[position].push((value, Rational::MINUS_ONE));
+        let terms = self.terms.entry((column.symbol, row)).or_default();
+        terms.push((value, Rational::MINUS_ONE));
     }
 
     /// Goes from the root to the leaves, with the responses of each link.
@@ -214,8 +207,7 @@ impl Entries {
             for (unknown, value) in &mut motion.values {
                 let change = column.perturbation.values.get(unknown);
                 let change = change.copied().unwrap_or(graph.zero());
-                let difference = graph.subtract(change, *value);
-                *value = kept(graph, difference);
+                *value = difference(graph, change, *value);
             }
             for row in &meeting.rows {
                 let motion = row.forces.power(graph, &motion);

@@ -10,15 +10,17 @@
 
 use std::collections::BTreeMap;
 
-use crate::mechanics::mechanism::{Inertia, Vector};
+use crate::matrix::rows::sums;
+use crate::mechanics::mechanism::Inertia;
 use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
 use crate::mechanics::solvers::multiplier_elimination::MultiplierElimination;
-use crate::mechanics::solvers::newton_euler::Joint;
+use crate::mechanics::solvers::newton_euler::{Joint, JointPart};
 use crate::mechanics::solvers::pivots::Pivot;
+use crate::mechanics::solvers::spatial_vectors::Twist;
 use crate::mechanics::solvers::twist_elimination::{
-    InertiaRow, Step, TwistElimination, Unknown, angular, linear,
+    InertiaRow, Slope, Step, TwistElimination, Unknown, linear, twist,
 };
 use crate::{Expression, Graph, Rational};
 
@@ -26,11 +28,21 @@ use crate::{Expression, Graph, Rational};
 #[derive(Clone, Default)]
 pub(crate) struct PassedInertia {
     /// At the acceleration of the link, along its axes.
-    pub(crate) turning: [InertiaRow; 6],
-    /// At the acceleration of its origin, along the axes of the link before.
-    pub(crate) sliding: [InertiaRow; 3],
-    /// The same, behind what slides.
+    turning: Vec<InertiaRow>,
+    /// The same, along the axes of the link before.
+    sliding: Vec<InertiaRow>,
+    /// At the acceleration of the origin, behind what slides.
     pub(crate) shift: [InertiaRow; 3],
+}
+
+impl PassedInertia {
+    /// The rows at the acceleration of the link before a part of its joint is passed.
+    pub(crate) fn before(&self, part: JointPart) -> &[InertiaRow] {
+        match part {
+            JointPart::Turning => &self.turning,
+            JointPart::Sliding => &self.sliding,
+        }
+    }
 }
 
 /// The factored equations of a mechanism.
@@ -42,8 +54,8 @@ pub(crate) struct ArticulatedLinks {
     pub(crate) inertias: Vec<PassedInertia>,
     /// The expressions that must be positive.
     pub(crate) pivots: Vec<Expression>,
-    /// What q̈ is divided by: the pivots of coordinates, and the opposites of the pivots of multipliers.
-    divisors: Vec<Pivot>,
+    /// What q̈ is divided by, with the coordinate or multiplier of each: the pivots of coordinates, and the opposites of the pivots of multipliers.
+    pub(crate) divisors: Vec<Pivot>,
 }
 
 impl ArticulatedLinks {
@@ -55,7 +67,8 @@ impl ArticulatedLinks {
     ) -> Option<Self> {
         let coordinates = equations.forces.len();
         let mut uses = uses(&equations.joints, coordinates);
-        let mut elimination = TwistElimination::of_coordinates(graph, &equations.other_mass);
+        let mass = &equations.other_mass;
+        let mut elimination = TwistElimination::new(graph, mass, Unknown::Coordinate);
         let mut multipliers =
             MultiplierElimination::of(graph, &mut elimination, constraints, coordinates);
         let mut steps = Vec::new();
@@ -67,27 +80,24 @@ impl ArticulatedLinks {
             multipliers.record(&row);
             steps.push(Step::Eliminate(row));
         }
-        let links = equations.mechanism.links.iter().zip(&equations.joints);
-        for (i, (link, joint)) in links.enumerate().rev() {
+        for (i, link, joint) in equations.inward() {
             elimination.add_inertia(graph, i, &link.inertia);
             let moved = (i, equations.mechanism.moved.get(i).unwrap_or(&nothing));
             multipliers.eliminate_determined(graph, &mut elimination, moved, &mut steps);
             let inertia = &mut inertias[i];
-            let [a, b, c] = elimination.rows(angular(i));
-            let [d, e, f] = elimination.rows(linear(i));
-            inertia.turning = [a, b, c, d, e, f];
+            inertia.turning = elimination.rows_of(i);
             let mut passage = Passage {
                 elimination: &mut elimination,
                 multipliers: &mut multipliers,
                 steps: &mut steps,
                 uses: &mut uses,
             };
-            passage.split_off(graph, angular(i), &joint.turning)?;
+            passage.split_off(graph, i, &joint.turning)?;
             passage.elimination.turn(graph, i, &link.turn);
             passage.steps.push(Step::Turn(i, link.turn));
-            inertia.sliding = passage.elimination.rows(linear(i));
-            passage.split_off(graph, linear(i), &joint.sliding)?;
-            inertia.shift = passage.elimination.rows(linear(i));
+            inertia.sliding = passage.elimination.rows_of(i);
+            passage.split_off(graph, i, &joint.sliding)?;
+            inertia.shift = linear(i).map(|unknown| passage.elimination.row(unknown));
             passage.elimination.shift(graph, i, link.place);
             passage.elimination.merge(graph, i, link.parent);
             let step = Step::Shift(i, link.parent, link.place);
@@ -116,11 +126,6 @@ impl ArticulatedLinks {
         self.constraints.is_empty()
     }
 
-    /// What q̈ is divided by, with the coordinate or multiplier of each.
-    pub(crate) fn divisors(&self) -> Vec<Pivot> {
-        self.divisors.clone()
-    }
-
     /// The accelerations, and the intermediate results of the recursion in its order: the wrenches of the links outwards, and
     /// inwards what is divided by each pivot.
     pub(crate) fn accelerations(&self, graph: &mut Graph) -> (Vec<Expression>, Vec<Expression>) {
@@ -132,8 +137,7 @@ impl ArticulatedLinks {
         }
         let mut recursion = Vec::new();
         for (link, wrench) in wrenches.iter().enumerate() {
-            let unknowns = angular(link).into_iter().chain(linear(link));
-            for (unknown, value) in unknowns.zip(wrench.components()) {
+            for (unknown, value) in twist(link).zip(wrench.components()) {
                 recursion.push(value);
                 let value = graph.negate(value);
                 right.0.insert(unknown, value);
@@ -183,10 +187,7 @@ impl ArticulatedLinks {
         let quotients = self.eliminate(graph, residuals);
         let corrections = self.substitute(graph, &quotients);
         let corrections = self.unknowns(graph, &corrections);
-        let pairs = found.into_iter().zip(corrections);
-        pairs
-            .map(|(x, correction)| graph.add(x, correction))
-            .collect()
+        sums(graph, &found, &corrections)
     }
 
     /// M q̈ − f with the accelerations as symbols.
@@ -203,9 +204,7 @@ impl ArticulatedLinks {
         let mut quotients = BTreeMap::new();
         for step in &self.steps {
             match step {
-                Step::SplitOff(unknowns, coordinate, slope) => {
-                    right.split_off(graph, *unknowns, *coordinate, *slope);
-                }
+                Step::SplitOff(slope) => right.split_off(graph, slope),
                 Step::Eliminate(row) => {
                     quotients.insert(row.coordinate, right.eliminate(graph, row));
                 }
@@ -278,14 +277,13 @@ impl Passage<'_> {
     fn split_off(
         &mut self,
         graph: &mut Graph,
-        unknowns: [Unknown; 3],
-        slopes: &[(usize, Vector)],
+        link: usize,
+        slopes: &[(usize, Twist)],
     ) -> Option<()> {
         for (coordinate, slope) in slopes {
-            self.elimination
-                .split_off(graph, unknowns, *coordinate, *slope);
-            self.steps
-                .push(Step::SplitOff(unknowns, *coordinate, *slope));
+            let slope = Slope::of(graph, link, (*coordinate, *slope));
+            self.elimination.split_off(graph, &slope);
+            self.steps.push(Step::SplitOff(slope));
             self.uses[*coordinate] -= 1;
         }
         for (coordinate, _) in slopes {

@@ -13,7 +13,7 @@
 use crate::limits::MAX_QUASI_VELOCITIES;
 use crate::matrix::block_triangular::BlockTriangular;
 use crate::matrix::ldlt::Ldlt;
-use crate::matrix::rows::{product, transposed};
+use crate::matrix::rows::{differences, product, transposed};
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::mechanics::solvers::pivots::Pivot;
 use crate::mechanics::solvers::quasi_velocity_equations::QuasiVelocityEquations;
@@ -151,8 +151,7 @@ impl BoltzmannHamel {
             .map(|i| graph.symbol(Symbol::QuasiVelocity(i)))
             .collect();
         let offsets = self.quasi_velocities.offsets(graph, coordinates);
-        let pairs = symbols.iter().zip(offsets);
-        let homogeneous: Vec<_> = pairs.map(|(w, b)| graph.subtract(*w, b)).collect();
+        let homogeneous = differences(graph, &symbols, &offsets);
         let velocities = self.kinematics.solve(graph, &homogeneous);
         let values = (0..).map(Symbol::Velocity).zip(velocities.iter().copied());
         let values = values.collect();
@@ -190,8 +189,7 @@ impl BoltzmannHamel {
         let direction = graph.constant_velocity_direction(coordinates);
         let velocity_products =
             graph.directional_derivatives(&self.quasi_velocities.forms, &direction);
-        let rates = rates.iter().zip(velocity_products);
-        rates.map(|(x, y)| graph.subtract(*x, y)).collect()
+        differences(graph, &rates, &velocity_products)
     }
 
     /// W ẇ, where the quasi-velocities in products with momenta are written as `forms`.
@@ -217,12 +215,10 @@ impl BoltzmannHamel {
         for torque in &mut torques {
             *torque = graph.simplest(*torque);
         }
-        if let Gyroscopic::ByForm(values) = gyroscopic {
-            for (torque, value) in torques.iter_mut().zip(values) {
-                *torque = graph.subtract(*torque, value);
-            }
+        match gyroscopic {
+            Gyroscopic::ByForm(values) => differences(graph, &torques, &values),
+            Gyroscopic::ByCoordinate(_) => torques,
         }
-        torques
     }
 
     /// Σₖ (W w)ₖ 𝓛(wₖ): by quasi-velocity where their structure constants are constant.

@@ -9,8 +9,8 @@
 //! matrix of Echeandia and Wensing, Numerical methods to compute the Coriolis matrix and Christoffel symbols for rigid-body
 //! systems, 2021, that the velocity of the origin has no share in.
 
-use crate::mechanics::mechanism::{Inertia, Turn, Vector, cross, kept, total};
-use crate::mechanics::solvers::newton_euler::Wrench;
+use crate::mechanics::mechanism::{Inertia, Turn, Vector, cross, difference, inner, total};
+use crate::mechanics::solvers::spatial_vectors::{Twist, Wrench};
 use crate::{Expression, Graph};
 
 /// A change of the motion of a link, along its axes.
@@ -18,10 +18,8 @@ use crate::{Expression, Graph};
 pub(crate) struct Perturbation {
     /// 2 δω.
     pub(crate) turning: Vector,
-    /// δβ.
-    pub(crate) angular_acceleration: Vector,
-    /// δa.
-    pub(crate) acceleration: Vector,
+    /// δβ and δa.
+    pub(crate) acceleration: Twist,
 }
 
 /// π and G.
@@ -36,10 +34,8 @@ impl CoriolisMatrix {
     pub(crate) fn of(graph: &mut Graph, inertia: &Inertia, angular_velocity: Vector) -> Self {
         let force = cross(graph, inertia.first, angular_velocity);
         // S is symmetric: its rows are its columns.
-        let columns = inertia.second.map(|column| {
-            let product = graph.cross(column, angular_velocity);
-            product.map(|x| kept(graph, x))
-        });
+        let columns = inertia.second;
+        let columns = columns.map(|column| cross(graph, column, angular_velocity));
         Self {
             force,
             moment: transposed(columns),
@@ -74,17 +70,13 @@ impl CoriolisMatrix {
     ) -> Self {
         let force = [0, 1, 2].map(|i| {
             let momentum = graph.multiply(inertia.mass, speed[i]);
-            let difference = graph.subtract(self.force[i], momentum);
-            kept(graph, difference)
+            difference(graph, self.force[i], momentum)
         });
         // [x ×] [y ×] = y xᵀ − (x · y) 1.
         let first = inertia.first;
-        let inner = graph.sum_of_products(first.into_iter().zip(speed));
-        let outer = graph.sum_of_products(place.into_iter().zip(force));
-        let inner = kept(graph, inner);
-        let outer = kept(graph, outer);
-        let difference = graph.subtract(inner, outer);
-        let difference = kept(graph, difference);
+        let along_speed = inner(graph, first.into_iter().zip(speed));
+        let along_place = inner(graph, place.into_iter().zip(force));
+        let diagonal = difference(graph, along_speed, along_place);
         let moment = [0, 1, 2].map(|i| {
             [0, 1, 2].map(|j| {
                 let minus = graph.negate(speed[i]);
@@ -92,7 +84,7 @@ impl CoriolisMatrix {
                 let products = graph.sum_of_products(products);
                 let mut terms = vec![self.moment[i][j], products];
                 if i == j {
-                    terms.push(difference);
+                    terms.push(diagonal);
                 }
                 total(graph, &terms)
             })
@@ -117,16 +109,17 @@ impl CoriolisMatrix {
         inertia: &Inertia,
         change: &Perturbation,
     ) -> Wrench {
+        let Twist { angular, linear } = change.acceleration;
         let tensor = inertia.tensor(graph);
-        let swing = graph.cross(change.angular_acceleration, inertia.first);
+        let swing = graph.cross(angular, inertia.first);
         let coriolis = graph.cross(self.force, change.turning);
         let force = [0, 1, 2].map(|i| {
-            let own = graph.multiply(inertia.mass, change.acceleration[i]);
+            let own = graph.multiply(inertia.mass, linear[i]);
             total(graph, &[own, swing[i], coriolis[i]])
         });
-        let lever = graph.cross(inertia.first, change.acceleration);
+        let lever = graph.cross(inertia.first, linear);
         let moment = [0, 1, 2].map(|i| {
-            let turned = tensor[i].into_iter().zip(change.angular_acceleration);
+            let turned = tensor[i].into_iter().zip(angular);
             let coriolis = self.moment[i].into_iter().zip(change.turning);
             let sum = graph.sum_of_products(turned.chain(coriolis));
             total(graph, &[sum, lever[i]])
@@ -134,17 +127,14 @@ impl CoriolisMatrix {
         Wrench { moment, force }
     }
 
-    /// The coefficients of 2 δω in the power of the change at a rate of turning.
-    pub(crate) fn power_of_turning(&self, graph: &mut Graph, axis: Vector) -> Vector {
-        transposed(self.moment).map(|column| {
-            let sum = graph.sum_of_products(axis.into_iter().zip(column));
-            kept(graph, sum)
+    /// The coefficients of 2 δω in the power of the change at a twist.
+    pub(crate) fn power(&self, graph: &mut Graph, twist: &Twist) -> Vector {
+        let sliding = graph.cross(twist.linear, self.force);
+        let columns = transposed(self.moment);
+        [0, 1, 2].map(|i| {
+            let turning = graph.sum_of_products(twist.angular.into_iter().zip(columns[i]));
+            total(graph, &[turning, sliding[i]])
         })
-    }
-
-    /// The coefficients of 2 δω in the power of the change at a speed.
-    pub(crate) fn power_of_sliding(&self, graph: &mut Graph, direction: Vector) -> Vector {
-        cross(graph, direction, self.force)
     }
 }
 
@@ -157,9 +147,8 @@ impl Perturbation {
         momentum: &Wrench,
     ) -> Expression {
         let turning = of_turning.into_iter().zip(self.turning);
-        let angular = momentum.moment.into_iter().zip(self.angular_acceleration);
-        let linear = momentum.force.into_iter().zip(self.acceleration);
-        graph.sum_of_products(turning.chain(angular).chain(linear))
+        let others = momentum.components().zip(self.acceleration.components());
+        graph.sum_of_products(turning.chain(others))
     }
 }
 

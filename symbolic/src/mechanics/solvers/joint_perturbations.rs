@@ -2,10 +2,11 @@
 
 use std::rc::Rc;
 
-use crate::mechanics::mechanism::{Vector, cross, kept, total};
+use crate::mechanics::mechanism::{Vector, cross, inner, kept, total};
 use crate::mechanics::solvers::coriolis_matrix::Perturbation;
 use crate::mechanics::solvers::link_equations::LinkEquations;
-use crate::mechanics::solvers::newton_euler::Motion;
+use crate::mechanics::solvers::newton_euler::{JointPart, Motion};
+use crate::mechanics::solvers::spatial_vectors::{Twist, derivative};
 use crate::{Direction, Graph, Rational, Symbol};
 
 /// The perturbations at all joints of a mechanism.
@@ -34,8 +35,32 @@ impl<'a> JointPerturbations<'a> {
         [0, 1, 2].map(|i| total(graph, &[around[i], joint.speed[i]]))
     }
 
+    /// The perturbations by a coordinate of a part of a joint and by its velocity: along the axes of the link where it turns,
+    /// along those of the link before where it slides.
+    pub(crate) fn at(
+        &self,
+        graph: &mut Graph,
+        index: usize,
+        part: JointPart,
+        (coordinate, slope): (usize, Twist),
+    ) -> [Perturbation; 2] {
+        match part {
+            JointPart::Turning => self.turned(graph, index, coordinate, slope.angular),
+            JointPart::Sliding => {
+                self.moved(graph, index, coordinate, slope.linear)
+                    .map(|linear| Perturbation {
+                        turning: [graph.zero(); 3],
+                        acceleration: Twist {
+                            linear,
+                            ..Twist::none(graph)
+                        },
+                    })
+            }
+        }
+    }
+
     /// The perturbations by a coordinate that turns a link and by its velocity, along the axes of the link.
-    pub(crate) fn turned(
+    fn turned(
         &self,
         graph: &mut Graph,
         index: usize,
@@ -67,26 +92,30 @@ impl<'a> JointPerturbations<'a> {
         ];
         let position = Perturbation {
             turning: turning.map(|x| graph.scale(x, &two)),
-            angular_acceleration: [0, 1, 2].map(|i| total(graph, &parts.map(|x| x[i]))),
-            acceleration: cross(graph, self.motions[index].acceleration, slope),
+            acceleration: Twist {
+                angular: [0, 1, 2].map(|i| total(graph, &parts.map(|x| x[i]))),
+                linear: cross(graph, self.motions[index].acceleration, slope),
+            },
         };
         // By its velocity; the rate has no component across the slope of a joint with one axis.
         let along = graph.cross(rate, slope);
         let change = derivative(graph, rate_change, of_velocity);
-        let angular_acceleration = [0, 1, 2].map(|i| {
+        let angular = [0, 1, 2].map(|i| {
             let twice = graph.scale(across[i], &two);
             total(graph, &[twice, along[i], change[i]])
         });
         let velocity = Perturbation {
             turning: slope.map(|x| graph.scale(x, &two)),
-            angular_acceleration,
-            acceleration: [graph.zero(); 3],
+            acceleration: Twist {
+                angular,
+                ..Twist::none(graph)
+            },
         };
         [position, velocity]
     }
 
     /// The changes δa by a coordinate that moves the origin of a link and by its velocity, along the axes of the link before.
-    pub(crate) fn moved(
+    fn moved(
         &self,
         graph: &mut Graph,
         index: usize,
@@ -101,10 +130,8 @@ impl<'a> JointPerturbations<'a> {
         symbols(coordinate).map(|symbol| {
             let mut parts = Vec::new();
             if matches!(symbol, Symbol::Coordinate(_)) {
-                parts.push(before.field.map(|row| {
-                    let sum = graph.sum_of_products(row.into_iter().zip(slope));
-                    kept(graph, sum)
-                }));
+                let rows = before.field;
+                parts.push(rows.map(|row| inner(graph, row.into_iter().zip(slope))));
             }
             let change = derivative(graph, speed, symbol);
             let coriolis = graph.cross(before.angular_velocity, change);
@@ -128,10 +155,4 @@ impl<'a> JointPerturbations<'a> {
 pub(crate) fn symbols(coordinate: usize) -> [Symbol; 2] {
     let coordinate = u32::try_from(coordinate).unwrap_or(u32::MAX);
     [Symbol::Coordinate(coordinate), Symbol::Velocity(coordinate)]
-}
-
-/// The derivatives of three components.
-pub(crate) fn derivative(graph: &mut Graph, vector: Vector, symbol: Symbol) -> Vector {
-    let derivatives = graph.derivatives(&vector, symbol);
-    derivatives.try_into().unwrap_or([graph.zero(); 3])
 }

@@ -6,7 +6,7 @@
 //! the declaration was written. A recursion takes as many steps as the tree has edges, where the mass matrix has
 //! an entry for each pair of coordinates.
 
-use crate::matrix::rows::product;
+use crate::matrix::rows::{differences, product};
 use crate::mechanics::energy_forms::quasi_velocities::QuasiVelocities;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
 
@@ -50,7 +50,7 @@ impl KinematicTree {
         let mut additions = Vec::with_capacity(matrix.len());
         for k in 0..matrix.len() {
             let parent = parent(graph, &matrix, k);
-            let local = differences(&matrix, parent, k, graph.zero());
+            let local = changes(&matrix, parent, k, graph.zero());
             let mut terms = vec![(offsets[k], Rational::ONE)];
             if let Some(parent) = parent {
                 terms.push((offsets[parent], Rational::MINUS_ONE));
@@ -137,7 +137,13 @@ impl KinematicTree {
         }
     }
 
-    /// W w.
+    /// The relative velocity-product acceleration of each form.
+    pub(crate) fn velocity_products(&self) -> Vec<Expression> {
+        let forms = self.forms.iter();
+        forms.map(|form| form.velocity_product).collect()
+    }
+
+    /// W w, or the forces W ẇ, of sums from the root.
     fn momenta(&self, graph: &mut Graph, additions: &[Expression]) -> Vec<Expression> {
         let values = self.sums_from_root(graph, additions);
         product(graph, &self.inertia, &values)
@@ -197,18 +203,9 @@ impl KinematicTree {
 
     /// The forcing f = r − Eᵀ W D w in M q̈ = f.
     pub(crate) fn forcing(&self, graph: &mut Graph) -> Vec<Expression> {
-        let velocity_products: Vec<_> = self
-            .forms
-            .iter()
-            .map(|form| form.velocity_product)
-            .collect();
-        let rates = self.sums_from_root(graph, &velocity_products);
-        let forces = product(graph, &self.inertia, &rates);
+        let forces = self.momenta(graph, &self.velocity_products());
         let forces = self.transpose_product(graph, &forces);
-        let pairs = self.right.iter().zip(forces);
-        pairs
-            .map(|(right, force)| graph.subtract(*right, force))
-            .collect()
+        differences(graph, &self.right, &forces)
     }
 
     /// M q̈ − f = Eᵀ W ẇ − r with the accelerations as symbols.
@@ -222,13 +219,9 @@ impl KinematicTree {
             }
             rates.push(graph.sum(terms));
         }
-        let rates = self.sums_from_root(graph, &rates);
-        let forces = product(graph, &self.inertia, &rates);
+        let forces = self.momenta(graph, &rates);
         let forces = self.transpose_product(graph, &forces);
-        let pairs = forces.iter().zip(&self.right);
-        pairs
-            .map(|(force, right)| graph.subtract(*force, *right))
-            .collect()
+        differences(graph, &forces, &self.right)
     }
 }
 
@@ -250,7 +243,7 @@ fn parent(graph: &Graph, matrix: &[Vec<Expression>], k: usize) -> Option<usize> 
 }
 
 /// Where form k differs from its parent: the index, the parent's coefficient and its own.
-fn differences(
+fn changes(
     matrix: &[Vec<Expression>],
     parent: Option<usize>,
     k: usize,

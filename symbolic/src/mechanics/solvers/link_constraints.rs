@@ -2,18 +2,19 @@
 //! contribute to the accelerations of the points that they restrict.
 
 use crate::mechanics::constraints::ConstraintEquations;
-use crate::mechanics::mechanism::{LinkedConstraint, Vector, VelocityKind, slopes};
+use crate::mechanics::mechanism::{LinkVelocity, LinkedConstraint, Vector, VelocityKind, slopes};
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::link_vectors::Accelerations;
-use crate::mechanics::solvers::newton_euler::{Motion, Wrench};
-use crate::mechanics::solvers::twist_elimination::{Unknown, angular, linear};
+use crate::mechanics::solvers::newton_euler::Motion;
+use crate::mechanics::solvers::spatial_vectors::Wrench;
+use crate::mechanics::solvers::twist_elimination::{Unknown, twist};
 use crate::{Expression, Graph, Rational};
 
 /// A constraint G q̈ + γ = 0 of a mechanism.
 #[derive(Clone)]
 pub(crate) struct LinkConstraint {
     /// The coefficients of the angular accelerations of links and of the accelerations of their origins, along their axes.
-    pub(crate) links: Vec<(usize, [Vector; 2])>,
+    pub(crate) links: Vec<(usize, Wrench)>,
     /// The coefficients of accelerations of coordinates.
     pub(crate) coordinates: Vec<(usize, Expression)>,
     /// γ.
@@ -36,7 +37,9 @@ impl LinkEquations {
         let mut differences = Vec::new();
         for (i, declared) in equations.declared.iter().enumerate() {
             let linked = linked.get(*declared)?;
-            let links = linked.twists(graph);
+            let links = linked.velocities.iter();
+            let links = links.map(|velocity| (velocity.link, velocity.coefficients(graph)));
+            let links: Vec<_> = links.collect();
             let zero = graph.zero();
             let rest = slopes(graph, [linked.rest, zero, zero], self.coordinates);
             let coordinates: Vec<_> = rest
@@ -70,21 +73,12 @@ impl LinkEquations {
     fn row(
         &self,
         graph: &mut Graph,
-        links: &[(usize, [Vector; 2])],
+        links: &[(usize, Wrench)],
         coordinates: &[(usize, Expression)],
     ) -> Vec<Expression> {
-        let zero = graph.zero();
-        let none = Wrench {
-            moment: [zero; 3],
-            force: [zero; 3],
-        };
-        let mut wrenches = vec![none; self.mechanism.links.len()];
-        for (link, [moment, force]) in links {
-            let wrench = Wrench {
-                moment: *moment,
-                force: *force,
-            };
-            wrenches[*link] = wrenches[*link].plus(graph, wrench);
+        let mut wrenches = vec![Wrench::none(graph); self.mechanism.links.len()];
+        for (link, wrench) in links {
+            wrenches[*link] = wrenches[*link].plus(graph, *wrench);
         }
         let mut row = self.generalized_forces(graph, &wrenches);
         for (i, coefficient) in coordinates {
@@ -129,16 +123,27 @@ impl LinkEquations {
     }
 }
 
+impl LinkVelocity {
+    /// The coefficients of the angular velocity of the link and of the velocity of its origin, along its axes.
+    fn coefficients(&self, graph: &mut Graph) -> Wrench {
+        let n = self.direction;
+        let none = [graph.zero(); 3];
+        let (moment, force) = match self.kind {
+            VelocityKind::Point(place) => (graph.cross(place, n), n),
+            VelocityKind::Fixed(vector) => (graph.cross(vector, n), none),
+            VelocityKind::Axes => (n, none),
+        };
+        Wrench { moment, force }
+    }
+}
+
 impl LinkConstraint {
     /// G q̈ of the accelerations of links and coordinates.
     pub(crate) fn acceleration(&self, graph: &mut Graph, known: &Accelerations) -> Expression {
         let mut pairs = Vec::new();
-        for (link, [turning, moving]) in &self.links {
-            let accelerations = [angular(*link), linear(*link)];
-            for (coefficients, unknowns) in [turning, moving].into_iter().zip(accelerations) {
-                let accelerations = known.vector(graph, unknowns);
-                pairs.extend(coefficients.iter().copied().zip(accelerations));
-            }
+        for (link, coefficients) in &self.links {
+            let accelerations = twist(*link).map(|unknown| known.get(graph, unknown));
+            pairs.extend(coefficients.components().zip(accelerations));
         }
         for (i, coefficient) in &self.coordinates {
             let acceleration = known.get(graph, Unknown::Coordinate(*i));

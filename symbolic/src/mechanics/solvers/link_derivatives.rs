@@ -9,12 +9,15 @@
 //!
 //! Where a joint slides and turns, it slides first, seen from the link before.
 
+use std::collections::BTreeMap;
+
 use crate::limits::MAX_DIFFERENTIATED_BOTH_WAYS;
-use crate::mechanics::mechanism::{Inertia, Vector, cross, total};
+use crate::mechanics::mechanism::{Inertia, Vector, total};
 use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
-use crate::mechanics::solvers::joint_perturbations::{JointPerturbations, derivative, symbols};
+use crate::mechanics::solvers::joint_perturbations::{JointPerturbations, symbols};
 use crate::mechanics::solvers::link_equations::LinkEquations;
-use crate::mechanics::solvers::newton_euler::Wrench;
+use crate::mechanics::solvers::newton_euler::JointPart;
+use crate::mechanics::solvers::spatial_vectors::Wrench;
 use crate::{Expression, Graph, Rational, Symbol};
 
 /// The derivatives of M q̈ − f, column by column: along the links of a mechanism, unless there are few coordinates and
@@ -47,31 +50,27 @@ pub(crate) fn cheapest_derivatives(
 impl LinkEquations {
     /// The derivatives of M q̈ − f by the symbols, column by column, with the accelerations as symbols.
     fn derivatives(&self, graph: &mut Graph, symbols: &[Symbol]) -> Vec<Vec<Expression>> {
-        let size = self.forces.len();
         let others = self.residuals_of_others(graph);
         let mut columns = graph.jacobian(&others, symbols);
         let entries = DerivativesAlongLinks::new(graph, self).entries(graph);
         let mut residuals = None;
         for (column, symbol) in columns.iter_mut().zip(symbols) {
-            let (kind, coordinate) = match *symbol {
-                Symbol::Coordinate(i) => (0, i as usize),
-                Symbol::Velocity(i) => (1, i as usize),
-                other => {
-                    let residuals = residuals.get_or_insert_with(|| self.inverse_dynamics(graph));
-                    *column = graph.derivatives(residuals, other);
-                    continue;
-                }
-            };
+            if !matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_)) {
+                let residuals = residuals.get_or_insert_with(|| self.inverse_dynamics(graph));
+                *column = graph.derivatives(residuals, *symbol);
+                continue;
+            }
             for (row, value) in column.iter_mut().enumerate() {
-                let position = (kind * size + coordinate) * size + row;
-                let mut terms = entries[position].clone();
-                terms.push((*value, Rational::ONE));
-                *value = graph.sum(terms);
+                let terms = entries.get(&(*symbol, row)).into_iter().flatten().cloned();
+                *value = graph.sum(terms.chain([(*value, Rational::ONE)]));
             }
         }
         columns
     }
 }
+
+/// The terms of derivatives by coordinates and velocities, each with its row.
+pub(crate) type DerivativeTerms = BTreeMap<(Symbol, usize), Vec<(Expression, Rational)>>;
 
 /// What is carried towards the root.
 #[derive(Clone, Default)]
@@ -90,12 +89,10 @@ struct Row {
     momentum: Wrench,
 }
 
-/// The change of the wrench by a coordinate or its velocity.
+/// The change of the wrench by a coordinate or a velocity.
 #[derive(Clone)]
 struct Column {
-    /// 0: by the coordinate; 1: by its velocity.
-    kind: usize,
-    coordinate: usize,
+    symbol: Symbol,
     wrench: Wrench,
 }
 
@@ -112,8 +109,7 @@ struct DerivativesAlongLinks<'a> {
     equations: &'a LinkEquations,
     perturbations: JointPerturbations<'a>,
     bodies: Vec<Body>,
-    /// The terms of each derivative: of each row, by each coordinate and then each velocity.
-    entries: Vec<Vec<(Expression, Rational)>>,
+    entries: DerivativeTerms,
 }
 
 impl<'a> DerivativesAlongLinks<'a> {
@@ -127,27 +123,25 @@ impl<'a> DerivativesAlongLinks<'a> {
             inertia: link.inertia.clone(),
             wrench,
         });
-        let size = equations.forces.len();
         Self {
             bodies: bodies.collect(),
             perturbations,
             equations,
-            entries: vec![Vec::new(); 2 * size * size],
+            entries: DerivativeTerms::new(),
         }
     }
 
-    fn entries(mut self, graph: &mut Graph) -> Vec<Vec<(Expression, Rational)>> {
+    fn entries(mut self, graph: &mut Graph) -> DerivativeTerms {
         let equations = self.equations;
-        let links = &equations.mechanism.links;
-        let mut all: Vec<Carried> = vec![Carried::default(); links.len()];
-        for (i, (link, joint)) in links.iter().zip(&equations.joints).enumerate().rev() {
+        let mut all: Vec<Carried> = vec![Carried::default(); self.bodies.len()];
+        for (i, link, joint) in equations.inward() {
             let mut carried = core::mem::take(&mut all[i]);
-            self.pass_turning(graph, i, &mut carried);
+            self.pass(graph, i, JointPart::Turning, &mut carried);
             if link.parent.is_none() && joint.sliding.is_empty() {
                 continue;
             }
             self.turn(graph, i, &mut carried);
-            self.pass_sliding(graph, i, &mut carried);
+            self.pass(graph, i, JointPart::Sliding, &mut carried);
             let Some(parent) = link.parent else {
                 continue;
             };
@@ -159,28 +153,26 @@ impl<'a> DerivativesAlongLinks<'a> {
         self.entries
     }
 
-    fn enter(&mut self, kind: usize, column: usize, row: usize, value: Expression) {
-        let size = self.equations.forces.len();
-        let position = (kind * size + column) * size + row;
-        self.entries[position].push((value, Rational::ONE));
+    fn enter(&mut self, symbol: Symbol, row: usize, value: Expression) {
+        let terms = self.entries.entry((symbol, row)).or_default();
+        terms.push((value, Rational::ONE));
     }
 
-    /// The turning part of a joint.
-    fn pass_turning(&mut self, graph: &mut Graph, index: usize, carried: &mut Carried) {
+    /// Passes a part of a joint.
+    fn pass(&mut self, graph: &mut Graph, index: usize, part: JointPart, carried: &mut Carried) {
         let equations = self.equations;
-        let slopes = &equations.joints[index].turning;
+        let slopes = equations.joints[index].slopes(part);
         let body = self.bodies[index].clone();
         let mut columns = Vec::new();
-        for (coordinate, slope) in slopes {
-            let changes = self.perturbations.turned(graph, index, *coordinate, *slope);
-            for (kind, change) in changes.iter().enumerate() {
+        for slope in slopes {
+            let changes = self.perturbations.at(graph, index, part, *slope);
+            for (symbol, change) in symbols(slope.0).into_iter().zip(&changes) {
                 for row in &carried.rows {
                     let value = change.times(graph, row.of_turning, &row.momentum);
-                    self.enter(kind, *coordinate, row.coordinate, value);
+                    self.enter(symbol, row.coordinate, value);
                 }
                 columns.push(Column {
-                    kind,
-                    coordinate: *coordinate,
+                    symbol,
                     wrench: body.coriolis.wrench(graph, &body.inertia, change),
                 });
             }
@@ -188,88 +180,30 @@ impl<'a> DerivativesAlongLinks<'a> {
         carried.columns.append(&mut columns);
         for (coordinate, slope) in slopes {
             for column in &carried.columns {
-                let pairs = slope.iter().copied().zip(column.wrench.moment);
-                let value = graph.sum_of_products(pairs);
-                self.enter(column.kind, column.coordinate, *coordinate, value);
+                let value = slope.power(graph, &column.wrench);
+                self.enter(column.symbol, *coordinate, value);
             }
             carried.rows.push(Row {
                 coordinate: *coordinate,
-                of_turning: body.coriolis.power_of_turning(graph, *slope),
-                momentum: body.inertia.momentum_of_turning(graph, *slope),
+                of_turning: body.coriolis.power(graph, slope),
+                momentum: body.inertia.momentum(graph, slope),
             });
         }
-        self.enter_changes_of_slopes(graph, slopes, body.wrench.moment);
-        // What the joint turns along with it.
-        for (coordinate, slope) in slopes {
-            let own = |column: &&mut Column| column.kind == 0 && column.coordinate == *coordinate;
-            let Some(column) = carried.columns.iter_mut().rev().find(own) else {
-                continue;
-            };
-            let moment = graph.cross(*slope, body.wrench.moment);
-            let force = graph.cross(*slope, body.wrench.force);
-            let wrench = Wrench { moment, force };
-            column.wrench = column.wrench.plus(graph, wrench);
-        }
-    }
-
-    /// Where the direction of a rate depends on the coordinates.
-    fn enter_changes_of_slopes(
-        &mut self,
-        graph: &mut Graph,
-        slopes: &[(usize, Vector)],
-        load: Vector,
-    ) {
+        // Where the direction of a rate depends on the coordinates.
         for (row, slope) in slopes {
-            for (column, _) in slopes {
-                let change = derivative(graph, *slope, symbols(*column)[0]);
-                let value = graph.sum_of_products(change.into_iter().zip(load));
-                self.enter(0, *column, *row, value);
+            for (coordinate, _) in slopes {
+                let [symbol, _] = symbols(*coordinate);
+                let change = slope.derivative(graph, symbol);
+                let value = change.power(graph, &body.wrench);
+                self.enter(symbol, *row, value);
             }
         }
-    }
-
-    /// The sliding part of a joint, along the axes of the link before.
-    fn pass_sliding(&mut self, graph: &mut Graph, index: usize, carried: &mut Carried) {
-        let equations = self.equations;
-        let slopes = &equations.joints[index].sliding;
-        let body = self.bodies[index].clone();
-        let mut columns = Vec::new();
+        // What the joint carries along with it.
         for (coordinate, slope) in slopes {
-            let changes = self.perturbations.moved(graph, index, *coordinate, *slope);
-            for (kind, change) in changes.into_iter().enumerate() {
-                for row in &carried.rows {
-                    let pairs = row.momentum.force.into_iter().zip(change);
-                    let value = graph.sum_of_products(pairs);
-                    self.enter(kind, *coordinate, row.coordinate, value);
-                }
-                columns.push(Column {
-                    kind,
-                    coordinate: *coordinate,
-                    wrench: body.inertia.momentum_of_sliding(graph, change),
-                });
-            }
-        }
-        carried.columns.append(&mut columns);
-        for (coordinate, slope) in slopes {
-            for column in &carried.columns {
-                let pairs = slope.iter().copied().zip(column.wrench.force);
-                let value = graph.sum_of_products(pairs);
-                self.enter(column.kind, column.coordinate, *coordinate, value);
-            }
-            carried.rows.push(Row {
-                coordinate: *coordinate,
-                of_turning: body.coriolis.power_of_sliding(graph, *slope),
-                momentum: body.inertia.momentum_of_sliding(graph, *slope),
-            });
-        }
-        self.enter_changes_of_slopes(graph, slopes, body.wrench.force);
-        // The lever of the force changes.
-        for (coordinate, slope) in slopes {
-            let own = |column: &&mut Column| column.kind == 0 && column.coordinate == *coordinate;
+            let own = |column: &&mut Column| column.symbol == symbols(*coordinate)[0];
             if let Some(column) = carried.columns.iter_mut().rev().find(own) {
-                let lever = cross(graph, *slope, body.wrench.force);
-                let moment = column.wrench.moment;
-                column.wrench.moment = [0, 1, 2].map(|i| total(graph, &[moment[i], lever[i]]));
+                let change = slope.rate_of(graph, &body.wrench);
+                column.wrench = column.wrench.plus(graph, change);
             }
         }
     }

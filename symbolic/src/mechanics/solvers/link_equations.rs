@@ -1,8 +1,10 @@
 //! The equations of motion of a mechanism, by recursions along its links: M by composite bodies, f and M q̈ − f by Newton
 //! and Euler.
 
+use crate::matrix::rows::{differences, sums};
 use crate::mechanics::mechanism::Mechanism;
-use crate::mechanics::solvers::newton_euler::{Joint, Wrench};
+use crate::mechanics::solvers::newton_euler::Joint;
+use crate::mechanics::solvers::spatial_vectors::Wrench;
 use crate::{Expression, Graph, LinearSystem, Model, Symbol};
 
 /// The equations of motion of a mechanism.
@@ -28,8 +30,7 @@ impl LinkEquations {
         let graph = &mut model.graph;
         let rest = graph.subtract(mechanism.other_kinetic, mechanism.other_potential);
         let gradient = graph.lagrange_derivatives(&[rest], coordinates);
-        let pairs = forces.iter().zip(&gradient[0]);
-        let forces = pairs.map(|(x, y)| graph.subtract(*x, *y)).collect();
+        let forces = differences(graph, forces, &gradient[0]);
         let velocities: Vec<_> = (0..coordinates).map(Symbol::Velocity).collect();
         let momenta = graph.jacobian(&[rest], &velocities).concat();
         let other_mass = graph.jacobian(&momenta, &velocities);
@@ -48,8 +49,7 @@ impl LinkEquations {
     pub(crate) fn system(&self, graph: &mut Graph) -> LinearSystem {
         let wrenches = self.wrenches(graph, false);
         let inner = self.generalized_forces(graph, &wrenches);
-        let pairs = self.forces.iter().zip(inner);
-        let forcing = pairs.map(|(x, y)| graph.subtract(*x, y)).collect();
+        let forcing = differences(graph, &self.forces, &inner);
         let mut mass = self.mass_matrix(graph);
         let others = self.other_mass.iter().flatten();
         for (entry, other) in mass.iter_mut().flatten().zip(others) {
@@ -74,8 +74,7 @@ impl LinkEquations {
     fn residuals(&self, graph: &mut Graph, wrenches: &[Wrench]) -> Vec<Expression> {
         let inner = self.generalized_forces(graph, wrenches);
         let others = self.residuals_of_others(graph);
-        let pairs = inner.into_iter().zip(others);
-        pairs.map(|(x, y)| graph.add(x, y)).collect()
+        sums(graph, &inner, &others)
     }
 
     /// The part of M q̈ − f that no link has.

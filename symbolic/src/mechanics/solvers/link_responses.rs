@@ -7,10 +7,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::mechanics::mechanism::{Turn, Vector, kept};
+use crate::matrix::symmetric_elimination::SymmetricElimination;
+use crate::mechanics::mechanism::{inner, kept, total};
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, InertiaRow, Step, Unknown, angular, linear,
+    EliminatedRow, Slope, Step, Unknown, angular, linear,
 };
 use crate::{Expression, Graph, Rational};
 
@@ -18,32 +19,12 @@ use crate::{Expression, Graph, Rational};
 #[derive(Clone, Default)]
 pub(crate) struct LinkResponses {
     /// To unit forces at the unknowns themselves.
-    matrix: BTreeMap<Unknown, InertiaRow>,
+    matrix: SymmetricElimination<Unknown>,
     /// To a unit force at each coordinate that is not behind the link.
     pub(crate) to_coordinates: BTreeMap<usize, Accelerations>,
 }
 
 impl LinkResponses {
-    fn entry(&self, graph: &Graph, u: Unknown, v: Unknown) -> Expression {
-        let entry = self.matrix.get(&u).and_then(|row| row.get(&v));
-        entry.copied().unwrap_or(graph.zero())
-    }
-
-    fn set(&mut self, u: Unknown, v: Unknown, value: Expression) {
-        for (x, y) in [(u, v), (v, u)] {
-            self.matrix.entry(x).or_default().insert(y, value);
-        }
-    }
-
-    fn block(&self, graph: &Graph, rows: [Unknown; 3], columns: [Unknown; 3]) -> [Vector; 3] {
-        rows.map(|u| columns.map(|v| self.entry(graph, u, v)))
-    }
-
-    fn coordinates(&self) -> Vec<Unknown> {
-        let is_coordinate = |u: &Unknown| matches!(u, Unknown::Coordinate(_));
-        self.matrix.keys().copied().filter(is_coordinate).collect()
-    }
-
     /// The response to forces.
     pub(crate) fn to_forces(
         &self,
@@ -51,12 +32,11 @@ impl LinkResponses {
         forces: &BTreeMap<Unknown, Expression>,
     ) -> BTreeMap<Unknown, Expression> {
         let mut response = BTreeMap::new();
-        for (unknown, row) in &self.matrix {
+        for (unknown, row) in self.matrix.rows() {
             let pairs = forces
                 .iter()
                 .filter_map(|(v, force)| Some((*row.get(v)?, *force)));
-            let sum = graph.sum_of_products(pairs);
-            response.insert(*unknown, kept(graph, sum));
+            response.insert(*unknown, inner(graph, pairs));
         }
         response
     }
@@ -78,16 +58,14 @@ impl LinkResponses {
 
     /// The same without unknowns that no link behind needs.
     pub(crate) fn retain(&mut self, link: usize, coordinates: &BTreeSet<usize>) {
-        let is_needed = |unknown: &Unknown| match unknown {
-            Unknown::Coordinate(i) => coordinates.contains(i),
-            Unknown::Twist(i, _) => *i == link,
+        let is_needed = |unknown: Unknown| match unknown {
+            Unknown::Coordinate(i) => coordinates.contains(&i),
+            Unknown::Twist(i, _) => i == link,
         };
-        self.matrix.retain(|unknown, row| {
-            row.retain(|other, _| is_needed(other));
-            is_needed(unknown)
-        });
+        let needed = |unknown| is_needed(unknown).then_some(unknown);
+        self.matrix = self.matrix.renamed(needed);
         for response in self.to_coordinates.values_mut() {
-            response.values.retain(|unknown, _| is_needed(unknown));
+            response.values.retain(|unknown, _| is_needed(*unknown));
         }
     }
 
@@ -98,52 +76,50 @@ impl LinkResponses {
             response.substitute(graph, step, &none);
         }
         match step {
-            Step::SplitOff(unknowns, coordinate, slope) => {
-                self.undo_split(graph, *unknowns, *coordinate, *slope);
-            }
+            Step::SplitOff(slope) => self.undo_split(graph, slope),
             Step::Eliminate(row) => self.undo_elimination(graph, row),
-            Step::Turn(link, turn) => self.undo_turn(graph, *link, turn),
-            Step::Shift(link, parent, place) => match parent {
-                Some(parent) => self.undo_shift(graph, *link, *parent, *place),
-                None => self.matrix.clear(),
-            },
+            Step::Turn(link, turn) => self.matrix.turn(graph, *link, &turn.inverse()),
+            Step::Shift(link, Some(parent), place) => {
+                let next = |unknown: Unknown| Some(unknown.moved(*parent, *link));
+                self.matrix = self.matrix.renamed(next);
+                let parts = [angular(*link), linear(*link)];
+                self.matrix
+                    .add_levers(graph, parts, |graph, turning| graph.cross(turning, *place));
+            }
+            Step::Shift(_, None, _) => self.matrix = SymmetricElimination::default(),
         }
     }
 
     /// x := x + e q̈.
-    fn undo_split(
-        &mut self,
-        graph: &mut Graph,
-        unknowns: [Unknown; 3],
-        coordinate: usize,
-        slope: Vector,
-    ) {
-        let own = Unknown::Coordinate(coordinate);
-        let others: Vec<_> = self.matrix.keys().copied().collect();
-        let others = others.into_iter().filter(|v| !unknowns.contains(v));
-        let square = self.entry(graph, own, own);
-        let across = unknowns.map(|u| self.entry(graph, own, u));
+    fn undo_split(&mut self, graph: &mut Graph, slope: &Slope) {
+        let own = Unknown::Coordinate(slope.coordinate);
+        let moves = |v: &Unknown| slope.along.iter().any(|(u, _)| u == v);
+        let others: Vec<_> = self.matrix.unknowns().filter(|v| !moves(v)).collect();
+        let square = self.matrix.entry(graph, own, own);
+        let along = slope.along.iter();
+        let along: Vec<_> = along
+            .map(|(u, e)| (*u, *e, self.matrix.entry(graph, own, *u)))
+            .collect();
         for v in others {
-            let rate = self.entry(graph, own, v);
-            for (u, e) in unknowns.into_iter().zip(slope) {
-                let change = graph.multiply(e, rate);
-                let sum = graph.add(self.entry(graph, u, v), change);
+            let rate = self.matrix.entry(graph, own, v);
+            for (u, e, _) in &along {
+                let change = graph.multiply(*e, rate);
+                let sum = graph.add(self.matrix.entry(graph, *u, v), change);
                 let sum = if v == own { sum } else { kept(graph, sum) };
-                self.set(u, v, sum);
+                self.matrix.set(graph, *u, v, sum);
             }
         }
-        for i in 0..3 {
-            for j in i..3 {
-                let squared = graph.multiply(slope[i], slope[j]);
+        for (i, (u, e, across)) in along.iter().enumerate() {
+            for (v, other, other_across) in &along[i..] {
+                let squared = graph.multiply(*e, *other);
                 let changes = [
-                    (self.entry(graph, unknowns[i], unknowns[j]), Rational::ONE),
-                    (graph.multiply(slope[i], across[j]), Rational::ONE),
-                    (graph.multiply(slope[j], across[i]), Rational::ONE),
-                    (graph.multiply(squared, square), Rational::ONE),
+                    self.matrix.entry(graph, *u, *v),
+                    graph.multiply(*e, *other_across),
+                    graph.multiply(*other, *across),
+                    graph.multiply(squared, square),
                 ];
-                let sum = graph.sum(changes);
-                let sum = kept(graph, sum);
-                self.set(unknowns[i], unknowns[j], sum);
+                let sum = total(graph, &changes);
+                self.matrix.set(graph, *u, *v, sum);
             }
         }
     }
@@ -158,17 +134,16 @@ impl LinkResponses {
             .partition(|(_, entry, _)| *entry == row.pivot);
         let mut values = BTreeMap::new();
         let mut sums = BTreeMap::new();
-        for v in self.matrix.keys().copied().collect::<Vec<_>>() {
+        for v in self.matrix.unknowns().collect::<Vec<_>>() {
             let pairs = others
                 .iter()
-                .map(|(u, _, ratio)| (*ratio, self.entry(graph, *u, v)));
+                .map(|(u, _, ratio)| (*ratio, self.matrix.entry(graph, *u, v)));
             let pairs: Vec<_> = pairs.collect();
-            let sum = graph.sum_of_products(pairs);
-            let sum = kept(graph, sum);
+            let sum = inner(graph, pairs);
             sums.insert(v, sum);
             let mut terms = vec![(sum, Rational::MINUS_ONE)];
             for (u, ..) in &units {
-                terms.push((self.entry(graph, *u, v), Rational::MINUS_ONE));
+                terms.push((self.matrix.entry(graph, *u, v), Rational::MINUS_ONE));
             }
             values.insert(v, graph.sum(terms));
         }
@@ -184,85 +159,15 @@ impl LinkResponses {
         for (u, ..) in &units {
             terms.push((sum_at(u), Rational::integer(2)));
             for (v, ..) in &units {
-                terms.push((self.entry(graph, *u, *v), Rational::ONE));
+                terms.push((self.matrix.entry(graph, *u, *v), Rational::ONE));
             }
         }
         let square = graph.sum(terms);
         values.insert(own, square);
         for (v, value) in &values {
-            self.set(own, *v, *value);
+            self.matrix.set(graph, own, *v, *value);
         }
         self.to_coordinates
             .insert(row.coordinate, Accelerations { values });
-    }
-
-    fn undo_turn(&mut self, graph: &mut Graph, link: usize, turn: &Turn) {
-        let (angular, linear) = (angular(link), linear(link));
-        for other in self.coordinates() {
-            for unknowns in [angular, linear] {
-                let vector = unknowns.map(|u| self.entry(graph, u, other));
-                let vector = turn.inward(graph, vector);
-                for (u, value) in unknowns.into_iter().zip(vector) {
-                    self.set(u, other, value);
-                }
-            }
-        }
-        let back = turn.inverse();
-        for [rows, columns] in [[angular, angular], [linear, linear], [angular, linear]] {
-            let block = self.block(graph, rows, columns);
-            let block = back.outward_block(graph, block, rows == columns);
-            for (u, row) in rows.into_iter().zip(block) {
-                for (v, value) in columns.into_iter().zip(row) {
-                    self.set(u, v, value);
-                }
-            }
-        }
-    }
-
-    /// The acceleration of the origin is that of the origin before, and α × place.
-    fn undo_shift(&mut self, graph: &mut Graph, link: usize, parent: usize, place: Vector) {
-        let renamed = core::mem::take(&mut self.matrix)
-            .into_iter()
-            .map(|(u, row)| {
-                let row = row.into_iter().map(|(v, x)| (v.moved(parent, link), x));
-                (u.moved(parent, link), row.collect())
-            });
-        self.matrix = renamed.collect();
-        let (angular, linear) = (angular(link), linear(link));
-        for other in self.coordinates() {
-            let turning = angular.map(|u| self.entry(graph, u, other));
-            let lever = graph.cross(turning, place);
-            for (u, change) in linear.into_iter().zip(lever) {
-                let sum = graph.add(self.entry(graph, u, other), change);
-                let sum = kept(graph, sum);
-                self.set(u, other, sum);
-            }
-        }
-        let turning = self.block(graph, angular, angular);
-        let before = self.block(graph, angular, linear);
-        let mut after = before;
-        for i in 0..3 {
-            let lever = graph.cross(turning[i], place);
-            after[i] = [0, 1, 2].map(|j| {
-                let sum = graph.add(before[i][j], lever[j]);
-                kept(graph, sum)
-            });
-        }
-        for i in 0..3 {
-            let first = graph.cross(before.map(|row| row[i]), place);
-            for j in i..3 {
-                // The origin before along i, moved along j, and moved along i with the origin behind along j.
-                let moved = graph.cross(after.map(|row| row[j]), place)[i];
-                let terms = [self.entry(graph, linear[i], linear[j]), first[j], moved];
-                let sum = graph.sum(terms.map(|x| (x, Rational::ONE)));
-                let sum = kept(graph, sum);
-                self.set(linear[i], linear[j], sum);
-            }
-        }
-        for i in 0..3 {
-            for j in 0..3 {
-                self.set(angular[i], linear[j], after[i][j]);
-            }
-        }
     }
 }

@@ -3,9 +3,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::mechanics::mechanism::{Turn, Vector, kept, total};
+use crate::mechanics::mechanism::{Turn, Vector, difference, kept, total};
+use crate::mechanics::solvers::spatial_vectors::Wrench;
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, InertiaRow, Step, Unknown, angular, linear,
+    EliminatedRow, InertiaRow, Slope, Step, Unknown, angular, linear, twist,
 };
 use crate::{Expression, Graph, Rational};
 
@@ -33,8 +34,8 @@ impl RightHandSide {
         self.0.insert(unknown, sum);
     }
 
-    pub(crate) fn add_vector(&mut self, graph: &mut Graph, unknowns: [Unknown; 3], force: Vector) {
-        for (unknown, force) in unknowns.into_iter().zip(force) {
+    pub(crate) fn add_wrench(&mut self, graph: &mut Graph, link: usize, wrench: &Wrench) {
+        for (unknown, force) in twist(link).zip(wrench.components()) {
             self.add(graph, unknown, force);
         }
     }
@@ -82,8 +83,7 @@ impl RightHandSide {
             } else {
                 graph.multiply(*ratio, force)
             };
-            let change = graph.subtract(self.get(graph, *unknown), change);
-            let change = kept(graph, change);
+            let change = difference(graph, self.get(graph, *unknown), change);
             self.0.insert(*unknown, change);
         }
         force
@@ -93,23 +93,17 @@ impl RightHandSide {
         self.0.extend(unknowns.into_iter().zip(values));
     }
 
-    pub(crate) fn split_off(
-        &mut self,
-        graph: &mut Graph,
-        unknowns: [Unknown; 3],
-        coordinate: usize,
-        slope: Vector,
-    ) {
-        let own = Unknown::Coordinate(coordinate);
-        let pairs = slope.into_iter().zip(self.vector(graph, unknowns));
+    pub(crate) fn split_off(&mut self, graph: &mut Graph, slope: &Slope) {
+        let pairs = slope.along.iter();
+        let pairs: Vec<_> = pairs.map(|(u, e)| (*e, self.get(graph, *u))).collect();
         let change = graph.sum_of_products(pairs);
-        let sum = graph.add(self.get(graph, own), change);
-        self.0.insert(own, sum);
+        self.add(graph, Unknown::Coordinate(slope.coordinate), change);
     }
 
     /// The right-hand side over the pivot.
     pub(crate) fn eliminate(&mut self, graph: &mut Graph, row: &EliminatedRow) -> Expression {
-        let own = self.get(graph, Unknown::Coordinate(row.coordinate));
+        let own = self.0.remove(&Unknown::Coordinate(row.coordinate));
+        let own = own.unwrap_or(graph.zero());
         let force = kept(graph, own);
         let quotient = graph.multiply(force, row.reciprocal);
         let quotient = kept(graph, quotient);
@@ -119,8 +113,7 @@ impl RightHandSide {
             } else {
                 graph.multiply(*entry, quotient)
             };
-            let change = graph.subtract(self.get(graph, *v), change);
-            let change = kept(graph, change);
+            let change = difference(graph, self.get(graph, *v), change);
             self.0.insert(*v, change);
         }
         quotient
@@ -202,16 +195,13 @@ impl Accelerations {
                 }
             }
             Step::Eliminate(row) => self.eliminate(graph, row, quotients),
-            Step::SplitOff(unknowns, coordinate, slope) => {
-                let rate = self.values.get(&Unknown::Coordinate(*coordinate)).copied();
-                let rate = rate.unwrap_or(graph.zero());
-                let vector = self.vector(graph, *unknowns);
-                let changed = [0, 1, 2].map(|i| {
-                    let change = graph.multiply(slope[i], rate);
-                    let sum = graph.add(vector[i], change);
-                    kept(graph, sum)
-                });
-                self.set(*unknowns, changed);
+            Step::SplitOff(slope) => {
+                let rate = self.get(graph, Unknown::Coordinate(slope.coordinate));
+                for (unknown, e) in &slope.along {
+                    let change = graph.multiply(*e, rate);
+                    let sum = graph.add(self.get(graph, *unknown), change);
+                    self.values.insert(*unknown, kept(graph, sum));
+                }
             }
         }
     }

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 use super::first_order_equations::FirstOrderEquations;
 use crate::algebra::half_angles::HalfAngle;
-use crate::{Equations, Expression, Graph, Model, Node, Rational, Symbol};
+use crate::{Equations, Expression, Graph, Model, Rational, Symbol};
 
 const COORDINATE: Symbol = Symbol::Coordinate(0);
 const VELOCITY: Symbol = Symbol::Velocity(0);
@@ -30,8 +30,7 @@ pub(crate) fn equations(model: &mut Model, equations: &Equations) -> Option<Firs
     }
     let energy = equations.energy;
     let zero = graph.zero();
-    let at_rest = BTreeMap::from([(VELOCITY, zero)]);
-    let potential = graph.substitute(&[energy], &at_rest)[0];
+    let potential = graph.at_zero(&[energy], &[VELOCITY])[0];
     let velocity = graph.symbol(VELOCITY);
     let kinetic = kinetic_energy(graph, inertia, velocity);
     let sum = graph.add(kinetic, potential);
@@ -62,18 +61,10 @@ fn is_variable(symbol: Symbol) -> bool {
 
 /// The terms of a sum that contain the coordinate.
 fn without_constants(graph: &mut Graph, potential: Expression) -> Expression {
-    let terms = terms(graph, potential).into_iter();
+    let terms = graph.terms(potential).into_iter();
     let terms = terms.filter(|(term, _)| graph.contains(&[*term], is_variable));
     let terms: Vec<_> = terms.collect();
     graph.sum(terms)
-}
-
-/// The terms of a sum, or one.
-fn terms(graph: &Graph, expression: Expression) -> Vec<(Expression, Rational)> {
-    match graph.node(expression) {
-        Node::Sum(terms) => terms.to_vec(),
-        _ => vec![(expression, Rational::ONE)],
-    }
 }
 
 /// ½ m q̇².
@@ -90,7 +81,7 @@ fn numerator(
     potential: Expression,
 ) -> Option<BTreeMap<i64, Expression>> {
     let (mut with_pole, mut without) = (Vec::new(), Vec::new());
-    for (term, coefficient) in terms(graph, potential) {
+    for (term, coefficient) in graph.terms(potential) {
         match angle.numerator(graph, term) {
             Some(numerator) => with_pole.push((numerator, coefficient)),
             None => without.push((term, coefficient)),

@@ -15,7 +15,7 @@ use crate::matrix::ldlt::stability::exceeds;
 use crate::mechanics::mechanism::Inertia;
 use crate::mechanics::solvers::link_constraints::LinkConstraint;
 use crate::mechanics::solvers::twist_elimination::{
-    EliminatedRow, Step, TwistElimination, Unknown, angular, linear,
+    EliminatedRow, Step, TwistElimination, Unknown, twist,
 };
 use crate::{Expression, Graph, Rational};
 
@@ -42,16 +42,15 @@ impl MultiplierElimination {
     ) -> Self {
         for (multiplier, constraint) in (coordinates..).zip(constraints) {
             let own = Unknown::Coordinate(multiplier);
-            for (link, [turning, moving]) in &constraint.links {
-                let unknowns = angular(*link).into_iter().chain(linear(*link));
-                for (unknown, coefficient) in unknowns.zip(turning.iter().chain(moving)) {
-                    let entry = graph.negate(*coefficient);
-                    elimination.add(graph, own, unknown, entry);
+            for (link, coefficients) in &constraint.links {
+                for (unknown, coefficient) in twist(*link).zip(coefficients.components()) {
+                    let entry = graph.negate(coefficient);
+                    elimination.increase(graph, own, unknown, entry);
                 }
             }
             for (coordinate, coefficient) in &constraint.coordinates {
                 let entry = graph.negate(*coefficient);
-                elimination.add(graph, own, Unknown::Coordinate(*coordinate), entry);
+                elimination.increase(graph, own, Unknown::Coordinate(*coordinate), entry);
             }
         }
         Self {
@@ -98,7 +97,7 @@ impl MultiplierElimination {
                 self.tried.insert(group, restricted);
                 continue;
             };
-            let moved = Diagonal::of(graph, link, moved);
+            let moved = diagonal(graph, link, moved);
             if let Some(conditions) = self.conditions_of(graph, elimination, &eliminated, &moved) {
                 self.conditions.extend(conditions);
                 self.accept(graph, elimination, eliminated, steps);
@@ -114,7 +113,7 @@ impl MultiplierElimination {
         steps: &mut Vec<Step>,
     ) -> Option<()> {
         let eliminated = Eliminated::of(graph, elimination, &self.waiting)?;
-        let none = Diagonal::default();
+        let none = BTreeMap::new();
         let conditions = self.conditions_of(graph, elimination, &eliminated, &none)?;
         self.conditions.extend(conditions);
         self.accept(graph, elimination, eliminated, steps);
@@ -152,7 +151,7 @@ impl MultiplierElimination {
         graph: &mut Graph,
         before: &TwistElimination,
         eliminated: &Eliminated,
-        moved: &Diagonal,
+        moved: &BTreeMap<Unknown, Expression>,
     ) -> Option<Vec<Expression>> {
         let mut conditions = Vec::new();
         for (unknown, change) in eliminated.changes(graph) {
@@ -160,7 +159,7 @@ impl MultiplierElimination {
                 continue;
             }
             let inertia = before.entry(graph, unknown, unknown);
-            let moved = moved.0.get(&unknown).copied().unwrap_or(graph.zero());
+            let moved = moved.get(&unknown).copied().unwrap_or(graph.zero());
             let inertia = graph.add(inertia, moved);
             if graph.is_zero(inertia) {
                 return None;
@@ -248,15 +247,9 @@ impl Eliminated {
 }
 
 /// The diagonal entries of the inertia of a link.
-#[derive(Default)]
-struct Diagonal(BTreeMap<Unknown, Expression>);
-
-impl Diagonal {
-    fn of(graph: &mut Graph, link: usize, inertia: &Inertia) -> Self {
-        let tensor = inertia.tensor(graph);
-        let entries = [tensor[0][0], tensor[1][1], tensor[2][2]];
-        let entries = entries.into_iter().chain([inertia.mass; 3]);
-        let unknowns = angular(link).into_iter().chain(linear(link));
-        Self(unknowns.zip(entries).collect())
-    }
+fn diagonal(graph: &mut Graph, link: usize, inertia: &Inertia) -> BTreeMap<Unknown, Expression> {
+    let tensor = inertia.tensor(graph);
+    let entries = [tensor[0][0], tensor[1][1], tensor[2][2]];
+    let entries = entries.into_iter().chain([inertia.mass; 3]);
+    twist(link).zip(entries).collect()
 }

@@ -8,23 +8,12 @@
 
 use std::rc::Rc;
 
-use crate::mechanics::mechanism::{Link, Mechanism, Turn, Vector, cross, kept, slopes, total};
+use crate::mechanics::mechanism::{
+    Link, Mechanism, Vector, difference, inner, kept, slopes, total,
+};
 use crate::mechanics::solvers::link_equations::LinkEquations;
+use crate::mechanics::solvers::spatial_vectors::{Twist, Wrench};
 use crate::{Expression, Graph, Rational};
-
-/// A moment about the origin of a link, and a force.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Wrench {
-    pub(crate) moment: Vector,
-    pub(crate) force: Vector,
-}
-
-impl Wrench {
-    pub(crate) fn components(&self) -> [Expression; 6] {
-        let [[l, m, n], [x, y, z]] = [self.moment, self.force];
-        [l, m, n, x, y, z]
-    }
-}
 
 /// How a link moves.
 #[derive(Clone, Copy)]
@@ -45,11 +34,18 @@ pub(crate) struct Joint {
     /// The angular velocity relative to the link before, along the axes of the link.
     pub(crate) rate: Vector,
     /// Its derivatives by the velocities.
-    pub(crate) turning: Vec<(usize, Vector)>,
+    pub(crate) turning: Vec<(usize, Twist)>,
     /// The rate of the place in the link before, along its axes.
     pub(crate) speed: Vector,
     /// Its derivatives by the velocities.
-    pub(crate) sliding: Vec<(usize, Vector)>,
+    pub(crate) sliding: Vec<(usize, Twist)>,
+}
+
+/// A part of a joint: where it slides and turns, it slides first, seen from the link before.
+#[derive(Clone, Copy)]
+pub(crate) enum JointPart {
+    Turning,
+    Sliding,
 }
 
 impl Joint {
@@ -57,16 +53,37 @@ impl Joint {
         let rate = link.turn.rate(graph, coordinates);
         let speed = graph.time_derivatives(&link.place, coordinates);
         let speed = speed.try_into().unwrap_or([graph.zero(); 3]);
+        let none = Twist::none(graph);
+        let turning = slopes(graph, rate, coordinates).into_iter();
+        let sliding = slopes(graph, speed, coordinates).into_iter();
         Self {
-            turning: slopes(graph, rate, coordinates),
-            sliding: slopes(graph, speed, coordinates),
+            turning: turning
+                .map(|(i, angular)| (i, Twist { angular, ..none }))
+                .collect(),
+            sliding: sliding
+                .map(|(i, linear)| (i, Twist { linear, ..none }))
+                .collect(),
             rate,
             speed,
+        }
+    }
+
+    /// The twists that unit velocities give to a part.
+    pub(crate) fn slopes(&self, part: JointPart) -> &[(usize, Twist)] {
+        match part {
+            JointPart::Turning => &self.turning,
+            JointPart::Sliding => &self.sliding,
         }
     }
 }
 
 impl LinkEquations {
+    /// The links with their joints, from the leaves to the root.
+    pub(crate) fn inward(&self) -> impl Iterator<Item = (usize, &Link, &Joint)> {
+        let links = self.mechanism.links.iter().zip(&self.joints).enumerate();
+        links.rev().map(|(i, (link, joint))| (i, link, joint))
+    }
+
     /// How the links move; with the accelerations of the coordinates as symbols, or with none.
     pub(crate) fn motions(&self, graph: &mut Graph, with_accelerations: bool) -> Vec<Motion> {
         let direction = if with_accelerations {
@@ -104,26 +121,17 @@ impl LinkEquations {
     ) -> Vec<Expression> {
         let mut terms = vec![Vec::new(); self.forces.len()];
         let mut totals = wrenches.to_vec();
-        for (i, (link, joint)) in self
-            .mechanism
-            .links
-            .iter()
-            .zip(&self.joints)
-            .enumerate()
-            .rev()
-        {
-            let wrench = totals[i];
+        for (i, link, joint) in self.inward() {
             for (coordinate, slope) in &joint.turning {
-                let pairs = slope.iter().copied().zip(wrench.moment);
-                terms[*coordinate].push((graph.sum_of_products(pairs), Rational::ONE));
+                terms[*coordinate].push((slope.power(graph, &totals[i]), Rational::ONE));
             }
             if link.parent.is_none() && joint.sliding.is_empty() {
                 continue;
             }
-            let wrench = wrench.turned(graph, &link.turn).moved(graph, link.place);
+            let wrench = totals[i].turned(graph, &link.turn);
+            let wrench = wrench.moved(graph, link.place);
             for (coordinate, slope) in &joint.sliding {
-                let pairs = slope.iter().copied().zip(wrench.force);
-                terms[*coordinate].push((graph.sum_of_products(pairs), Rational::ONE));
+                terms[*coordinate].push((slope.power(graph, &wrench), Rational::ONE));
             }
             if let Some(parent) = link.parent {
                 totals[parent] = totals[parent].plus(graph, wrench);
@@ -205,8 +213,7 @@ impl Motion {
         let force = [0, 1, 2].map(|i| {
             let products = (0..3).map(|j| (field[i][j], first[j]));
             let products = products.chain([(inertia.mass, self.acceleration[i])]);
-            let sum = graph.sum_of_products(products);
-            kept(graph, sum)
+            inner(graph, products)
         });
         let lever = graph.cross(first, self.acceleration);
         let moment = [0, 1, 2].map(|k: usize| {
@@ -237,43 +244,10 @@ fn field(graph: &mut Graph, velocity: Vector, acceleration: Vector) -> ([Vector;
         let sum = graph.add(squares[i], squares[j]);
         let minus = graph.negate(sum);
         field[k][k] = kept(graph, minus);
-        let difference = graph.subtract(squares[j], squares[i]);
-        stretch[k] = kept(graph, difference);
-        let product = graph.multiply(velocity[i], velocity[j]);
-        let product = kept(graph, product);
-        let (ahead, behind) = (
-            graph.add(product, acceleration[k]),
-            graph.subtract(product, acceleration[k]),
-        );
-        field[j][i] = kept(graph, ahead);
-        field[i][j] = kept(graph, behind);
+        stretch[k] = difference(graph, squares[j], squares[i]);
+        let product = inner(graph, [(velocity[i], velocity[j])]);
+        field[j][i] = total(graph, &[product, acceleration[k]]);
+        field[i][j] = difference(graph, product, acceleration[k]);
     }
     (field, stretch)
-}
-
-impl Wrench {
-    /// The wrench along the axes of the link before, given how the link is turned against it.
-    pub(crate) fn turned(self, graph: &mut Graph, turn: &Turn) -> Self {
-        Self {
-            force: turn.outward(graph, self.force),
-            moment: turn.outward(graph, self.moment),
-        }
-    }
-
-    /// About another origin, from which this one is at `place`.
-    pub(crate) fn moved(self, graph: &mut Graph, place: Vector) -> Self {
-        let lever = cross(graph, place, self.force);
-        Self {
-            moment: [0, 1, 2].map(|i| total(graph, &[self.moment[i], lever[i]])),
-            ..self
-        }
-    }
-
-    pub(crate) fn plus(self, graph: &mut Graph, other: Self) -> Self {
-        let mut add = |x: Vector, y: Vector| [0, 1, 2].map(|i| total(graph, &[x[i], y[i]]));
-        Self {
-            moment: add(self.moment, other.moment),
-            force: add(self.force, other.force),
-        }
-    }
 }

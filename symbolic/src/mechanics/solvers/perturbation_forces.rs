@@ -3,15 +3,16 @@
 
 use std::collections::BTreeSet;
 
-use crate::Graph;
-use crate::mechanics::mechanism::{Vector, kept, total};
+use crate::mechanics::mechanism::{Vector, difference, total};
 use crate::mechanics::solvers::articulated_coriolis::ArticulatedCoriolis;
 use crate::mechanics::solvers::articulated_links::ArticulatedLinks;
 use crate::mechanics::solvers::coriolis_matrix::CoriolisMatrix;
-use crate::mechanics::solvers::joint_perturbations::{JointPerturbations, derivative, symbols};
+use crate::mechanics::solvers::joint_perturbations::{JointPerturbations, symbols};
 use crate::mechanics::solvers::link_vectors::{Accelerations, RightHandSide};
-use crate::mechanics::solvers::newton_euler::Wrench;
-use crate::mechanics::solvers::twist_elimination::{Step, Unknown, angular, linear};
+use crate::mechanics::solvers::newton_euler::JointPart;
+use crate::mechanics::solvers::spatial_vectors::Wrench;
+use crate::mechanics::solvers::twist_elimination::{Step, Unknown, linear, twist};
+use crate::{Graph, Symbol};
 
 /// The negative acceleration of an eliminated coordinate, by the acceleration of a link before it.
 #[derive(Clone)]
@@ -23,11 +24,9 @@ pub(super) struct Row {
     pub(super) of_turning: Vector,
 }
 
-/// What a coordinate or its velocity perturbs at a joint.
+/// What a coordinate or a velocity perturbs at a joint.
 pub(super) struct Column {
-    /// 0: by the coordinate; 1: by its velocity.
-    pub(super) kind: usize,
-    pub(super) coordinate: usize,
+    pub(super) symbol: Symbol,
     /// The change of the acceleration of the link.
     pub(super) perturbation: Accelerations,
     /// 2 δω.
@@ -97,8 +96,8 @@ pub(super) fn coordinates_before(
         let mut eliminated = Vec::new();
         for step in joint.steps() {
             match step {
-                Step::SplitOff(_, coordinate, _) => {
-                    before.insert(*coordinate);
+                Step::SplitOff(slope) => {
+                    before.insert(slope.coordinate);
                 }
                 Step::Eliminate(row) => {
                     for (unknown, ..) in &row.others {
@@ -183,9 +182,10 @@ impl<'a> Forces<'a> {
         let link = &self.solver.equations.mechanism.links[index];
         let mut rows = core::mem::take(&mut self.rows[index]);
         let mut coriolis = core::mem::take(&mut self.coriolis[index]);
+        let wrench = self.wrenches[index];
         let turning = Meeting {
             rows: rows.clone(),
-            columns: self.turning_columns(graph, index, &coriolis),
+            columns: self.columns(graph, index, JointPart::Turning, &coriolis, &wrench),
         };
         Self::eliminate(graph, steps.turning, &mut rows, &mut coriolis);
         coriolis.turn(graph, index, &link.turn);
@@ -193,10 +193,10 @@ impl<'a> Forces<'a> {
             row.forces.turn(graph, index, &link.turn);
             row.of_turning = link.turn.outward(graph, row.of_turning);
         }
-        let wrench = self.wrenches[index].turned(graph, &link.turn);
+        let wrench = wrench.turned(graph, &link.turn);
         let sliding = Meeting {
             rows: rows.clone(),
-            columns: self.sliding_columns(graph, index, wrench.force),
+            columns: self.columns(graph, index, JointPart::Sliding, &coriolis, &wrench),
         };
         Self::eliminate(graph, steps.sliding, &mut rows, &mut coriolis);
         let Some(parent) = link.parent else {
@@ -212,8 +212,7 @@ impl<'a> Forces<'a> {
         }
         let masses = &self.solver.inertias[index].shift;
         coriolis.shift(graph, index, link.place, speed, masses);
-        let coriolis = coriolis.at(index, parent);
-        self.coriolis[parent].add(graph, coriolis);
+        self.coriolis[parent].add(graph, &coriolis, [index, parent]);
         let wrench = wrench.moved(graph, link.place);
         self.wrenches[parent] = self.wrenches[parent].plus(graph, wrench);
         self.rows[parent].extend(rows.iter().cloned());
@@ -233,10 +232,10 @@ impl<'a> Forces<'a> {
     ) {
         for step in steps {
             match step {
-                Step::SplitOff(unknowns, coordinate, slope) => {
-                    coriolis.split_off(graph, *unknowns, *coordinate, *slope);
+                Step::SplitOff(slope) => {
+                    coriolis.split_off(graph, slope);
                     for row in rows.iter_mut() {
-                        row.forces.split_off(graph, *unknowns, *coordinate, *slope);
+                        row.forces.split_off(graph, slope);
                     }
                 }
                 Step::Eliminate(eliminated) => {
@@ -245,8 +244,7 @@ impl<'a> Forces<'a> {
                         let own = row.forces.give_way(graph, eliminated);
                         row.of_turning = [0, 1, 2].map(|i| {
                             let change = graph.multiply(own, of_turning[i]);
-                            let difference = graph.subtract(row.of_turning[i], change);
-                            kept(graph, difference)
+                            difference(graph, row.of_turning[i], change)
                         });
                     }
                     let ratios = eliminated.others.iter().map(|(u, _, ratio)| (*u, *ratio));
@@ -261,89 +259,46 @@ impl<'a> Forces<'a> {
         }
     }
 
-    fn turning_columns(
+    /// The columns of a part of a joint, which carries a body with this wrench.
+    fn columns(
         &self,
         graph: &mut Graph,
         index: usize,
+        part: JointPart,
         coriolis: &ArticulatedCoriolis,
+        wrench: &Wrench,
     ) -> Vec<Column> {
         if !self.with_columns {
             return Vec::new();
         }
-        let slopes = &self.solver.equations.joints[index].turning;
-        let inertia = &self.solver.inertias[index].turning;
-        let wrench = self.wrenches[index];
+        let slopes = self.solver.equations.joints[index].slopes(part);
+        let inertia = self.solver.inertias[index].before(part);
         let mut columns = Vec::new();
-        for (coordinate, slope) in slopes {
-            let changes = self.perturbations.turned(graph, index, *coordinate, *slope);
-            for (kind, change) in changes.iter().enumerate() {
-                let angular_change = angular(index).into_iter().zip(change.angular_acceleration);
-                let linear_change = linear(index).into_iter().zip(change.acceleration);
+        for slope in slopes {
+            let changes = self.perturbations.at(graph, index, part, *slope);
+            for (symbol, change) in symbols(slope.0).into_iter().zip(changes) {
                 let perturbation = Accelerations {
-                    values: angular_change.chain(linear_change).collect(),
+                    values: twist(index).zip(change.acceleration.components()).collect(),
                 };
                 let mut forces = RightHandSide(coriolis.forces(graph, change.turning));
                 forces.add_products(graph, inertia, &perturbation);
-                if kind == 0 {
-                    // What the joint turns along with it; the coordinates of the joint have no part in it.
-                    let moment = graph.cross(*slope, wrench.moment);
-                    let force = graph.cross(*slope, wrench.force);
-                    forces.add_vector(graph, angular(index), moment);
-                    forces.add_vector(graph, linear(index), force);
+                if matches!(symbol, Symbol::Coordinate(_)) {
+                    // What the joint carries along with it; the coordinates of the joint have no part in it.
+                    let carried = slope.1.rate_of(graph, wrench);
+                    forces.add_wrench(graph, index, &carried);
                     for (other, direction) in slopes {
-                        let pairs = direction.iter().copied().zip(moment);
-                        let turned = graph.sum_of_products(pairs);
-                        let changed = derivative(graph, *direction, symbols(*coordinate)[0]);
-                        let pairs = changed.into_iter().zip(wrench.moment);
-                        let changed = graph.sum_of_products(pairs);
-                        let difference = graph.subtract(changed, turned);
+                        let carried = direction.power(graph, &carried);
+                        let changed = direction.derivative(graph, symbol);
+                        let changed = changed.power(graph, wrench);
+                        let difference = graph.subtract(changed, carried);
                         forces.add(graph, Unknown::Coordinate(*other), difference);
                     }
                 }
                 forces.keep(graph);
                 columns.push(Column {
-                    kind,
-                    coordinate: *coordinate,
+                    symbol,
                     perturbation,
                     turning: change.turning,
-                    forces,
-                });
-            }
-        }
-        columns
-    }
-
-    fn sliding_columns(&self, graph: &mut Graph, index: usize, force: Vector) -> Vec<Column> {
-        if !self.with_columns {
-            return Vec::new();
-        }
-        let slopes = &self.solver.equations.joints[index].sliding;
-        let inertia = &self.solver.inertias[index].sliding;
-        let mut columns = Vec::new();
-        for (coordinate, slope) in slopes {
-            let changes = self.perturbations.moved(graph, index, *coordinate, *slope);
-            for (kind, change) in changes.into_iter().enumerate() {
-                let perturbation = Accelerations {
-                    values: linear(index).into_iter().zip(change).collect(),
-                };
-                let mut forces = RightHandSide::default();
-                forces.add_products(graph, inertia, &perturbation);
-                if kind == 0 {
-                    // The lever of the force changes.
-                    let lever = graph.cross(*slope, force);
-                    forces.add_vector(graph, angular(index), lever);
-                    for (other, direction) in slopes {
-                        let changed = derivative(graph, *direction, symbols(*coordinate)[0]);
-                        let changed = graph.sum_of_products(changed.into_iter().zip(force));
-                        forces.add(graph, Unknown::Coordinate(*other), changed);
-                    }
-                }
-                forces.keep(graph);
-                columns.push(Column {
-                    kind,
-                    coordinate: *coordinate,
-                    perturbation,
-                    turning: [graph.zero(); 3],
                     forces,
                 });
             }
@@ -366,7 +321,7 @@ impl Row {
         let before = self.of_turning;
         self.of_turning = [0, 1, 2].map(|i| total(graph, &[before[i], change[i]]));
         self.forces.shift(graph, link, Some(parent), place);
-        for unknown in angular(link).into_iter().chain(linear(link)) {
+        for unknown in twist(link) {
             self.forces.0.remove(&unknown);
         }
     }

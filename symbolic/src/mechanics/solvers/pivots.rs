@@ -32,12 +32,8 @@ impl Pivot {
         while let Node::Opaque(operand) = graph.node(pivot) {
             pivot = *operand;
         }
-        let terms = match graph.node(pivot) {
-            Node::Sum(terms) => terms.to_vec(),
-            _ => vec![(pivot, Rational::ONE)],
-        };
+        let terms = graph.terms(pivot).into_iter();
         let mut magnitudes: Vec<_> = terms
-            .into_iter()
             .map(|(x, c)| (graph.unary(Unary::Abs, x), c.abs()))
             .collect();
         for (symbol, is_angle) in (0..).map(Symbol::Coordinate).zip(angles) {

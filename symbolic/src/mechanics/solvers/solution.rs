@@ -6,8 +6,6 @@
 //! factorization of the mass matrix; where none applies, M is factored numerically. For a few coordinates the derivatives of q̈ are solved for
 //! with the same factors.
 
-use crate::identity::modular_point::ModularPoint;
-use crate::identity::residue;
 use crate::limits::{MAX_DIFFERENTIATED_COORDINATES, SCHEDULING_MARGIN};
 use crate::matrix::ldlt::Ldlt;
 use crate::mechanics::solvers::articulated_bodies::ArticulatedBodies;
@@ -17,7 +15,7 @@ use crate::mechanics::solvers::implicit_equations::ImplicitEquations;
 use crate::mechanics::solvers::link_derivatives::cheapest_derivatives;
 use crate::mechanics::solvers::link_equations::LinkEquations;
 use crate::mechanics::solvers::pivots::Pivot;
-use crate::{Equations, Expression, Graph, Node, Program, Rational, Symbol};
+use crate::{Expression, Graph, Program, Symbol};
 
 /// The accelerations q̈ as expressions.
 pub struct Solution {
@@ -121,17 +119,6 @@ impl Solution {
         &self.solver
     }
 
-    /// How M x = r is solved, in words.
-    #[must_use]
-    pub const fn method(&self) -> &'static str {
-        match self.solver {
-            Solver::BoltzmannHamel(_) => "quasi-velocities",
-            Solver::ArticulatedBodies(_) => "articulated bodies",
-            Solver::ArticulatedLinks(_) => "articulated links",
-            Solver::Ldlt(..) => "factors of M",
-        }
-    }
-
     /// Whether M itself is eliminated.
     #[must_use]
     pub fn eliminates_mass_matrix(&self) -> bool {
@@ -152,8 +139,8 @@ impl Solution {
     pub fn divisors(&self, graph: &Graph) -> Vec<Pivot> {
         let mut divisors = match &self.solver {
             Solver::BoltzmannHamel(solver) => solver.divisors(),
-            Solver::ArticulatedBodies(solver) => solver.divisors(),
-            Solver::ArticulatedLinks(solver) => solver.divisors(),
+            Solver::ArticulatedBodies(solver) => solver.divisors.clone(),
+            Solver::ArticulatedLinks(solver) => solver.divisors.clone(),
             Solver::Ldlt(solver, _) => solver.divisors(),
         };
         divisors.retain(|pivot| graph.as_constant(pivot.value).is_none());
@@ -256,39 +243,4 @@ impl Solution {
         });
         equations.collect()
     }
-
-    /// Whether the accelerations solve M q̈ = f, as far as a random point in modular arithmetic tells;
-    /// true where there is none, and where roots other than square roots have relations unknown there.
-    #[must_use]
-    pub fn holds(&self, graph: &Graph, equations: &Equations) -> bool {
-        let mut roots = self.accelerations.clone();
-        roots.extend(&equations.forcing);
-        roots.extend(equations.mass.concat());
-        if has_higher_roots(graph, &roots) {
-            return true;
-        }
-        let size = self.accelerations.len();
-        let mut found = ModularPoint::attempts()
-            .filter_map(|point| Some((point, point.evaluate(graph, &roots)?)));
-        found.next().is_none_or(|(point, values)| {
-            let (accelerations, rest) = values.split_at(size);
-            let (forcing, mass) = rest.split_at(size);
-            mass.chunks(size).zip(forcing).all(|(row, force)| {
-                let products = row.iter().zip(accelerations);
-                let terms = products.map(|(x, y)| residue::multiply(*x, *y, point.p()));
-                terms.fold(0, |sum, term| residue::add(sum, term, point.p())) == *force
-            })
-        })
-    }
-}
-
-fn has_higher_roots(graph: &Graph, roots: &[Expression]) -> bool {
-    let higher = |exponent: &Rational| !(exponent * &Rational::integer(2)).is_integer();
-    let expressions = graph.descendants(roots);
-    expressions
-        .into_iter()
-        .any(|expression| match graph.node(expression) {
-            Node::Product(factors) => factors.iter().any(|(_, exponent)| higher(exponent)),
-            _ => false,
-        })
 }

@@ -321,14 +321,12 @@ impl Recursion<'_> {
             let graph = &mut *self.graph;
             let mut terms = vec![(other, Rational::ONE), (*force, Rational::ONE)];
             for (i, joint) in links.joints.iter().enumerate() {
-                for (kind, slopes) in [&joint.turning, &joint.sliding].into_iter().enumerate() {
-                    for (_, slope) in slopes.iter().filter(|(coordinate, _)| *coordinate == k) {
-                        for (axis, entry) in slope.iter().enumerate() {
-                            let argument = u32::try_from(6 * i + 3 * kind + axis);
-                            let argument = Symbol::Argument(argument.unwrap_or(u32::MAX));
-                            let argument = graph.symbol(argument);
-                            terms.push((graph.multiply(*entry, argument), Rational::ONE));
-                        }
+                let slopes = joint.turning.iter().chain(&joint.sliding);
+                for (_, slope) in slopes.filter(|(coordinate, _)| *coordinate == k) {
+                    for (axis, entry) in slope.components().enumerate() {
+                        let argument = u32::try_from(6 * i + axis).unwrap_or(u32::MAX);
+                        let argument = graph.symbol(Symbol::Argument(argument));
+                        terms.push((graph.multiply(entry, argument), Rational::ONE));
                     }
                 }
             }
