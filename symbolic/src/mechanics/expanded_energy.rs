@@ -6,6 +6,8 @@
 //! of them, and taken where they cost less. For many coordinates the expanded M swells, and is tried only if an ignorable
 //! coordinate is written, which cancels: the angle of a wheel that spins fast would shorten the steps of a Taylor series.
 
+use std::collections::BTreeMap;
+
 use crate::limits::MAX_EXPANDED_COORDINATES;
 use crate::mechanics::coordinate_properties::CoordinateProperties;
 use crate::{Expression, Graph, Model, Pass, Rational, Symbol};
@@ -52,11 +54,12 @@ impl LagrangeTerms {
             return None;
         }
         let mut mass = self.mass.clone();
-        for i in 0..mass.len() {
-            for j in 0..=i {
-                let entry = graph.simplest(mass[i][j]);
-                (mass[i][j], mass[j][i]) = (entry, entry);
-            }
+        // M is symmetric.
+        let mut simplest = BTreeMap::new();
+        for entry in mass.iter_mut().flatten() {
+            *entry = *simplest
+                .entry(*entry)
+                .or_insert_with(|| graph.simplest(*entry));
         }
         let rest = linear_part(graph, lagrangian, &self.momenta);
         let lagrangian = quadratic(graph, &mass, rest);

@@ -204,7 +204,7 @@ pub(crate) struct Folded {
 
 /// Equations with sums, and one in place of the members of each family, where it is the same for most of them.
 pub(crate) fn folded(equations: &[&Printed], letters: IndexLetters) -> Vec<Folded> {
-    let mut sums: Vec<_> = equations.iter().map(|x| Printed::clone(x)).collect();
+    let mut sums: Vec<Printed> = equations.iter().copied().cloned().collect();
     for equation in &mut sums {
         // Without the index of a member nothing is folded.
         if equation.first_number().is_some() {
