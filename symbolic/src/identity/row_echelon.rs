@@ -38,7 +38,7 @@ impl RowEchelon {
         true
     }
 
-    /// row −= row[pivot] · above.
+    /// `row −= row[pivot] · above`.
     fn eliminate(&self, row: &mut [u64], pivot: usize, above: &[u64]) {
         if row[pivot] == 0 {
             return;

@@ -67,7 +67,7 @@ impl Formula<'_> {
         self
     }
 
-    /// How [long](Printed::length) it is to read, or one more than `most` if it is longer.
+    /// How [long](crate::print::printed::Printed::length) it is to read, or one more than `most` if it is longer.
     pub(crate) fn length(&self, most: usize) -> usize {
         self.writer().length(most)
     }

@@ -1,7 +1,7 @@
 //! The force of a constraint on a quantity that it contains, by its virtual work.
 //!
 //! Where a position p alone is displaced by δp, the multipliers λ of a constraint g = 0 do the virtual work
-//! λ·(∂g/∂p) δp, so that (∂g/∂p)ᵀ λ is the force on p. A rotation R is turned by a small vector δθ, R + [δθ] R, and
+//! λ·(∂g/∂p) δp, so that (∂g/∂p)ᵀ λ is the force on p. A rotation R is turned by a small vector δθ, R + δθ × R, and
 //! the work λ·(∂g/∂θ) δθ has the moment as its factor. Of a nonholonomic constraint w = 0 it is the virtual power, with
 //! ∂w/∂ṗ in place of ∂g/∂p (Lanczos, The Variational Principles of Mechanics, 1970, III).
 
