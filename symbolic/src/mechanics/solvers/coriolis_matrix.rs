@@ -72,21 +72,22 @@ impl CoriolisMatrix {
             let momentum = graph.multiply(inertia.mass, speed[i]);
             difference(graph, self.force[i], momentum)
         });
-        // [x ×] [y ×] = y xᵀ − (x · y) 1.
+        // [x ×] [y ×] = y xᵀ − (x · y) 1, on the diagonal without what cancels.
         let first = inertia.first;
-        let along_speed = inner(graph, first.into_iter().zip(speed));
-        let along_place = inner(graph, place.into_iter().zip(force));
-        let diagonal = difference(graph, along_speed, along_place);
+        let shares = [0, 1, 2].map(|k| {
+            let minus = graph.negate(force[k]);
+            inner(graph, [(first[k], speed[k]), (minus, place[k])].into_iter())
+        });
         let moment = [0, 1, 2].map(|i| {
             [0, 1, 2].map(|j| {
+                let own = self.moment[i][j];
+                if i == j {
+                    return total(graph, &[own, shares[(i + 1) % 3], shares[(i + 2) % 3]]);
+                }
                 let minus = graph.negate(speed[i]);
                 let products = [(force[i], place[j]), (minus, first[j])];
                 let products = graph.sum_of_products(products);
-                let mut terms = vec![self.moment[i][j], products];
-                if i == j {
-                    terms.push(diagonal);
-                }
-                total(graph, &terms)
+                total(graph, &[own, products])
             })
         });
         Self { force, moment }
@@ -155,4 +156,33 @@ impl Perturbation {
 const fn transposed(rows: [Vector; 3]) -> [Vector; 3] {
     let [x, y, z] = rows;
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Symbol;
+
+    #[test]
+    fn what_lies_along_an_axis_has_no_part_in_the_moment_about_it() {
+        let mut graph = Graph::new();
+        let mut symbols = (0..).map(Symbol::Parameter);
+        let mut vector = || [0, 1, 2].map(|_| symbols.next().unwrap_or(Symbol::Time));
+        let [center, turning, place, speed] = [0, 1, 2, 3].map(|_| vector());
+        let mass = graph.symbol(Symbol::Input(0));
+        let [x, angular_velocity, shift, velocity] =
+            [center, turning, place, speed].map(|vector| vector.map(|symbol| graph.symbol(symbol)));
+        let inertia = Inertia::point(&mut graph, mass, x);
+        let matrix = CoriolisMatrix::of(&mut graph, &inertia, angular_velocity);
+        let moved = matrix.moved(&mut graph, &inertia, shift, velocity);
+        for i in 0..3 {
+            let found = graph.symbols(&[moved.moment[i][i]]);
+            assert!(
+                !found.contains(&place[i]) && !found.contains(&speed[i]),
+                "{i}"
+            );
+            let across = [(i + 1) % 3, (i + 2) % 3];
+            assert!(across.iter().all(|j| found.contains(&place[*j])), "{i}");
+        }
+    }
 }
