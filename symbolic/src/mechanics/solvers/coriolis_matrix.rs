@@ -76,7 +76,7 @@ impl CoriolisMatrix {
         let first = inertia.first;
         let shares = [0, 1, 2].map(|k| {
             let minus = graph.negate(force[k]);
-            inner(graph, [(first[k], speed[k]), (minus, place[k])].into_iter())
+            inner(graph, [(first[k], speed[k]), (minus, place[k])])
         });
         let moment = [0, 1, 2].map(|i| {
             [0, 1, 2].map(|j| {
