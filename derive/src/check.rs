@@ -14,7 +14,6 @@ use std::collections::BTreeSet;
 
 use proc_macro2::Ident;
 
-use crate::defects::constraints::refuse_clauses;
 use crate::diagnostics::{Diagnostics, similar};
 use crate::plan::is_method;
 use crate::syntax::clauses::Clause;
@@ -33,7 +32,7 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_outputs(declaration, diagnostics);
     check_events(declaration, diagnostics);
     check_constraints(declaration, diagnostics);
-    refuse_clauses(declaration, diagnostics);
+    check_clauses_beside_constraints(declaration, diagnostics);
     parameter_lists::check(declaration, diagnostics);
     check_gravity(declaration, diagnostics);
     c::check(declaration, diagnostics);
@@ -41,6 +40,19 @@ pub(crate) fn check(declaration: &Declaration, diagnostics: &mut Diagnostics) {
     check_reduced_name(declaration, diagnostics);
     if !declaration.clauses.unreadable {
         check_energies(declaration, diagnostics);
+    }
+}
+
+/// Models with constraints do not have what some clauses need.
+fn check_clauses_beside_constraints(declaration: &Declaration, diagnostics: &mut Diagnostics) {
+    let clauses = &declaration.clauses;
+    if clauses.constraints.is_empty() && clauses.nonholonomic.is_empty() {
+        return;
+    }
+    if let Some(keyword) = &clauses.hamiltonian {
+        let message = "a model with constraints has no canonical equations: leave `hamiltonian` out; momenta are \
+                       `model.momenta(&state)`";
+        diagnostics.error(keyword, message);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Errors of the equations of motion, reported where the declaration can be corrected.
 
-pub(crate) mod constraints;
+mod constraints;
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,16 +1,17 @@
 //! The derive macro of the `lagrangian` crate: Rust tokens in, Rust tokens out.
 
-mod check;
-mod defects;
-mod derived;
-mod diagnostics;
-mod emit;
-mod expand;
+// A module imports only from those before it (`.ci/imports`).
 mod limits;
+mod diagnostics;
+mod syntax;
 mod lower;
 mod plan;
+mod check;
 mod reduce;
-mod syntax;
+mod emit;
+mod defects;
+mod derived;
+mod expand;
 #[cfg(test)]
 mod tests;
 

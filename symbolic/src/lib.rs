@@ -4,6 +4,7 @@
 //! This is what `lagrangian`'s derive macro is made of, as a library: it knows neither tokens nor time
 //! steps.
 
+// A module imports only from those before it (`.ci/imports`).
 mod limits;
 mod passes;
 mod algebra;

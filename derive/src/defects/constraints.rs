@@ -5,20 +5,6 @@ use syn::Expr;
 
 use crate::diagnostics::Diagnostics;
 use crate::lower::Lowered;
-use crate::syntax::declaration::Declaration;
-
-/// What clauses of a model need that models with constraints do not have.
-pub(crate) fn refuse_clauses(declaration: &Declaration, diagnostics: &mut Diagnostics) {
-    let clauses = &declaration.clauses;
-    if clauses.constraints.is_empty() && clauses.nonholonomic.is_empty() {
-        return;
-    }
-    if let Some(keyword) = &clauses.hamiltonian {
-        let message = "a model with constraints has no canonical equations: leave `hamiltonian` out; momenta are \
-                       `model.momenta(&state)`";
-        diagnostics.error(keyword, message);
-    }
-}
 
 /// Says at a constraint why it has no equations.
 pub(super) fn report(
