@@ -18,7 +18,7 @@ mod validation;
 mod print;
 
 pub use algebra::contents::Contents;
-pub use algebra::derivative::Direction;
+pub use algebra::derivative_memory::Direction;
 pub use algebra::external_function::ExternalFunction;
 pub use algebra::function::{Binary, Symmetry, Unary};
 pub use algebra::graph::Graph;
@@ -34,7 +34,8 @@ pub use identity::modular_point::ModularPoint;
 pub use limits::{MAX_ARRAY, MAX_DETERMINANT, MAX_DIAGONAL_ROWS};
 pub use matrix::ldlt::Ldlt;
 pub use mechanics::conservation::Conservation;
-pub use mechanics::constraints::{Constraint, ConstraintDefect, ConstraintEquations};
+pub use mechanics::constraint::Constraint;
+pub use mechanics::constraints::{ConstraintDefect, ConstraintEquations};
 pub use mechanics::coordinate_properties::CoordinateProperties;
 pub use mechanics::defects::Defect;
 pub use mechanics::energy_functions::EnergyFunctions;

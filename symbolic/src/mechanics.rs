@@ -2,6 +2,7 @@
 
 pub(crate) mod model;
 pub(crate) mod defects;
+pub(crate) mod constraint;
 pub(crate) mod constraints;
 pub(crate) mod dependence;
 pub(crate) mod saddle_point;

@@ -1,6 +1,7 @@
 //! The normal form of calls of elementary functions.
 
-use crate::algebra::function::{Symmetry, unit_difference};
+use crate::algebra::function::Symmetry;
+use crate::algebra::function_derivatives::unit_difference;
 use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
 impl Graph {

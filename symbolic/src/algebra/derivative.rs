@@ -3,7 +3,6 @@
 //!
 //! A derivative with respect to a symbol visits only the expressions that contain it.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::algebra::dependence::Dependence;
@@ -11,10 +10,7 @@ use crate::algebra::hashing::Table;
 use crate::algebra::index_table::PairTable;
 use crate::algebra::interner::Interner;
 use crate::limits::MAX_FLAT_PRODUCT_RULE;
-use crate::{Expression, ExternalFunction, Graph, Node, Pass, Rational, Symbol};
-
-/// The direction of a derivative: for each symbol its own derivative, 0 for those not named.
-pub type Direction = BTreeMap<Symbol, Expression>;
+use crate::{Direction, Expression, ExternalFunction, Graph, Node, Pass, Rational, Symbol};
 
 impl Graph {
     /// The derivatives ∂rootᵢ/∂symbolⱼ, as one list over i for each j.

@@ -3,9 +3,13 @@
 //! A model takes thousands of derivatives of single angles and small vectors, in one direction: memory for the whole
 //! arena, and the direction of time, are not made anew for each.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use crate::{Direction, Expression};
+use crate::{Expression, Symbol};
+
+/// The direction of a derivative: for each symbol its own derivative, 0 for those not named.
+pub type Direction = BTreeMap<Symbol, Expression>;
 
 /// The memory of the derivatives of one graph.
 #[derive(Clone, Debug, Default)]

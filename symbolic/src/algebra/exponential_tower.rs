@@ -2,7 +2,7 @@
 //! product is small. It is exp(u − eᵘ), whose exponent has a value, and so have its derivatives: a factor that grows like a power of eᵘ
 //! joins the exponent by its logarithm, and what is left of it is bounded.
 
-use crate::algebra::scaled_sum::Scaled;
+use crate::algebra::growth::Scaled;
 use crate::{Expression, Graph, Node, Rational, Unary};
 
 /// Π xᵢ^kᵢ, as pairs (xᵢ, kᵢ).

@@ -17,11 +17,11 @@ use std::collections::BTreeSet;
 use crate::algebra::contents::Contents;
 use crate::algebra::derivative_memory::DerivativeMemory;
 use crate::algebra::external_function::ExternalDeclaration;
+use crate::algebra::growth::KnownScales;
 use crate::algebra::hashing::mix;
 use crate::algebra::interner::Interner;
 use crate::algebra::node::{Expression, Node};
-use crate::algebra::scaled_sum::KnownScales;
-use crate::algebra::sum::KnownSplits;
+use crate::algebra::split::KnownSplits;
 use crate::{Pass, Passes, Rational, Symbol};
 
 /// The arena of all expressions of a model.

@@ -1,31 +1,11 @@
 //! Powers and logarithms of what grows exponentially: of sums of exponentials, of hyperbolic cosines, and of products of
 //! these, by the logarithm of what they grow like, which `scaled_sum.rs` finds.
 
-use crate::algebra::scaled_sum::Scaled;
+use crate::algebra::growth::{Growing, Scaled};
 use crate::{Binary, Expression, Graph, Node, Rational, Unary};
 
 /// Π xᵢ^kᵢ, as pairs (xᵢ, kᵢ).
 type Factors = Vec<(Expression, Rational)>;
-
-/// What is positive everywhere and may be too large for a number.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Growing {
-    /// eᵘ.
-    Exponential(Expression),
-    /// 1 + eᵘ.
-    OneMore(Expression),
-    /// cosh u.
-    Cosine(Expression),
-}
-
-impl Growing {
-    /// u.
-    pub(super) fn argument(self) -> Expression {
-        match self {
-            Self::Exponential(u) | Self::OneMore(u) | Self::Cosine(u) => u,
-        }
-    }
-}
 
 impl Graph {
     /// The factors of a negative power of a sum with exponential terms.

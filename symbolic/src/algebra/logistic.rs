@@ -15,8 +15,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::algebra::growing::Growing;
-use crate::algebra::scaled_sum::Scaled;
+use crate::algebra::growth::{Growing, Scaled};
 use crate::{Expression, Graph, Node, Rational, Unary};
 
 /// Π xᵢ^kᵢ, as pairs (xᵢ, kᵢ).

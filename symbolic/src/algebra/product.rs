@@ -4,7 +4,8 @@
 //! a value. (√x)² = x and x/x = 1 extend the domain; √(x²y²) = |x| |y|; (xy)^k = x^k y^k only for integer k;
 //! (−8)^⅓ has no value and stays as it is.
 
-use crate::algebra::sum::{Split, ascends, combine};
+use crate::algebra::split::Split;
+use crate::algebra::sum::{ascends, combine};
 use crate::limits::{MAX_MERGED_PRODUCT_LENGTH, MAX_PRODUCT_LENGTH};
 use crate::{Expression, Graph, Node, Pass, Rational, Unary};
 

@@ -1,22 +1,9 @@
 //! Sums with exponential terms as the one that grows most, times a sum that is bounded where the coefficients are:
 //! r + c·eᵘ = (1 + eᵘ)·(r·σ(−u) + c·σ(u)), and r + c·cosh u = cosh u·(r·sech u + c).
 
-use crate::algebra::growing::Growing;
-use crate::algebra::hashing::Table;
+use crate::algebra::growth::{Growing, Scaled};
 use crate::limits::MAX_SCALED_TERMS;
 use crate::{Expression, Graph, Node, Rational, Unary};
-
-/// The sums that have been scaled: products ask for the same ones again and again.
-pub(crate) type KnownScales = Table<Expression, Option<Scaled>>;
-
-/// A sum as a growing function times what is left.
-#[derive(Clone, Debug)]
-pub(crate) struct Scaled {
-    pub(super) scale: Growing,
-    /// The exponent of what grows, a positive integer.
-    pub(super) power: Rational,
-    pub(super) rest: Expression,
-}
 
 /// A term c·Π·eᵘ of a sum.
 struct Term {

@@ -13,16 +13,7 @@ use crate::identity::modular_point::ModularPoint;
 use crate::identity::residue;
 use crate::identity::row_echelon::RowEchelon;
 use crate::mechanics::dependence::Rows;
-use crate::{Expression, Graph, Model, Rational, Symbol};
-
-/// A relation that holds in every motion: an expression that is zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Constraint {
-    /// g(q, t) = 0.
-    Holonomic(Expression),
-    /// A(q, t) q̇ + a(q, t) = 0.
-    Nonholonomic(Expression),
-}
+use crate::{Constraint, Expression, Graph, Model, Rational, Symbol};
 
 /// The equations of the constraints of a model, the holonomic ones first.
 #[derive(Clone, Debug, Default)]
@@ -73,30 +64,6 @@ pub enum ConstraintDefect {
         /// Whether it contradicts them: then no motion fulfils all.
         contradicts: bool,
     },
-}
-
-impl Constraint {
-    /// The expression that is zero.
-    #[must_use]
-    pub const fn expression(self) -> Expression {
-        match self {
-            Self::Holonomic(expression) | Self::Nonholonomic(expression) => expression,
-        }
-    }
-
-    /// A constraint of this kind, with another expression.
-    pub(crate) const fn with_expression(self, expression: Expression) -> Self {
-        match self {
-            Self::Holonomic(_) => Self::Holonomic(expression),
-            Self::Nonholonomic(_) => Self::Nonholonomic(expression),
-        }
-    }
-
-    /// Whether it is declared as a relation of coordinates.
-    #[must_use]
-    pub const fn is_holonomic(self) -> bool {
-        matches!(self, Self::Holonomic(_))
-    }
 }
 
 impl ConstraintEquations {

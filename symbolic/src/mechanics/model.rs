@@ -1,6 +1,6 @@
 //! A mechanical system as declared: what comes into the derivation.
 
-use crate::mechanics::constraints::Constraint;
+use crate::mechanics::constraint::Constraint;
 use crate::{DeclaredSystem, Expression, Graph, Symbol};
 
 /// The energies and forces of a system with `coordinates` degrees of freedom.

@@ -9,7 +9,8 @@
 //! accelerations.
 
 use crate::matrix::rows::{differences, sums};
-use crate::mechanics::constraints::{Constraint, ConstraintEquations};
+use crate::mechanics::constraint::Constraint;
+use crate::mechanics::constraints::ConstraintEquations;
 use crate::mechanics::model::Energies;
 use crate::{Equations, Expression, Graph, LinearSystem, Model, Rational, Symbol};
 

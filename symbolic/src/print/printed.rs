@@ -3,10 +3,8 @@
 //! A tree says what is a term, a factor or an exponent; the [writer](crate::print::writer) decides on parentheses and dots.
 
 use crate::print::index::{Index, Range};
-use crate::print::notation::Notation;
 use crate::print::numeral::Numeral;
 use crate::print::spelling::Spelling;
-use crate::print::writer::Writer;
 use crate::{Expression, Rational, Unary};
 
 /// Signs in Unicode and in LaTeX.
@@ -305,22 +303,6 @@ impl Printed {
     #[must_use]
     pub fn over(self, other: Self) -> Self {
         self.below_sign(|above| Self(Part::Quotient(Box::new([above, other]))))
-    }
-
-    /// The formula as it is read, in both notations.
-    #[must_use]
-    pub fn both(&self) -> [String; 2] {
-        [Notation::Unicode, Notation::Latex].map(|notation| self.written(notation))
-    }
-
-    /// How long it is to read: its characters in Unicode, and more for the indices of families.
-    pub(crate) fn length(&self) -> usize {
-        Writer::new(Notation::Unicode, None, self.clone()).length(usize::MAX)
-    }
-
-    /// The formula as it is read.
-    pub(crate) fn written(&self, notation: Notation) -> String {
-        Writer::new(notation, None, self.clone()).collect()
     }
 
     pub(crate) fn precedence(&self) -> Precedence {

@@ -135,6 +135,24 @@ impl<'a> Writer<'a> {
     }
 }
 
+impl Printed {
+    /// The formula as it is read, in both notations.
+    #[must_use]
+    pub fn both(&self) -> [String; 2] {
+        [Notation::Unicode, Notation::Latex].map(|notation| self.written(notation))
+    }
+
+    /// How long it is to read: its characters in Unicode, and more for the indices of families.
+    pub(crate) fn length(&self) -> usize {
+        Writer::new(Notation::Unicode, None, self.clone()).length(usize::MAX)
+    }
+
+    /// The formula as it is read.
+    pub(crate) fn written(&self, notation: Notation) -> String {
+        Writer::new(notation, None, self.clone()).collect()
+    }
+}
+
 /// The pieces of one formula, while it is expanded.
 struct Line {
     notation: Notation,

@@ -7,7 +7,9 @@
 //! sum, over orders below k, is a [convolution](Convolution), which a loop accumulates; what is left is linear in the
 //! terms of order k, and short.
 
+mod assembly;
 mod builder;
+mod series;
 mod external_functions;
 mod functions;
 mod implicit;
@@ -20,8 +22,9 @@ use crate::limits::COST_OF_CONVOLUTION;
 use crate::program::liveness::LiveValues;
 use crate::program::straight_line::{Operand, Program};
 use crate::{ExternalFunction, Graph, Symbol};
-use builder::{Builder, ZERO};
+use builder::Builder;
 use quotients::with_quotients;
+use series::ZERO;
 
 /// The program for the Taylor coefficients of the outputs of another program.
 ///

@@ -3,59 +3,12 @@
 use std::rc::Rc;
 
 use super::external_functions::{Derivative, Pending};
-use super::functions::Pair;
-use super::linear_forms::Recurrence;
-use super::{Convolution, NoSeries, TaylorProgram, implicit};
+use super::series::{Numbered, Pair, Series, ZERO};
+use super::{Convolution, NoSeries};
 use crate::algebra::hashing::Table;
-use crate::program::liveness::LiveValues;
 use crate::program::numbering::Instructions;
-use crate::program::straight_line::{Operand, Operation, OutputGroup, Program};
+use crate::program::straight_line::{Operand, Operation, Program};
 use crate::{ExternalFunction, Graph, Rational, Symbol};
-
-/// The Taylor series of a value.
-#[derive(Clone, Debug)]
-pub(super) struct Series {
-    /// Its term of order 0, an operand of the initial program.
-    pub(super) constant: Operand,
-    /// Its coefficient of order k, an operand of the recurrence; 0 if it does not vary.
-    pub(super) coefficient: Operand,
-}
-
-impl Series {
-    pub(super) fn varies(&self) -> bool {
-        self.coefficient != ZERO
-    }
-}
-
-pub(super) const ZERO: Operand = Operand::Constant(Rational::ZERO);
-
-/// The index of a factor of convolutions.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) struct Factor(pub(super) usize);
-
-/// Different items, numbered in the order in which they were first met.
-pub(super) struct Numbered<T> {
-    pub(super) items: Vec<T>,
-    numbers: Table<T, usize>,
-}
-
-impl<T: Clone + Eq + core::hash::Hash> Numbered<T> {
-    pub(super) fn new() -> Self {
-        Self {
-            items: Vec::new(),
-            numbers: Table::default(),
-        }
-    }
-
-    /// The number of an item.
-    pub(super) fn number(&mut self, item: T) -> u32 {
-        let number = *self.numbers.entry(item).or_insert_with_key(|item| {
-            self.items.push(item.clone());
-            self.items.len() - 1
-        });
-        u32::try_from(number).unwrap_or(u32::MAX)
-    }
-}
 
 pub(super) struct Builder<'a> {
     /// Where the derivatives of external functions are declared.
@@ -245,38 +198,6 @@ impl<'a> Builder<'a> {
             residuals.push(residual);
         }
         residuals
-    }
-
-    pub(super) fn finish(self, program: &Program, coefficients: Vec<Operand>) -> TaylorProgram {
-        let factors = self.factors.into_iter();
-        let factors = factors.map(|factor| factor.unwrap_or(ZERO)).collect();
-        let recurrence = Recurrence {
-            instructions: self.recurrence.list,
-            invariants: self.invariants.items,
-            outputs: [coefficients, factors],
-        };
-        let mut in_initial = self.initial;
-        let Recurrence {
-            instructions,
-            invariants,
-            outputs: [coefficients, factors],
-        } = recurrence.balanced(&mut in_initial);
-        let live = LiveValues::of(invariants.iter(), in_initial.list.iter());
-        in_initial
-            .list
-            .retain(|instruction| live.contain(instruction));
-        let mut initial = program.clone();
-        initial.groups.push(OutputGroup {
-            instructions: in_initial.list,
-            outputs: invariants,
-        });
-        initial.renumber();
-        TaylorProgram {
-            initial,
-            recurrence: implicit::in_two_groups(instructions, coefficients, factors),
-            convolutions: self.convolutions.items,
-            quasi_velocities: None,
-        }
     }
 }
 

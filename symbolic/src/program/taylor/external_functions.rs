@@ -8,7 +8,8 @@
 
 use std::rc::Rc;
 
-use super::builder::{Builder, Factor, Series, ZERO};
+use super::builder::Builder;
+use super::series::{Factor, Series, ZERO};
 use super::{NoSeries, quotients::with_quotients};
 use crate::limits::MAX_APPLICATIONS_IN_A_SERIES;
 use crate::program::liveness::LiveValues;

@@ -5,16 +5,10 @@
 //! With D = t d/dt, whose coefficients are k xₖ, an equation such as Dw = g Dx gives
 //! k wₖ = g₀ k xₖ + Σ₀﹤ᵢ﹤ₖ gₖ₋ᵢ i xᵢ: the g that it needs are of orders below k.
 
-use super::builder::{Builder, Factor, Series, ZERO};
+use super::builder::Builder;
+use super::series::{Factor, Pair, Series, ZERO};
 use crate::program::straight_line::{Operand, Operation};
 use crate::{Binary, Rational, Unary};
-
-/// Two functions that are each other's derivatives, up to the sign.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Pair {
-    SineCosine,
-    HyperbolicSineCosine,
-}
 
 impl Builder<'_> {
     /// The coefficients of sin x and cos x.

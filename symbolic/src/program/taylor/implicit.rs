@@ -8,7 +8,8 @@
 use std::collections::BTreeSet;
 
 use super::TaylorProgram;
-use super::builder::{Builder, ZERO};
+use super::builder::Builder;
+use super::series::ZERO;
 use crate::Symbol;
 use crate::program::straight_line::{Instruction, Operand, Operation, OutputGroup, Program};
 

@@ -6,7 +6,7 @@
 //! added last (tree-height reduction of arithmetic expressions: D. J. Kuck, The Structure of Computers and
 //! Computations, 1978, chapter 2).
 
-use super::builder::{Numbered, ZERO};
+use super::series::{Numbered, ZERO};
 use crate::program::numbering::Instructions;
 use crate::program::straight_line::{Instruction, Operand, Operation};
 use crate::{Rational, Symbol};

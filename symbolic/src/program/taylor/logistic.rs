@@ -1,7 +1,8 @@
 //! Taylor series of the functions that stand for quotients and logarithms of exponentials. None of them overflows where its
 //! value does not: what they are convolved with is bounded.
 
-use super::builder::{Builder, Series, ZERO};
+use super::builder::Builder;
+use super::series::{Series, ZERO};
 use crate::Unary;
 use crate::program::straight_line::{Operand, Operation};
 

@@ -1,7 +1,8 @@
 //! Operations on terms of order k, operands of the recurrence, and on terms of order 0, which it reads as invariants.
 
 use super::Convolution;
-use super::builder::{Builder, Factor, ZERO};
+use super::builder::Builder;
+use super::series::{Factor, ZERO};
 use crate::program::straight_line::{Operand, Operation};
 use crate::{Rational, Symbol, Unary};
 
