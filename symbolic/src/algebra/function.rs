@@ -1,7 +1,7 @@
 //! The table of elementary functions: one row each.
 //!
-//! A new function does not compile until every column is filled: name, value, derivative, symmetry,
-//! exact values, cost. The table is closed under differentiation. Square roots and rational powers are
+//! A new function does not compile until every column is filled: name, value, symmetry, exact values, cost, and its derivative in
+//! `function_derivatives.rs`. The table is closed under differentiation. Square roots and rational powers are
 //! not here: they are products, Π xᵢ^kᵢ.
 
 use crate::Rational;

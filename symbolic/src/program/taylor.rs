@@ -21,10 +21,12 @@ mod terms;
 use crate::limits::COST_OF_CONVOLUTION;
 use crate::program::liveness::LiveValues;
 use crate::program::straight_line::{Operand, Program};
-use crate::{ExternalFunction, Graph, Symbol};
+use crate::{Graph, Symbol};
 use builder::Builder;
 use quotients::with_quotients;
 use series::ZERO;
+
+pub use series::{Convolution, NoSeries};
 
 /// The program for the Taylor coefficients of the outputs of another program.
 ///
@@ -43,21 +45,6 @@ pub struct TaylorProgram {
     pub convolutions: Vec<Convolution>,
     /// The number of quasi-velocities, whose rates follow the velocities in the values; none where the values are others.
     pub quasi_velocities: Option<usize>,
-}
-
-/// The sum Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ, which the recurrence reads as a [symbol](Symbol::Convolution): the indices of x and y among
-/// the factors.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub struct Convolution(pub usize, pub usize);
-
-/// Why a program that applies an external function has no Taylor series.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct NoSeries {
-    /// The function that the program applies.
-    pub function: ExternalFunction,
-    /// The function that it or one of its derivatives is, and the position of the argument, whose derivative the series
-    /// needs and which is not declared; none if the derivatives apply functions at ever further arguments.
-    pub undeclared: Option<(ExternalFunction, usize)>,
 }
 
 /// The outputs of a program whose series are wanted.

@@ -3,8 +3,7 @@
 use std::rc::Rc;
 
 use super::external_functions::{Derivative, Pending};
-use super::series::{Numbered, Pair, Series, ZERO};
-use super::{Convolution, NoSeries};
+use super::series::{Convolution, NoSeries, Numbered, Pair, Series, ZERO};
 use crate::algebra::hashing::Table;
 use crate::program::numbering::Instructions;
 use crate::program::straight_line::{Operand, Operation, Program};

@@ -9,8 +9,8 @@
 use std::rc::Rc;
 
 use super::builder::Builder;
-use super::series::{Factor, Series, ZERO};
-use super::{NoSeries, quotients::with_quotients};
+use super::quotients::with_quotients;
+use super::series::{Factor, NoSeries, Series, ZERO};
 use crate::limits::MAX_APPLICATIONS_IN_A_SERIES;
 use crate::program::liveness::LiveValues;
 use crate::program::straight_line::{Operand, Operation, Program};

@@ -1,8 +1,8 @@
 //! The Taylor series of values, and what series are made of.
 
-use crate::Rational;
 use crate::algebra::hashing::Table;
 use crate::program::straight_line::Operand;
+use crate::{ExternalFunction, Rational};
 
 /// The Taylor series of a value.
 #[derive(Clone, Debug)]
@@ -54,4 +54,19 @@ impl<T: Clone + Eq + core::hash::Hash> Numbered<T> {
 pub(super) enum Pair {
     SineCosine,
     HyperbolicSineCosine,
+}
+
+/// The sum Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ, which the recurrence reads as a [symbol](crate::Symbol::Convolution): the indices of x and y among
+/// the factors.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Convolution(pub usize, pub usize);
+
+/// Why a program that applies an external function has no Taylor series.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct NoSeries {
+    /// The function that the program applies.
+    pub function: ExternalFunction,
+    /// The function that it or one of its derivatives is, and the position of the argument, whose derivative the series
+    /// needs and which is not declared; none if the derivatives apply functions at ever further arguments.
+    pub undeclared: Option<(ExternalFunction, usize)>,
 }

@@ -1,8 +1,7 @@
 //! Operations on terms of order k, operands of the recurrence, and on terms of order 0, which it reads as invariants.
 
-use super::Convolution;
 use super::builder::Builder;
-use super::series::{Factor, ZERO};
+use super::series::{Convolution, Factor, ZERO};
 use crate::program::straight_line::{Operand, Operation};
 use crate::{Rational, Symbol, Unary};
 
