@@ -2,12 +2,12 @@
 //!
 //! The reason for each check is the message that it reports.
 
-mod c;
 mod fields;
 mod functions;
+mod c;
+mod reflect;
 mod names;
 mod parameter_lists;
-mod reflect;
 mod scalar;
 
 use std::collections::BTreeSet;

@@ -1,20 +1,20 @@
 //! From a checked declaration to a model: every name resolved, every number exact.
 
-mod ablation;
+pub(crate) mod quantities;
+pub(crate) mod value;
 pub(crate) mod body;
+pub(crate) mod scope;
 pub(crate) mod builtins;
-mod compliances;
-pub(crate) mod constraints;
-mod constraint_clauses;
+mod unknown_function;
+mod hints;
+mod expression;
 mod energies;
 mod events;
-mod expression;
+pub(crate) mod constraints;
+mod constraint_clauses;
+mod compliances;
 mod forces;
-mod hints;
-pub(crate) mod quantities;
-pub(crate) mod scope;
-mod unknown_function;
-pub(crate) mod value;
+mod ablation;
 
 use core::mem;
 

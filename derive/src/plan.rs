@@ -1,23 +1,23 @@
 //! Which programs a model's methods are, and what each of them returns.
 
-mod branches;
-mod by_columns;
-pub(crate) mod constants;
+mod methods;
+mod method;
 mod constraint_methods;
 mod derivatives;
-mod method;
-mod methods;
 mod outputs;
-mod prepared_array;
-mod reduced_methods;
+mod by_columns;
+mod variation;
 mod requested;
-mod series_methods;
 mod table;
 mod taylor_method;
+mod value_series;
+mod series_methods;
+mod reduced_methods;
+mod prepared_array;
+mod branches;
 mod undeclared;
 mod validation;
-mod value_series;
-mod variation;
+pub(crate) mod constants;
 
 pub(crate) use branches::branches_of_events;
 pub(crate) use method::Method;

@@ -65,7 +65,7 @@ impl Columns for OutputSlice {
 }
 
 impl Writer<'_> {
-    /// The derivatives of the accelerations by q, q̇ and t, or by parameters.
+    /// The derivatives of the accelerations by q, q̇ and t, by parameters, or by inputs.
     pub(super) fn acceleration_derivatives<C: Columns>(
         &mut self,
         outputs: &DerivativeOutputs<C>,
@@ -158,18 +158,14 @@ impl Writer<'_> {
         &mut self,
         outputs: &DerivativeOutputs<OutputSlice>,
     ) -> TokenStream {
-        let derivatives = self.acceleration_derivatives(outputs);
-        if !self.emitter.is_constrained() {
-            return derivatives;
-        }
         let root = &self.emitter.declaration.root;
-        quote! {
-            let derivatives = { #derivatives };
+        let parts = quote! {
             (
                 #root::__private::rows_of_accelerations(&derivatives),
                 #root::__private::rows_of_multipliers(&derivatives),
             )
-        }
+        };
+        self.parts_of_derivatives(outputs, &parts)
     }
 
     /// The derivatives of the accelerations by the inputs.
@@ -177,14 +173,24 @@ impl Writer<'_> {
         &mut self,
         outputs: &DerivativeOutputs<OutputSlice>,
     ) -> TokenStream {
+        let root = &self.emitter.declaration.root;
+        let parts = quote!(#root::__private::rows_of_accelerations(&derivatives));
+        self.parts_of_derivatives(outputs, &parts)
+    }
+
+    /// The derivatives of the accelerations; with constraints these parts of the `derivatives` of accelerations and multipliers.
+    fn parts_of_derivatives(
+        &mut self,
+        outputs: &DerivativeOutputs<OutputSlice>,
+        parts: &TokenStream,
+    ) -> TokenStream {
         let derivatives = self.acceleration_derivatives(outputs);
         if !self.emitter.is_constrained() {
             return derivatives;
         }
-        let root = &self.emitter.declaration.root;
         quote! {
             let derivatives = { #derivatives };
-            #root::__private::rows_of_accelerations(&derivatives)
+            #parts
         }
     }
 }

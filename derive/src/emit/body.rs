@@ -3,14 +3,14 @@
 //! Each value that is used more than once, or that the declaration names, is a variable; the others are inlined
 //! where they are used, up to a depth of nesting.
 
-mod angles;
-mod block;
-mod constant;
-mod fragment;
-mod in_pieces;
-mod pieces;
-mod symbols;
 pub(super) mod variables;
+mod pieces;
+mod in_pieces;
+mod block;
+mod angles;
+mod symbols;
+mod fragment;
+mod constant;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 

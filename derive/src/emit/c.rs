@@ -5,17 +5,17 @@
 //! runtime stands in `c/library/`. In all these texts `$` stands for the name of the model, `@N`, `@C` and `@K` for the
 //! numbers of coordinates, of constraints, and of both together, `@M` for the number of inputs, and `@P` for the number of sweeps of the projection.
 
-mod body;
-mod casadi;
-mod columns;
-mod derivatives;
-mod header;
 mod identifiers;
-mod interface;
+mod structs;
+mod body;
 mod library;
 mod methods;
-mod structs;
+mod derivatives;
+mod columns;
 mod variation;
+mod interface;
+mod casadi;
+mod header;
 
 use lagrangian_symbolic::Symbol;
 use proc_macro2::TokenStream;

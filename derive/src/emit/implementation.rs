@@ -12,14 +12,7 @@ pub(super) fn inherent(
     generics: &Generics,
     items: &TokenStream,
 ) -> TokenStream {
-    let name = &declaration.name;
-    let (generics, _, conditions) = generics.split_for_impl();
-    let (_, arguments, _) = declaration.generics.split_for_impl();
-    quote! {
-        impl #generics #name #arguments #conditions {
-            #items
-        }
-    }
+    frame(declaration, generics, [&TokenStream::new(); 2], items)
 }
 
 /// `impl<…> trait for Model<…>`, with these parameters of the impl.
@@ -29,12 +22,28 @@ pub(super) fn of_trait(
     interface: &TokenStream,
     items: &TokenStream,
 ) -> TokenStream {
+    let attribute = quote!(#[automatically_derived]);
+    frame(
+        declaration,
+        generics,
+        [&attribute, &quote!(#interface for)],
+        items,
+    )
+}
+
+/// An impl with this attribute, and with these tokens before the name of the model.
+fn frame(
+    declaration: &Declaration,
+    generics: &Generics,
+    [attribute, interface]: [&TokenStream; 2],
+    items: &TokenStream,
+) -> TokenStream {
     let name = &declaration.name;
     let (generics, _, conditions) = generics.split_for_impl();
     let (_, arguments, _) = declaration.generics.split_for_impl();
     quote! {
-        #[automatically_derived]
-        impl #generics #interface for #name #arguments #conditions {
+        #attribute
+        impl #generics #interface #name #arguments #conditions {
             #items
         }
     }

@@ -4,17 +4,17 @@
 //! errors at the tokens that are not supported. Long sums and products are loops; only nesting
 //! recurses, and `syntax/size.rs` bounds its depth.
 
+mod external_function;
 mod array;
-mod binary_operators;
 mod block;
-mod body;
 mod call;
+mod binary_operators;
 mod circle;
+mod body;
 mod component;
 mod derivative;
-mod external_function;
-mod repetition;
 mod reaction;
+mod repetition;
 mod rotation;
 
 use lagrangian_symbolic::{

@@ -78,7 +78,7 @@ impl ValueSeries {
         })
     }
 
-    /// The same; none where the program applies external functions without series.
+    /// The Taylor series of these values; none where the program applies external functions without series.
     fn if_possible(
         graph: &Graph,
         program: &Program,

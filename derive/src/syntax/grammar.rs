@@ -48,7 +48,7 @@ pub(crate) fn in_parentheses<'a>(
     Ok((content, parentheses.span.join()))
 }
 
-/// Notes a clause of which there is one; an error with this message if it is there already.
+/// Notes a clause that may be written once; an error with this message if it is there already.
 pub(crate) fn once<T>(
     clause: &mut Option<T>,
     found: T,

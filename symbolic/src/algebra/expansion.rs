@@ -61,7 +61,7 @@ impl Graph {
         polynomials.remove(&expression)
     }
 
-    /// A part of an expression as a polynomial, where those of its operands are known, unless it has too many terms.
+    /// A part of an expression as a polynomial, from the polynomials of its operands, unless it has too many terms.
     fn polynomial(
         &mut self,
         part: Expression,

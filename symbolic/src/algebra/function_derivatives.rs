@@ -74,10 +74,9 @@ impl Unary {
 }
 
 impl Binary {
-    /// The partial derivatives with respect to both arguments. Where x = y, those of `min` and `max`
-    /// are the mean of both sides.
+    /// The partial derivatives with respect to both arguments. Where x = y, `min` and `max` have the mean of both sides.
     ///
-    /// Those of `atan2` are written x/(x² + y²) and −y/(x² + y²) because they cancel with an r² = x² + y², which a form
+    /// The derivatives of `atan2` are written x/(x² + y²) and −y/(x² + y²) because they cancel with an r² = x² + y², which a form
     /// without squares, such as cos φ/r, would not. Where they do not, programs scale them, so that the squares
     /// neither underflow nor overflow (`program/angle_slopes.rs`).
     pub fn derivatives(self, graph: &mut Graph, x: Expression, y: Expression) -> [Expression; 2] {

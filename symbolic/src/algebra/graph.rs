@@ -12,6 +12,8 @@
 //! Equal terms are therefore equal handles. Products are never expanded. Long sums, products and numbers
 //! are not merged into others, so that no chain of them grows with its square.
 
+mod checkpoint;
+
 use std::collections::BTreeSet;
 
 use crate::algebra::contents::Contents;
@@ -53,15 +55,6 @@ pub struct Graph {
     pub(crate) derivatives: DerivativeMemory,
 }
 
-/// What a graph was at some time.
-pub(crate) struct Checkpoint {
-    length: usize,
-    functions: Vec<ExternalDeclaration>,
-    squared_distances: BTreeSet<Expression>,
-    /// Whether there was a hyperbolic and an exponential function.
-    has_functions: [bool; 2],
-}
-
 impl Default for Graph {
     fn default() -> Self {
         Self::new()
@@ -90,31 +83,6 @@ impl Graph {
         graph.intern(Node::Constant(Rational::ZERO));
         graph.intern(Node::Constant(Rational::ONE));
         graph
-    }
-
-    /// The state to which [`Self::roll_back`] returns.
-    pub(crate) fn checkpoint(&self) -> Checkpoint {
-        Checkpoint {
-            length: self.len(),
-            functions: self.functions.clone(),
-            squared_distances: self.squared_distances.clone(),
-            has_functions: [self.has_hyperbolic, self.has_exponential],
-        }
-    }
-
-    /// Removes the expressions that were added since a checkpoint.
-    pub(crate) fn roll_back(&mut self, checkpoint: Checkpoint) {
-        self.nodes.truncate(checkpoint.length);
-        self.contents.truncate(checkpoint.length);
-        self.symbol_bits.truncate(checkpoint.length);
-        self.functions = checkpoint.functions;
-        self.squared_distances = checkpoint.squared_distances;
-        [self.has_hyperbolic, self.has_exponential] = checkpoint.has_functions;
-        // Caches may name what is removed.
-        self.splits = KnownSplits::default();
-        self.scales = KnownScales::default();
-        self.swollen = BTreeSet::new();
-        self.derivatives = DerivativeMemory::default();
     }
 
     /// The number 0.

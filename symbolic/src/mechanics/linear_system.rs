@@ -27,13 +27,13 @@ impl LinearSystem {
         }
     }
 
-    /// The same system with f and M q̈ − f along a tree where they cost less so.
+    /// Takes f and M q̈ − f along a tree where they cost less.
     pub(crate) fn cheaper(self, graph: &mut Graph, tree: &KinematicTree) -> Self {
         let along_tree = Self::along(graph, tree, self.mass.clone());
         self.or(graph, along_tree)
     }
 
-    /// The same system with M, f and M q̈ − f of another where they cost less.
+    /// Takes M, f and M q̈ − f from another form of the system where they cost less.
     pub(crate) fn or(mut self, graph: &Graph, other: Self) -> Self {
         if graph.costs_less(&other.mass.concat(), &self.mass.concat()) {
             self.mass = other.mass;

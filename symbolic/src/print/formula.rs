@@ -6,7 +6,8 @@ use std::borrow::Cow;
 use crate::limits::MAX_FORMULA_LENGTH;
 use crate::print::layout::Layout;
 use crate::print::notation::{ELLIPSIS, Notation};
-use crate::print::writer::{Piece, Writer};
+use crate::print::piece::Piece;
+use crate::print::writer::Writer;
 use crate::{Expression, Graph, Letters, Names};
 
 /// An expression with the names of its symbols, ready to be printed.

@@ -1,6 +1,6 @@
 //! Formulas as trees of what is written: from expressions, and from energies as they are declared.
 //!
-//! A tree says what is a term, a factor or an exponent; the [writer](crate::print::writer) decides on parentheses and dots.
+//! A tree says what is a term, a factor or an exponent; the [line](crate::print::line) decides on parentheses and dots.
 
 use crate::print::index::{Index, Range};
 use crate::print::numeral::Numeral;

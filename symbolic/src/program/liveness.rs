@@ -7,7 +7,7 @@ use crate::program::straight_line::{Instruction, Operand};
 pub struct LiveValues(Vec<bool>);
 
 impl LiveValues {
-    /// Those of some operands, in a program of these instructions.
+    /// The values on which these operands depend, in a program of these instructions.
     pub fn of<'a>(
         operands: impl Iterator<Item = &'a Operand>,
         instructions: impl DoubleEndedIterator<Item = &'a Instruction>,

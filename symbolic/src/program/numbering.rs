@@ -4,7 +4,7 @@ use crate::Expression;
 use crate::algebra::hashing::Table;
 use crate::program::straight_line::{Instruction, Operand, Operation, Program};
 
-/// A list of instructions, in which each operation has a number: that of its first result.
+/// A list of instructions, each operation of which is known by the number of its first result.
 #[derive(Default)]
 pub(crate) struct Instructions {
     pub(crate) list: Vec<Instruction>,
@@ -21,7 +21,7 @@ impl Instructions {
         }
     }
 
-    /// No instructions yet behind those of a program, which keep their numbers.
+    /// An empty list that continues the numbers of a program.
     pub(crate) fn behind(program: &Program) -> Self {
         let all = program.instructions();
         let ends = all.map(|instruction| instruction.values().end);

@@ -164,7 +164,7 @@ fn balance(
     balances
 }
 
-/// Values less those that they should be.
+/// The differences between values and the expected ones.
 fn differences(found: &[f64], expected: &[f64]) -> Vec<SumWithSize> {
     let exactly = |values: &[f64]| values.iter().copied().map(exact).collect::<Vec<_>>();
     let mut differences = exactly(found);

@@ -58,7 +58,7 @@ pub struct Tapes {
     pub preparation: Tape,
     /// q̈, and behind it the multipliers of the constraints.
     pub accelerations: SolutionTape,
-    /// Those of the constraints, if there are some.
+    /// The tapes of the constraints, if there are some.
     pub constraints: Option<ConstraintTapes>,
     /// Derivatives of q̈ by q, q̇ and t; none where they are those of the inverse dynamics on dual numbers, and with
     /// constraints.

@@ -2,7 +2,7 @@
 //! [Routh's reduction](super).
 
 use super::elimination::Elimination;
-use crate::matrix::rows::{self, sums};
+use crate::matrix::rows::{differences, sums};
 use crate::{Energies, Expression, Graph, Rational, Symbol};
 
 /// The full model without ignorable coordinates, in its own numbers.
@@ -67,8 +67,8 @@ impl System {
             .concat();
         let linear = graph.at_zero(&slopes, &self.velocities);
         let bias = graph.at_zero(&self.offsets, &self.velocities);
-        let moved = differences(graph, &bias, &self.offsets);
-        let excess = differences(graph, &self.constants, &bias);
+        let moved = simplest_differences(graph, &bias, &self.offsets);
+        let excess = simplest_differences(graph, &self.constants, &bias);
         let [moved, excess] = [moved, excess].map(|right| self.elimination.forward(graph, right));
         let driven = self.elimination.backward(graph, &moved);
         let constant = self.elimination.backward(graph, &excess);
@@ -164,7 +164,7 @@ impl System {
     /// The reduction of an L that is quadratic in the velocities of the ignorable coordinates.
     pub(super) fn quadratic_in_ignorable_velocities(&self, graph: &mut Graph) -> Reduced {
         let still = graph.at_zero(&[self.lagrangian], &self.ignorable)[0];
-        let excess = differences(graph, &self.constants, &self.offsets);
+        let excess = simplest_differences(graph, &self.constants, &self.offsets);
         let excess = self.elimination.forward(graph, excess);
         let velocities = self.elimination.backward(graph, &excess);
         let centrifugal = self.elimination.product(graph, &excess, &excess);
@@ -180,7 +180,7 @@ impl System {
 }
 
 /// x − y, entry by entry, each in its simplest form.
-fn differences(graph: &mut Graph, x: &[Expression], y: &[Expression]) -> Vec<Expression> {
-    let differences = rows::differences(graph, x, y).into_iter();
+fn simplest_differences(graph: &mut Graph, x: &[Expression], y: &[Expression]) -> Vec<Expression> {
+    let differences = differences(graph, x, y).into_iter();
     differences.map(|x| graph.simplest(x)).collect()
 }

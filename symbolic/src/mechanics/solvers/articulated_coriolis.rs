@@ -43,7 +43,7 @@ impl ArticulatedCoriolis {
         unknowns.map(|u| (*u, self.row(graph, *u))).collect()
     }
 
-    /// Adds that of what a link itself carries.
+    /// Adds the matrix of what a link itself carries.
     pub(crate) fn add_link(&mut self, graph: &mut Graph, link: usize, own: &CoriolisMatrix) {
         let rows = own.rows(graph);
         for (unknown, row) in twist(link).zip(rows.into_iter().flatten()) {
@@ -51,7 +51,7 @@ impl ArticulatedCoriolis {
         }
     }
 
-    /// Adds that of a link behind, about the origin and along the axes of this one.
+    /// Adds the matrix of a link behind, about the origin and along the axes of this one.
     pub(crate) fn add(&mut self, graph: &mut Graph, other: &Self, [link, parent]: [usize; 2]) {
         for (unknown, row) in other.rows(graph) {
             self.increase(graph, unknown.moved(link, parent), row);

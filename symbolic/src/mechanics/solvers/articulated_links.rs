@@ -29,7 +29,7 @@ use crate::{Expression, Graph, Rational};
 pub(crate) struct PassedInertia {
     /// At the acceleration of the link, along its axes.
     turning: Vec<InertiaRow>,
-    /// The same, along the axes of the link before.
+    /// At the acceleration of the link, along the axes of the link before.
     sliding: Vec<InertiaRow>,
     /// At the acceleration of the origin, behind what slides.
     pub(crate) shift: [InertiaRow; 3],
@@ -54,7 +54,8 @@ pub(crate) struct ArticulatedLinks {
     pub(crate) inertias: Vec<PassedInertia>,
     /// The expressions that must be positive.
     pub(crate) pivots: Vec<Expression>,
-    /// What q̈ is divided by, with the coordinate or multiplier of each: the pivots of coordinates, and the opposites of the pivots of multipliers.
+    /// What q̈ is divided by, with the coordinate or multiplier of each: the pivots of coordinates, and the negated
+    /// pivots of multipliers.
     pub(crate) divisors: Vec<Pivot>,
 }
 

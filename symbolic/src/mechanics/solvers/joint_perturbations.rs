@@ -36,7 +36,7 @@ impl<'a> JointPerturbations<'a> {
     }
 
     /// The perturbations by a coordinate of a part of a joint and by its velocity: along the axes of the link where it turns,
-    /// along those of the link before where it slides.
+    /// along the axes of the link before where it slides.
     pub(crate) fn at(
         &self,
         graph: &mut Graph,

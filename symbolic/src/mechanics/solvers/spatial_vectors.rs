@@ -19,7 +19,7 @@ pub(crate) struct Wrench {
 }
 
 impl Twist {
-    /// Of what does not move.
+    /// The twist of a body at rest.
     pub(crate) const fn none(graph: &Graph) -> Self {
         let zero = graph.zero();
         Self {

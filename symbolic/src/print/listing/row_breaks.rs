@@ -7,8 +7,9 @@
 
 use crate::limits::MAX_ROW_LENGTH;
 use crate::print::notation::Notation;
+use crate::print::piece::Piece;
 use crate::print::printed::Printed;
-use crate::print::writer::{Piece, Writer};
+use crate::print::writer::Writer;
 
 /// What begins a row that continues another one.
 const CONTINUED: &str = " \\\\\n&\\quad";
