@@ -6,7 +6,6 @@
 mod dynamics;
 mod component_name;
 mod singularity;
-mod singularity_check;
 mod projection;
 mod projected;
 mod error;

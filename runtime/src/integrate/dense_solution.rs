@@ -64,11 +64,7 @@ where
         if t - self.last.t == 0.0 {
             return Ok(self.last.x.clone());
         }
-        let found = self.segment(t, |end, t| end <= t)?;
-        Ok(found.map_or_else(
-            || self.initial.x.clone(),
-            |segment| segment.interpolant.at(t),
-        ))
+        self.interpolated(t, |end, t| end <= t)
     }
 
     /// Returns the state at a time; at a jump, the state before the jump.
@@ -76,18 +72,20 @@ where
         if t - self.initial.t == 0.0 {
             return Ok(self.initial.x.clone());
         }
-        let found = self.segment(t, |end, t| end < t)?;
-        Ok(found.map_or_else(
-            || self.initial.x.clone(),
-            |segment| segment.interpolant.at(t),
-        ))
+        self.interpolated(t, |end, t| end < t)
+    }
+
+    /// Returns the state at a time from the first segment that is not `over` there.
+    fn interpolated(&self, t: f64, over: impl Fn(f64, f64) -> bool) -> Result<X, IntegrationError> {
+        let state = |segment: &Segment<P>| segment.interpolant.at(t);
+        let found = self.segment(t, over)?;
+        Ok(found.map_or_else(|| self.initial.x.clone(), state))
     }
 
     /// Returns the derivative of the interpolating polynomial at a time, or `None` if there is no step. For a
     /// mechanical system it holds velocities and accelerations.
     pub(super) fn derivative(&self, t: f64) -> Result<Option<X>, IntegrationError> {
         let found = self.segment(t, |end, t| end <= t)?;
-        let found = found.or(self.segments.last());
         Ok(found.map(|segment| segment.interpolant.derivative(t)))
     }
 

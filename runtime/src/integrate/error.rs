@@ -4,6 +4,7 @@ mod messages;
 
 use super::component_name::ComponentName;
 use super::singularity::Singularity;
+use crate::scalar::Scalar;
 
 /// Why an integration could not start or could not continue.
 ///
@@ -232,4 +233,16 @@ pub enum IntegrationError {
         /// The time before it.
         previous: f64,
     },
+}
+
+impl IntegrationError {
+    /// Returns the error for a singularity.
+    #[cold]
+    pub(crate) fn singular<S: Scalar>(time: f64, singularity: Singularity) -> Self {
+        Self::SingularConfiguration {
+            time,
+            estimated_error: S::machine_epsilon() / singularity.relative_pivot(),
+            singularity,
+        }
+    }
 }
