@@ -11,8 +11,10 @@ pub(crate) mod pivoting;
 mod error_tolerance;
 mod vector_space;
 mod lane_states;
+mod entries;
 
 pub(crate) use dependent_columns::{DependentColumns, Undetermined};
+pub(crate) use entries::{kept, largest, largest_or_nan};
 pub use error_tolerance::ErrorTolerance;
 pub use factorization::Factorization;
 pub(crate) use independent_columns::ColumnChoice;

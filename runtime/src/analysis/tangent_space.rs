@@ -6,6 +6,7 @@ use super::equilibrium::Variable;
 use super::tangent_error::{IndependentVariables, TangentError};
 use super::tangents::{Tangents, check_finite};
 use crate::integrate::SingleNumber;
+use crate::linalg::largest;
 use crate::model::{DirectionalDerivatives, Lagrangian, State};
 use crate::scalar::Scalar;
 
@@ -159,7 +160,7 @@ where
             let column = tangents.rates_along(&direction);
             a.set_column(j, &selected(&variables, &column.q, &column.v));
         }
-        let largest = a.iter().fold(0.0, |most, x| x.abs().largest().max(most));
+        let largest = largest(&a);
         check_finite::<M::Model, S, N, C, D>(&variables, &a)?;
         tangents.check_left_out(&variables, largest)?;
         if self.is_steady {

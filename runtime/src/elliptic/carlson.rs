@@ -12,6 +12,7 @@
 
 use crate::integrate::SingleNumber;
 use crate::limits::elliptic::{DUPLICATIONS, LARGE_LAST};
+use crate::linalg::largest;
 use crate::scalar::Scalar;
 
 /// Returns the ratio of the mean to the largest deviation of an argument from it at which a Taylor polynomial of this
@@ -19,13 +20,6 @@ use crate::scalar::Scalar;
 fn nearness<S: Scalar>(constant: f64, degree: f64) -> f64 {
     let epsilon = S::machine_epsilon();
     libm::pow(constant * epsilon * epsilon, -1.0 / (degree + 1.0))
-}
-
-/// Returns the largest magnitude.
-fn largest<S: Scalar>(numbers: &[S]) -> f64 {
-    numbers
-        .iter()
-        .fold(0.0, |most: f64, x| most.max(x.abs().largest()))
 }
 
 /// Returns whether more than `most` of the arguments are zero, so that the integral diverges.
