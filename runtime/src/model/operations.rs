@@ -45,30 +45,10 @@ pub struct Operations {
 impl Operations {
     /// The counts of a model without equations.
     #[doc(hidden)]
-    pub const NONE: Self = Self {
-        lagrangian: OperationCount::NONE,
-        energy: OperationCount::NONE,
-        momenta: OperationCount::NONE,
-        mass_matrix: OperationCount::NONE,
-        forcing: OperationCount::NONE,
-        generalized_forces: OperationCount::NONE,
-        prepare: OperationCount::NONE,
-        accelerations: OperationCount::NONE,
-        inverse_dynamics: OperationCount::NONE,
-        linearize: OperationCount::NONE,
-    };
+    pub const NONE: Self = operations([[0; 6]; 10]);
 }
 
 impl OperationCount {
-    const NONE: Self = Self {
-        additions: 0,
-        multiplications: 0,
-        divisions: 0,
-        square_roots: 0,
-        sines_and_cosines: 0,
-        functions: 0,
-    };
-
     /// Returns the sum of all operations; each function counts as one.
     #[must_use]
     pub const fn total(&self) -> usize {
