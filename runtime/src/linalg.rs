@@ -21,5 +21,7 @@ pub(crate) use independent_columns::ColumnChoice;
 pub(crate) use independent_rows::{RowSpace, column_widths, smallest_sine};
 pub use into_vector::IntoVector;
 pub use lane_states::LaneStates;
+pub(crate) use lane_states::lanes_by_fields;
 pub use saddle_point::SaddlePoint;
 pub use vector_space::VectorSpace;
+pub(crate) use vector_space::operations_by_fields;

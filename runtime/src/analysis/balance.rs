@@ -191,19 +191,11 @@ impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
     ) -> Self {
         let factor = S::from_f64(factor);
         let change = step.zip_map(sizes, |x, size| factor * x * size);
-        let Self {
-            state,
-            inputs,
-            independent,
-        } = *self;
+        let State { t, x } = self.state;
         Self {
-            state: State::new(
-                state.t,
-                state.q + change.positions,
-                state.v + change.velocities,
-            ),
-            inputs: inputs + change.inputs,
-            independent,
+            state: State::new(t, x.q + change.positions, x.v + change.velocities),
+            inputs: self.inputs + change.inputs,
+            ..*self
         }
     }
 }

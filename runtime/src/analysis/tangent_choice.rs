@@ -4,7 +4,7 @@ use super::tangent_error::{IndependentVariables, TangentError};
 use crate::model::DegreesOfFreedom;
 
 /// What is chosen by the user; the rest is proposed.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Chosen<const N: usize> {
     pub(super) coordinates: Option<[bool; N]>,
     pub(super) velocities: Option<[bool; N]>,

@@ -39,17 +39,8 @@ where
         L: Lagrangian<N, S, Model = M> + ?Sized,
     {
         space.check_indices()?;
-        let chosen = Chosen {
-            coordinates: space.coordinates,
-            velocities: space.velocities,
-            left_out: space.left_out,
-        };
-        Self::at(
-            space.model.model(),
-            &space.state,
-            space.model.inputs(),
-            chosen,
-        )
+        let (model, inputs) = (space.model.model(), space.model.inputs());
+        Self::at(model, &space.state, inputs, space.chosen)
     }
 
     /// Returns the tangents at a state and inputs.
