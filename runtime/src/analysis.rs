@@ -22,6 +22,7 @@ mod symmetric_eigenvalues;
 mod spectrum;
 mod oscillation_error;
 mod components;
+mod members;
 mod time_dependence;
 mod reduced_equations;
 mod small_oscillations;

@@ -22,3 +22,4 @@ mod modulus;
 
 pub use carlson::{carlson_rc, carlson_rf, carlson_rj};
 pub use modulus::Modulus;
+pub(crate) use modulus::sign;

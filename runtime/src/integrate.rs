@@ -6,7 +6,6 @@
 mod dynamics;
 mod component_name;
 mod singularity;
-mod singularity_check;
 mod projection;
 mod projected;
 mod error;
@@ -41,8 +40,6 @@ mod integrator;
 mod problem;
 mod in_lanes;
 mod ensemble;
-#[cfg(test)]
-mod order_conditions;
 
 pub use at::At;
 pub use checkpoint::{Checkpoint, Resume};
@@ -82,3 +79,8 @@ pub use taylor::{
 };
 pub(crate) use taylor::{Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions};
 pub use typical_sizes::{SetTypicalSizes, TypicalSizes, WithSizes};
+
+#[cfg(test)]
+mod tests {
+    pub(super) mod order_conditions;
+}

@@ -59,6 +59,7 @@ mod limits;
 mod array_as_tuple;
 mod number_format;
 mod error_debug;
+mod error_messages;
 mod scalar;
 mod linalg;
 mod integrate;

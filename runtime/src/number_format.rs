@@ -19,6 +19,23 @@ impl fmt::Display for Readable {
     }
 }
 
+/// Writes names with their values, such as `a = 1, b = 2`, and how many more there are.
+pub(crate) fn write_values<'a>(
+    f: &mut fmt::Formatter<'_>,
+    relation: &str,
+    values: impl Iterator<Item = (&'a str, f64)>,
+    left_out: usize,
+) -> fmt::Result {
+    for (i, (name, value)) in values.enumerate() {
+        let separator = if i == 0 { "" } else { ", " };
+        write!(f, "{separator}{name} {relation} {}", Readable(value))?;
+    }
+    if left_out > 0 {
+        write!(f, " and {left_out} more")?;
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::Readable;

@@ -2,9 +2,10 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::jacobian_rows::{Residuals, Variables};
+use super::jacobian_rows::Variables;
 use super::tangent_error::TangentError;
 use crate::integrate::SingleNumber;
+use crate::linalg::largest;
 use crate::model::{Inputs, Lagrangian, Linearization, State, StateJacobian};
 use crate::scalar::Scalar;
 
@@ -190,19 +191,11 @@ impl<S: SingleNumber, const N: usize, const U: usize> Point<S, N, U> {
     ) -> Self {
         let factor = S::from_f64(factor);
         let change = step.zip_map(sizes, |x, size| factor * x * size);
-        let Self {
-            state,
-            inputs,
-            independent,
-        } = *self;
+        let State { t, x } = self.state;
         Self {
-            state: State::new(
-                state.t,
-                state.q + change.positions,
-                state.v + change.velocities,
-            ),
-            inputs: inputs + change.inputs,
-            independent,
+            state: State::new(t, x.q + change.positions, x.v + change.velocities),
+            inputs: self.inputs + change.inputs,
+            ..*self
         }
     }
 }
@@ -225,10 +218,7 @@ where
         inputs,
         independent,
     } = point;
-    let fastest = state
-        .v
-        .iter()
-        .fold(0.0, |most, v| v.abs().largest().max(most));
+    let fastest = largest(&state.v);
     let speed = S::from_f64(if fastest > 0.0 { fastest } else { 1.0 });
     let mut gradients = SMatrix::zeros();
     for j in (0..N).filter(|j| !B::IGNORABLE[*j]) {
@@ -243,87 +233,4 @@ where
         }
     }
     gradients
-}
-
-/// Returns the accelerations, and the differences of the momenta from their prescribed values, or the corrections onto constraints. In
-/// place of dependent accelerations are the corrections of dependent velocities.
-pub(super) fn residuals<S, B, const N: usize, const U: usize>(
-    model: &B,
-    point: &Point<S, N, U>,
-    momenta: &[Option<S>; N],
-) -> Residuals<S, N>
-where
-    S: SingleNumber,
-    B: Balance<S, N, U>,
-{
-    let accelerations = model.accelerations(&point.state, &point.inputs);
-    if momenta.iter().all(Option::is_none) {
-        let [positions, velocities] = model.corrections(&point.state, &point.independent);
-        let accelerations = SVector::from_fn(|i, _| {
-            if point.independent[i] {
-                accelerations[i]
-            } else {
-                velocities[i]
-            }
-        });
-        return [accelerations, positions];
-    }
-    let found = model.momenta(&point.state);
-    let differences =
-        SVector::from_fn(|i, _| momenta[i].map_or(S::zero(), |momentum| found[i] - momentum));
-    [accelerations, differences]
-}
-
-/// Returns the rows of the Jacobian of the residuals by all variables.
-pub(super) fn jacobian<S, B, const N: usize, const U: usize>(
-    model: &B,
-    point: &Point<S, N, U>,
-    momenta: &[Option<S>; N],
-) -> [[Variables<S, N, U>; N]; 2]
-where
-    S: SingleNumber,
-    B: Balance<S, N, U>,
-{
-    let Point {
-        state,
-        inputs,
-        independent,
-    } = point;
-    let slopes = model.linearize(state, inputs);
-    let by_inputs = model.input_jacobian(state, inputs);
-    let acceleration = |i: usize| Variables {
-        positions: slopes.position.row(i).transpose(),
-        velocities: slopes.velocity.row(i).transpose(),
-        inputs: by_inputs.row(i).transpose(),
-    };
-    if momenta.iter().all(Option::is_none) {
-        let slopes = model.correction_slopes(state, independent);
-        let [positions, velocities] = slopes.map(|[by_positions, by_velocities]| {
-            move |i: usize| Variables {
-                positions: by_positions.row(i).transpose(),
-                velocities: by_velocities.row(i).transpose(),
-                inputs: SVector::zeros(),
-            }
-        });
-        let accelerations = core::array::from_fn(|i| {
-            if independent[i] {
-                acceleration(i)
-            } else {
-                velocities(i)
-            }
-        });
-        return [accelerations, core::array::from_fn(positions)];
-    }
-    let accelerations = core::array::from_fn(acceleration);
-    let mass = model.mass_matrix(state);
-    let gradients = momentum_gradients(model, point);
-    let rows = core::array::from_fn(|i| match momenta[i] {
-        None => Variables::zeros(),
-        Some(_) => Variables {
-            positions: SVector::from_fn(|j, _| gradients[(i, j)]),
-            velocities: SVector::from_fn(|j, _| mass[(i, j)]),
-            inputs: SVector::zeros(),
-        },
-    });
-    [accelerations, rows]
 }

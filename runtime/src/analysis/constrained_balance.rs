@@ -10,10 +10,9 @@ use super::balance::Balance;
 use super::steady_motion::SteadyMotion;
 use super::tangent_error::TangentError;
 use crate::integrate::SingleNumber;
-use crate::linalg::{DependentColumns, column_widths};
+use crate::linalg::{DependentColumns, column_widths, kept};
 use crate::model::{
-    Assembly, DegreesOfFreedom, DirectionalDerivatives, Linearization, MotionDerivatives,
-    Quantities, State,
+    Assembly, DegreesOfFreedom, DirectionalDerivatives, Linearization, Quantities, State,
 };
 use crate::scalar::Scalar;
 
@@ -94,7 +93,7 @@ where
         independent: &[bool; N],
     ) -> SVector<S, N> {
         let accelerations = Balance::accelerations(self, state, inputs);
-        let accelerations = of_marked(independent, &accelerations);
+        let accelerations = kept(&accelerations, |i, _| independent[i]);
         let Some(dependent) = self.dependent_velocities(state, independent) else {
             return Balance::mass_matrix(self, state) * accelerations;
         };
@@ -115,12 +114,7 @@ where
 
     fn independent(&self, state: &State<S, N>, [moving, velocities]: [&[bool; N]; 2]) -> [bool; N] {
         let kept = [moving, velocities];
-        let freedom = DegreesOfFreedom::<N, C>::of(self.model, state, kept);
-        let mut independent = [false; N];
-        freedom
-            .independent_velocities()
-            .for_each(|i| independent[i] = true);
-        independent
+        DegreesOfFreedom::<N, C>::of(self.model, state, kept).marks()[1]
     }
 
     fn corrections(&self, state: &State<S, N>, independent: &[bool; N]) -> [SVector<S, N>; 2] {
@@ -142,24 +136,13 @@ where
         let jacobian = self.model.constraint_jacobian(state, &self.model.prepare());
         let dependent = self.dependent_velocities(state, independent);
         let of_velocities = |index: usize| {
-            let MotionDerivatives {
-                constraint_velocities,
-                ..
-            } = self
-                .model
-                .derivatives_along(state, &self.held, &change(index));
-            completed(dependent.as_ref(), &constraint_velocities)
+            let direction = change(index);
+            let along = self.model.derivatives_along(state, &self.held, &direction);
+            completed(dependent.as_ref(), &along.constraint_velocities)
         };
-        let of_positions = |index: usize| {
-            let column = SVector::from_fn(|i, _| {
-                if i < M::HOLONOMIC {
-                    jacobian[(i, index)]
-                } else {
-                    S::zero()
-                }
-            });
-            self.response(state, &column)
-        };
+        let holonomic = kept(&jacobian, |i, _| i < M::HOLONOMIC);
+        let of_positions =
+            |index: usize| self.response(state, &holonomic.column(index).into_owned());
         let columns = |column: &dyn Fn(usize) -> SVector<S, N>| {
             let columns: [SVector<S, N>; N] = core::array::from_fn(column);
             SMatrix::from_columns(&columns)
@@ -252,14 +235,6 @@ fn completed<S: SingleNumber, const N: usize, const C: usize>(
 ) -> SVector<S, N> {
     let nothing = SVector::zeros();
     dependent.map_or(nothing, |dependent| dependent.completed(&nothing, right))
-}
-
-/// Returns the components that are marked, and zeros for the others.
-fn of_marked<S: SingleNumber, const N: usize>(
-    marks: &[bool; N],
-    x: &SVector<S, N>,
-) -> SVector<S, N> {
-    SVector::from_fn(|i, _| if marks[i] { x[i] } else { S::zero() })
 }
 
 fn unit<S: SingleNumber, const N: usize>(index: usize) -> SVector<S, N> {

@@ -15,6 +15,7 @@ use super::tangent_space::TangentSpace;
 use super::tangents::Tangents;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::OTHER_TIMES;
+use crate::linalg::kept;
 use crate::model::{Constraints as _, DirectionalDerivatives, Lagrangian, Quantities as _, State};
 use crate::scalar::Scalar;
 
@@ -84,15 +85,7 @@ where
 {
     let zero = SMatrix::<S, N, N>::zeros();
     let [mut position, mut velocity, mut by_position, mut by_velocity] = [zero; 4];
-    let independent = |rates: SVector<S, N>| {
-        SVector::<S, N>::from_fn(|i, _| {
-            if parts[i] == Part::Eliminated {
-                S::zero()
-            } else {
-                rates[i]
-            }
-        })
-    };
+    let independent = |rates: SVector<S, N>| kept(&rates, |i, _| parts[i] != Part::Eliminated);
     for j in (0..N).filter(|j| parts[*j] != Part::Eliminated) {
         let direction = tangents.along(Variable::Velocity(j));
         by_velocity.set_column(j, &direction.v);

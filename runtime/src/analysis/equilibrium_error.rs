@@ -1,10 +1,8 @@
 //! The errors of a search for equilibria.
 
-use core::fmt;
-
 use super::equilibrium::{Equilibrium, Variable};
 use super::tangent_error::TangentError;
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::number_format::Readable;
 use crate::scalar::Scalar;
 
@@ -105,105 +103,43 @@ impl<S: Scalar, const N: usize, const U: usize> EquilibriumError<S, N, U> {
     }
 }
 
-impl<S: Scalar, const N: usize, const U: usize> fmt::Display for EquilibriumError<S, N, U> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let left = |last: &Equilibrium<S, N, U>| Readable(last.report.residual);
-        match self {
-            Self::NoSuchVariable { variable } => write!(
-                f,
-                "there is no {variable:?} among {N} coordinates and {U} inputs that may be unknown; inputs may be in \
-                 `EquilibriumSearch::trim`"
-            ),
-            Self::NoUnknown => f.write_str(
-                "nothing is unknown; all coordinates are ignorable or the list of unknowns is empty: name some by `unknown`",
-            ),
-            Self::Moving { name, velocity } => write!(
-                f,
-                "`{name}` is not ignorable, so that its velocity has to be given as 0 in an equilibrium or a steady motion; it is {}",
-                Readable(*velocity)
-            ),
-            Self::NoConstantMomentum { name } => write!(
-                f,
-                "`{name}` is not ignorable, or the model has constraints, so that its momentum is no constant that could be given"
-            ),
-            Self::NotFinite { last } => write!(
-                f,
-                "the accelerations or their derivatives are not finite after {} Newton steps, at {:?}",
-                last.report.iterations, last.state
-            ),
-            Self::NoConvergence { last } => write!(
-                f,
-                "Newton's method has not converged after {} steps; accelerations are up to {} at {:?}",
-                last.report.iterations,
-                left(last),
-                last.state
-            ),
-            Self::Stalled { last } => write!(
-                f,
-                "Newton's method cannot go on after {} steps: the Jacobian is singular or there is no equilibrium near {:?}, \
-                 where accelerations are up to {}",
-                last.report.iterations,
-                last.state,
-                left(last)
-            ),
-            Self::Unbalanced {
-                last,
-                name,
-                residual,
-            } => write!(
-                f,
-                "to first order the unknowns do not act on `{name}`: its acceleration or its force, or the difference of its momentum, is {} at \
-                 {:?}, where the sum of squares is stationary; search from another guess, or name other unknowns",
-                Readable(*residual),
-                last.state
-            ),
-            Self::Inconsistent {
-                last,
-                constraint,
-                residual,
-            } => write!(
-                f,
-                "the search ended at {:?}, where the residual of the constraint `{constraint}` is {}; begin at a state that \
-                 `assemble` has found, or name more unknowns",
-                last.state,
-                Readable(*residual)
-            ),
-            Self::NotSteady {
-                reason:
-                    TangentError::Acts {
-                        coordinate,
-                        on,
-                        slope,
-                    },
-                ..
-            } => write!(
-                f,
-                "`{coordinate}` moves, and acts on `{on}` with the derivative {}: in a steady motion, only coordinates move on which \
-                 nothing depends; use such coordinates, as the angle about the axis of a circle",
-                Readable(*slope)
-            ),
-            Self::NotSteady { reason, .. } => {
-                write!(f, "whether the motion is steady cannot be told: {reason}")
-            }
-            Self::SingularMass {
-                last,
-                name,
-                pivot,
-                unbalanced,
-                force,
-            } => write!(
-                f,
-                "the search ended where the mass matrix is singular at `{name}` (relative pivot {}), at {:?}; this is no equilibrium: \
-                 the force on `{unbalanced}` is {}; search from a guess farther from the singularity, or with other \
-                 coordinates",
-                Readable(*pivot),
-                last.state,
-                Readable(*force)
-            ),
-        }
-    }
+error_messages! { [S: Scalar, const N: usize, const U: usize] EquilibriumError<S, N, U>:
+    Self::NoSuchVariable { variable } =>
+        "there is no {variable:?} among {N} coordinates and {U} inputs that may be unknown; inputs may be in \
+         `EquilibriumSearch::trim`";
+    Self::NoUnknown =>
+        "nothing is unknown; all coordinates are ignorable or the list of unknowns is empty: name some by `unknown`";
+    Self::Moving { name, velocity } =>
+        "`{name}` is not ignorable, so that its velocity has to be given as 0 in an equilibrium or a steady motion; it is {}",
+        Readable(velocity);
+    Self::NoConstantMomentum { name } =>
+        "`{name}` is not ignorable, or the model has constraints, so that its momentum is no constant that could be given";
+    Self::NotFinite { last } =>
+        "the accelerations or their derivatives are not finite after {} Newton steps, at {:?}",
+        last.report.iterations, last.state;
+    Self::NoConvergence { last } =>
+        "Newton's method has not converged after {} steps; accelerations are up to {} at {:?}",
+        last.report.iterations, Readable(last.report.residual), last.state;
+    Self::Stalled { last } =>
+        "Newton's method cannot go on after {} steps: the Jacobian is singular or there is no equilibrium near {:?}, \
+         where accelerations are up to {}",
+        last.report.iterations, last.state, Readable(last.report.residual);
+    Self::Unbalanced { last, name, residual } =>
+        "to first order the unknowns do not act on `{name}`: its acceleration or its force, or the difference of its momentum, is {} at \
+         {:?}, where the sum of squares is stationary; search from another guess, or name other unknowns",
+        Readable(residual), last.state;
+    Self::Inconsistent { last, constraint, residual } =>
+        "the search ended at {:?}, where the residual of the constraint `{constraint}` is {}; begin at a state that \
+         `assemble` has found, or name more unknowns",
+        last.state, Readable(residual);
+    Self::NotSteady { reason: TangentError::Acts { coordinate, on, slope }, .. } =>
+        "`{coordinate}` moves, and acts on `{on}` with the derivative {}: in a steady motion, only coordinates move on which \
+         nothing depends; use such coordinates, as the angle about the axis of a circle",
+        Readable(slope);
+    Self::NotSteady { reason, .. } => "whether the motion is steady cannot be told: {reason}";
+    Self::SingularMass { last, name, pivot, unbalanced, force } =>
+        "the search ended where the mass matrix is singular at `{name}` (relative pivot {}), at {:?}; this is no equilibrium: \
+         the force on `{unbalanced}` is {}; search from a guess farther from the singularity, or with other \
+         coordinates",
+        Readable(pivot), last.state, Readable(force);
 }
-
-debug_by_message!(EquilibriumError<S, N, U>; S: Scalar, const N: usize, const U: usize);
-
-impl<S: Scalar, const N: usize, const U: usize> core::error::Error for EquilibriumError<S, N, U> {}

@@ -1,8 +1,8 @@
 //! The equations that an equilibrium or a steady motion satisfies, and the choice of their unknowns.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
-use super::balance::{Balance, Point, jacobian, residuals};
+use super::balance::{Balance, Point, momentum_gradients};
 use super::jacobian_rows::{JacobianRows, Residuals, Variables};
 use crate::integrate::SingleNumber;
 use crate::model::State;
@@ -84,9 +84,62 @@ where
         Some(Point { state, ..point })
     }
 
-    /// Returns the residuals of the equations at a point.
+    /// Returns the accelerations, and the differences of the momenta from their prescribed values, or the corrections onto constraints. In
+    /// place of dependent accelerations are the corrections of dependent velocities.
     pub(super) fn residuals(&self, point: &Point<S, N, U>) -> Residuals<S, N> {
-        residuals(&self.model, point, &self.momenta)
+        let accelerations = self.model.accelerations(&point.state, &point.inputs);
+        if self.momenta.iter().all(Option::is_none) {
+            let [positions, velocities] = self.model.corrections(&point.state, &point.independent);
+            let accelerations = SVector::from_fn(|i, _| {
+                if point.independent[i] {
+                    accelerations[i]
+                } else {
+                    velocities[i]
+                }
+            });
+            return [accelerations, positions];
+        }
+        let found = self.model.momenta(&point.state);
+        let difference = |i: usize| self.momenta[i].map(|momentum| found[i] - momentum);
+        let differences = SVector::from_fn(|i, _| difference(i).unwrap_or(S::zero()));
+        [accelerations, differences]
+    }
+
+    /// Returns the rows of the Jacobian of the residuals by all variables.
+    fn jacobian(&self, point: &Point<S, N, U>) -> [[Variables<S, N, U>; N]; 2] {
+        let Point {
+            state,
+            inputs,
+            independent,
+        } = point;
+        let row = |[by_positions, by_velocities]: [&SMatrix<S, N, N>; 2], i: usize| Variables {
+            positions: by_positions.row(i).transpose(),
+            velocities: by_velocities.row(i).transpose(),
+            inputs: SVector::zeros(),
+        };
+        let slopes = self.model.linearize(state, inputs);
+        let by_inputs = self.model.input_jacobian(state, inputs);
+        let acceleration = |i: usize| Variables {
+            inputs: by_inputs.row(i).transpose(),
+            ..row([&slopes.position, &slopes.velocity], i)
+        };
+        if self.momenta.iter().all(Option::is_none) {
+            let [of_positions, of_velocities] = self.model.correction_slopes(state, independent);
+            let accelerations = core::array::from_fn(|i| {
+                if independent[i] {
+                    acceleration(i)
+                } else {
+                    row(of_velocities.each_ref(), i)
+                }
+            });
+            let positions = core::array::from_fn(|i| row(of_positions.each_ref(), i));
+            return [accelerations, positions];
+        }
+        let mass = self.model.mass_matrix(state);
+        let gradients = momentum_gradients(&self.model, point);
+        let momentum = |i: usize| self.momenta[i].map(|_| row([&gradients, &mass], i));
+        let momenta = core::array::from_fn(|i| momentum(i).unwrap_or(Variables::zeros()));
+        [core::array::from_fn(acceleration), momenta]
     }
 
     /// Returns the Jacobian at a point by the unknowns, in their sizes.
@@ -95,7 +148,7 @@ where
         point: &Point<S, N, U>,
         sizes: &Variables<S, N, U>,
     ) -> JacobianRows<S, N, U> {
-        let mut rows = jacobian(&self.model, point, &self.momenta);
+        let mut rows = self.jacobian(point);
         for row in rows.as_flattened_mut() {
             *row = row.zip_map(sizes, |slope, size| {
                 if size.largest() > 0.0 {

@@ -9,6 +9,7 @@ use nalgebra::SVector;
 
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{JACOBI_SWEEPS, SINGULAR};
+use crate::linalg::largest_or_nan;
 use crate::scalar::Scalar;
 
 /// A number for each variable: `N` coordinates, `N` velocities and `U` inputs.
@@ -36,15 +37,15 @@ impl<S: Scalar, const N: usize, const U: usize> Variables<S, N, U> {
         }
     }
 
-    pub(super) fn components(&self) -> impl Iterator<Item = S> + '_ {
+    pub(super) fn components(&self) -> impl Iterator<Item = &S> + '_ {
         let velocities = self.velocities.iter();
         let all = self.positions.iter().chain(velocities);
-        all.chain(self.inputs.iter()).copied()
+        all.chain(self.inputs.iter())
     }
 
     pub(super) fn dot(&self, other: &Self) -> S {
         let pairs = self.components().zip(other.components());
-        pairs.fold(S::zero(), |sum, (x, y)| x.mul_add(y, sum))
+        pairs.fold(S::zero(), |sum, (x, y)| x.mul_add(*y, sum))
     }
 
     /// Returns the Euclidean length.
@@ -61,14 +62,7 @@ impl<S: Scalar, const N: usize, const U: usize> Variables<S, N, U> {
 
     /// Returns the largest magnitude; NaN if a component is NaN.
     pub(super) fn largest(&self) -> f64 {
-        self.components().fold(0.0, |most, x| {
-            let size = x.abs().largest();
-            if size > most || size.is_nan() {
-                size
-            } else {
-                most
-            }
-        })
+        largest_or_nan(self.components())
     }
 }
 

@@ -10,12 +10,14 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::components::components;
+use super::members::Members;
 use super::reduced_equations::{Part, Reduced};
 use super::symmetric_eigenvalues::symmetric_eigenvalues;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{
     ENERGY_SAMPLES, EQUILIBRIUM_TOLERANCE, FARTHEST, FIRST_DISTANCE, POSITION_ERRORS, SINGULAR,
 };
+use crate::linalg::largest;
 use crate::model::{Lagrangian, State, StateJacobian};
 use crate::scalar::Scalar;
 
@@ -148,10 +150,7 @@ where
         let product = self.reduced.mass * self.reduced.position;
         let stiffness = (product + product.transpose()) * -half;
         let unit: [f64; N] = core::array::from_fn(|i| {
-            let row = stiffness.row(i);
-            let most = row
-                .iter()
-                .fold(0.0, |most: f64, x| most.max(x.abs().largest()));
+            let most = largest(stiffness.row(i));
             if most > 0.0 { libm::sqrt(most) } else { 1.0 }
         });
         let scaled = SMatrix::<S, N, N>::from_fn(|i, j| {
@@ -161,21 +160,11 @@ where
         let mut columns = SMatrix::<S, N, N>::zeros();
         let mut count = 0;
         for label in 0..N {
-            let mut members = [0; N];
-            let mut order = 0;
-            let all = (0..N).filter(|i| labels[*i] == label && self.parts[*i] == Part::Oscillating);
-            for (entry, i) in members.iter_mut().zip(all) {
-                *entry = i;
-                order += 1;
-            }
-            let block = SMatrix::<S, N, N>::from_fn(|i, j| {
-                if i < order && j < order {
-                    scaled[(members[i], members[j])]
-                } else {
-                    S::zero()
-                }
-            });
-            let (_, vectors) = symmetric_eigenvalues(&block, order);
+            let members = Members::<N>::of(
+                (0..N).filter(|i| labels[*i] == label && self.parts[*i] == Part::Oscillating),
+            );
+            let order = members.len();
+            let (_, vectors) = symmetric_eigenvalues(&members.block(&scaled), order);
             for k in 0..order {
                 let mut direction = SVector::<S, N>::zeros();
                 for i in 0..order {
@@ -261,10 +250,7 @@ where
     S: SingleNumber,
     B: Neighbourhood<S, N>,
 {
-    let steepest = reduced
-        .position
-        .iter()
-        .fold(0.0, |most: f64, x| most.max(x.abs().largest()));
+    let steepest = largest(&reduced.position);
     let rate = if steepest > 0.0 {
         libm::sqrt(steepest)
     } else {

@@ -9,16 +9,11 @@ use nalgebra::SMatrix;
 
 use super::eigenvalues::balancing;
 use crate::limits::analysis::{DOUBLINGS, VANISHED_POWER};
-use crate::linalg::pivoting::{PivotedLu, solve};
+use crate::linalg::largest_or_nan;
+use crate::linalg::pivoting::PivotedLu;
 use crate::scalar::{DoubleDouble, Scalar};
 
 pub(super) type Square<const D: usize> = SMatrix<DoubleDouble, D, D>;
-
-/// Returns the largest magnitude of an entry; NaN if an entry is NaN.
-pub(super) fn largest<const D: usize>(matrix: &Square<D>) -> f64 {
-    let entries = matrix.iter().map(|x| x.to_f64().abs());
-    entries.fold(0.0, |most, x| if x <= most { most } else { x })
-}
 
 pub(super) fn symmetric<const D: usize>(matrix: &Square<D>) -> Square<D> {
     (matrix + matrix.transpose()) * DoubleDouble::from(0.5)
@@ -59,13 +54,13 @@ pub(super) fn lyapunov<const D: usize>(
 /// eigenvalue.
 fn transformed<const D: usize>(a: &Square<D>, w: &Square<D>) -> Option<(Square<D>, Square<D>)> {
     let identity = Square::<D>::identity();
-    let of_inverse = largest(&divided(a, &identity));
-    let rate = libm::sqrt(largest(a)) / libm::sqrt(of_inverse);
+    let of_inverse = largest_or_nan(&PivotedLu::new(*a).solve(&identity));
+    let rate = libm::sqrt(largest_or_nan(a)) / libm::sqrt(of_inverse);
     if !(rate > 0.0 && rate.is_finite()) {
         return None;
     }
     let rate = DoubleDouble::from(rate);
-    let inverse = divided(&(a - identity * rate), &identity);
+    let inverse = PivotedLu::new(a - identity * rate).solve(&identity);
     let power = identity + inverse * (rate + rate);
     let right = symmetric(&(inverse.transpose() * w * inverse)) * (rate + rate);
     Some((power, right))
@@ -77,7 +72,7 @@ fn stein<const D: usize>(mut a: Square<D>, w: Square<D>) -> Option<Square<D>> {
     for _ in 0..DOUBLINGS {
         x += symmetric(&(a.transpose() * x * a));
         a *= a;
-        let [size, power] = [&x, &a].map(largest);
+        let [size, power] = [&x, &a].map(largest_or_nan);
         if !(size.is_finite() && power.is_finite()) {
             return None;
         }
@@ -87,10 +82,4 @@ fn stein<const D: usize>(mut a: Square<D>, w: Square<D>) -> Option<Square<D>> {
         }
     }
     None
-}
-
-/// Returns A⁻¹ B.
-fn divided<const D: usize>(a: &Square<D>, b: &Square<D>) -> Square<D> {
-    let lu = PivotedLu::new(*a);
-    solve(&lu.factors, &lu.reciprocals, &lu.interchanges, b)
 }

@@ -17,7 +17,8 @@ use super::components::components;
 use super::eigenvalues::balancing;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{PADE_ERROR, PADE_SQUARINGS};
-use crate::linalg::pivoting::{PivotedLu, solve};
+use crate::linalg::kept;
+use crate::linalg::pivoting::PivotedLu;
 use crate::scalar::Scalar;
 
 /// The coefficients of the numerator of the Padé approximant of degree 13, exactly.
@@ -50,13 +51,7 @@ pub(super) fn exponential<S: SingleNumber, const D: usize>(
     let mut sums = [SMatrix::<S, D, D>::zeros(); 2];
     for label in (0..D).filter(|i| labels[*i] == *i) {
         let is_member = |i: usize, j: usize| labels[i] == label && labels[j] == label;
-        let part = SMatrix::<S, D, D>::from_fn(|i, j| {
-            if is_member(i, j) {
-                matrix[(i, j)]
-            } else {
-                S::zero()
-            }
-        });
+        let part = kept(matrix, is_member);
         let found = of_component(&part, period);
         for (sum, part) in sums.iter_mut().zip(&found) {
             for i in 0..D {
@@ -172,12 +167,6 @@ fn pade<S: SingleNumber, const D: usize>(
     let (even, without_factor) = (combined(0), combined(1));
     let odd = matrix * without_factor;
     let factored = PivotedLu::new(even - odd);
-    let PivotedLu {
-        factors,
-        reciprocals,
-        interchanges,
-    } = &factored;
-    let solved = |right: &SMatrix<S, D, D>| solve(factors, reciprocals, interchanges, right);
     let doubled = without_factor * (step + step);
-    [solved(&(even + odd)), solved(&doubled)]
+    [factored.solve(&(even + odd)), factored.solve(&doubled)]
 }

@@ -12,6 +12,7 @@
 use super::eigenvalues::balance;
 use super::lyapunov::{Square, form_in_units, map_in_units};
 use crate::limits::analysis::SIGN_ITERATIONS;
+use crate::linalg::largest;
 use crate::scalar::{DoubleDouble, Scalar};
 
 /// A matrix of order 2 `D`, stored by rows.
@@ -37,9 +38,7 @@ impl<const D: usize> Double<D> {
 
     fn norm(&self) -> f64 {
         let entries = self.0.as_flattened().as_flattened().as_flattened();
-        let largest = entries
-            .iter()
-            .fold(0.0, |most: f64, x| most.max(x.to_f64().abs()));
+        let largest = largest(entries);
         if !(largest > 0.0 && largest.is_finite()) {
             return largest;
         }
@@ -50,16 +49,12 @@ impl<const D: usize> Double<D> {
     /// Returns the inverse times another matrix, by elimination with row pivoting; rows are compared in their own
     /// scale.
     fn solve(mut self, mut right: Self) -> Self {
-        let scale = |row: &[[DoubleDouble; D]; 2]| {
-            let entries = row.as_flattened().iter();
-            entries.fold(0.0, |most: f64, x| most.max(x.to_f64().abs()))
-        };
         let order = 2 * D;
         for k in 0..order {
             let rows = self.rows();
             let weight = |i: usize| {
                 let pivot = rows[i].as_flattened()[k].to_f64().abs();
-                pivot / scale(&rows[i])
+                pivot / largest(rows[i].as_flattened())
             };
             let pivot = (k..order).fold((k, -1.0), |best, i| {
                 let weight = weight(i);

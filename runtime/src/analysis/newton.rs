@@ -17,6 +17,7 @@ use super::force_balance::{UnbalancedForce, nearly_singular, unbalanced_force};
 use super::jacobian_rows::{JacobianRows, Residuals, Variables};
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{MAX_NEWTON_STEP, MIN_DAMPING, UNBALANCED};
+use crate::linalg::largest_or_nan;
 use crate::scalar::Scalar;
 
 /// A running search.
@@ -286,13 +287,5 @@ fn predicted<S: SingleNumber, const N: usize, const U: usize>(
 
 /// Returns the largest magnitude; NaN if an entry is NaN.
 fn largest<S: SingleNumber, const N: usize>(residuals: &Residuals<S, N>) -> f64 {
-    let entries = residuals.iter().flat_map(|block| block.iter());
-    entries.fold(0.0, |most, x| {
-        let size = x.abs().largest();
-        if size > most || size.is_nan() {
-            size
-        } else {
-            most
-        }
-    })
+    largest_or_nan(residuals.iter().flatten())
 }

@@ -7,10 +7,12 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::exceeds;
+use super::members::Members;
 use super::oscillation_error::OscillationError;
-use super::small_oscillations::{SmallOscillations, largest, negligible};
+use super::small_oscillations::{SmallOscillations, negligible};
 use super::symmetric_eigenvalues::symmetric_eigenvalues;
 use crate::integrate::SingleNumber;
+use crate::linalg::largest;
 use crate::scalar::Scalar;
 
 /// The normal modes of a conservative system without gyroscopic forces, K φ = ω² M φ, by ascending ω².
@@ -47,16 +49,14 @@ impl<S: SingleNumber, const N: usize> NormalModes<S, N> {
         mass: &SMatrix<S, N, N>,
         stiffness: &SMatrix<S, N, N>,
     ) -> Result<Self, OscillationError> {
-        let every = core::array::from_fn(|i| i);
-        Self::of_variables(mass, stiffness, &every, N)
+        Self::of_variables(mass, stiffness, &Members::of(0..N))
     }
 
-    /// Computes the normal modes of the first `count` of the given coordinates.
+    /// Computes the normal modes of some coordinates.
     fn of_variables(
         mass: &SMatrix<S, N, N>,
         stiffness: &SMatrix<S, N, N>,
-        coordinates: &[usize; N],
-        count: usize,
+        coordinates: &Members<N>,
     ) -> Result<Self, OscillationError> {
         let asymmetry = largest(&(stiffness - stiffness.transpose()));
         // A NaN counts as asymmetry.
@@ -64,22 +64,14 @@ impl<S: SingleNumber, const N: usize> NormalModes<S, N> {
             return Err(OscillationError::NotConservative { asymmetry });
         }
         let half = S::from_f64(0.5);
-        let part = |matrix: &SMatrix<S, N, N>| {
-            SMatrix::from_fn(|i, j| {
-                if i < count && j < count {
-                    matrix[(coordinates[i], coordinates[j])]
-                } else {
-                    S::zero()
-                }
-            })
-        };
-        let lower = cholesky(&part(mass), count).map_err(|(i, pivot)| {
+        let count = coordinates.len();
+        let lower = cholesky(&coordinates.block(mass), count).map_err(|(i, pivot)| {
             let coordinate = coordinates[i];
             OscillationError::NoPositiveMass { coordinate, pivot }
         })?;
         let symmetric = (stiffness + stiffness.transpose()) * half;
         // L⁻¹ K L⁻ᵀ.
-        let once: SMatrix<S, N, N> = forward(&lower, part(&symmetric), count);
+        let once = forward(&lower, coordinates.block(&symmetric), count);
         let reduced = forward(&lower, once.transpose(), count);
         let (squared_frequencies, vectors) = symmetric_eigenvalues(&reduced, count);
         let compact = backward(&lower, vectors, count);
@@ -162,8 +154,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         if exceeds(forces, negligible::<S>() * libm::sqrt(typical)) {
             return Err(OscillationError::VelocityForces { largest: forces });
         }
-        let (coordinates, [count, _]) = self.variables();
-        NormalModes::of_variables(&self.mass, &stiffness, &coordinates, count)
+        let coordinates = Members::of(self.coordinates());
+        NormalModes::of_variables(&self.mass, &stiffness, &coordinates)
     }
 }
 
@@ -241,9 +233,8 @@ fn backward<S: SingleNumber, const N: usize>(
 
 /// Returns the component of the largest magnitude in a column; of components that are equal up to rounding, the first.
 fn largest_component<S: SingleNumber, const N: usize>(shapes: &SMatrix<S, N, N>, mode: usize) -> S {
-    let most = (0..N).fold(0.0, |most, i| shapes[(i, mode)].abs().largest().max(most));
-    let near = most * (1.0 - negligible::<S>());
-    let mut column = (0..N).map(|i| shapes[(i, mode)]);
-    let found = column.find(|x| x.abs().largest() >= near);
-    found.unwrap_or(S::zero())
+    let shape = shapes.column(mode);
+    let near = largest(shape) * (1.0 - negligible::<S>());
+    let found = shape.iter().find(|x| x.abs().largest() >= near);
+    found.copied().unwrap_or(S::zero())
 }

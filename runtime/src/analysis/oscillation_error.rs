@@ -1,8 +1,6 @@
 //! The errors of small oscillations and of their modes.
 
-use core::fmt;
-
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::number_format::Readable;
 
 /// The reason why there are no small oscillations about a state, or no modes of the requested kind.
@@ -53,49 +51,28 @@ pub enum OscillationError {
     NoEigenvalues,
 }
 
-impl fmt::Display for OscillationError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Accelerated { name, acceleration } => write!(
-                f,
-                "the state is no equilibrium: `{name}` has the acceleration {}; `EquilibriumSearch` finds one, and \
-                 `StateSpace` is linearized about any state",
-                Readable(acceleration)
-            ),
-            Self::Unbalanced { name, force } => write!(
-                f,
-                "the state is no equilibrium: the force on `{name}` is {}, and the mass matrix may be nearly singular; `relative_pivots` \
-                 tells where; take a state or coordinates farther from the singularity",
-                Readable(force)
-            ),
-            Self::Moving { name, velocity } => write!(
-                f,
-                "the motion is not steady: `{name}`, which is not ignorable, has the velocity {}",
-                Readable(velocity)
-            ),
-            Self::NoPositiveMass { coordinate, pivot } => write!(
-                f,
-                "the mass matrix is not positive definite: the pivot of coordinate {coordinate} is {}",
-                Readable(pivot)
-            ),
-            Self::NotConservative { asymmetry } => write!(
-                f,
-                "the stiffness matrix is not symmetric, by up to {}: forces are not conservative; `damped_modes` has the modes",
-                Readable(asymmetry)
-            ),
-            Self::VelocityForces { largest } => write!(
-                f,
-                "there are gyroscopic or damping forces, with coefficients up to {}: `damped_modes` has the modes, which are \
-                 complex",
-                Readable(largest)
-            ),
-            Self::NoEigenvalues => f.write_str(
-                "the eigenvalues were not found: an entry is not finite, or the QR algorithm has not converged",
-            ),
-        }
-    }
+error_messages! { OscillationError:
+    Self::Accelerated { name, acceleration } =>
+        "the state is no equilibrium: `{name}` has the acceleration {}; `EquilibriumSearch` finds one, and \
+         `StateSpace` is linearized about any state",
+        Readable(acceleration);
+    Self::Unbalanced { name, force } =>
+        "the state is no equilibrium: the force on `{name}` is {}, and the mass matrix may be nearly singular; `relative_pivots` \
+         tells where; take a state or coordinates farther from the singularity",
+        Readable(force);
+    Self::Moving { name, velocity } =>
+        "the motion is not steady: `{name}`, which is not ignorable, has the velocity {}",
+        Readable(velocity);
+    Self::NoPositiveMass { coordinate, pivot } =>
+        "the mass matrix is not positive definite: the pivot of coordinate {coordinate} is {}",
+        Readable(pivot);
+    Self::NotConservative { asymmetry } =>
+        "the stiffness matrix is not symmetric, by up to {}: forces are not conservative; `damped_modes` has the modes",
+        Readable(asymmetry);
+    Self::VelocityForces { largest } =>
+        "there are gyroscopic or damping forces, with coefficients up to {}: `damped_modes` has the modes, which are \
+         complex",
+        Readable(largest);
+    Self::NoEigenvalues =>
+        "the eigenvalues were not found: an entry is not finite, or the QR algorithm has not converged";
 }
-
-debug_by_message!(OscillationError);
-
-impl core::error::Error for OscillationError {}

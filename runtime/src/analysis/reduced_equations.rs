@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::balance::{HeldInputs, Point, momentum_gradients};
 use crate::integrate::SingleNumber;
-use crate::linalg::Factorization;
+use crate::linalg::{Factorization, kept};
 use crate::model::{Lagrangian, Linearization, State, StateJacobian};
 use crate::scalar::Scalar;
 
@@ -53,13 +53,7 @@ impl<S: SingleNumber, const N: usize> Reduced<S, N> {
         let is_left = |i: usize| parts[i] != Part::Eliminated;
         let is_coordinate = |i: usize| parts[i] == Part::Oscillating;
         let keep = |matrix: SMatrix<S, N, N>, column: &dyn Fn(usize) -> bool| {
-            SMatrix::from_fn(|i, j| {
-                if is_left(i) && column(j) {
-                    matrix[(i, j)]
-                } else {
-                    S::zero()
-                }
-            })
+            kept(&matrix, |i, j| is_left(i) && column(j))
         };
         let transposed = by_velocity.transpose();
         let [mass_terms, velocity_terms, chain] =
@@ -103,12 +97,8 @@ fn eliminated_velocities<S: SingleNumber, const N: usize>(
         }
     });
     let factors = Factorization::new(block);
-    let by_position = SMatrix::from_fn(|i, j| {
-        if is_eliminated(i) && parts[j] == Part::Oscillating {
-            -gradients[(i, j)]
-        } else {
-            S::zero()
-        }
+    let by_position = kept(&-gradients, |i, j| {
+        is_eliminated(i) && parts[j] == Part::Oscillating
     });
     let by_velocity = SMatrix::from_fn(|i, j| match (is_eliminated(i), is_eliminated(j)) {
         (true, false) => -mass[(i, j)],

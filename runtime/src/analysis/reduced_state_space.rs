@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::state_space::{StateSpace, identity};
+use super::state_space::StateSpace;
 use super::tangent_error::TangentError;
 use super::tangent_space::{TangentSpace, selected};
 use super::tangents::Tangents;
@@ -90,14 +90,11 @@ where
     let (rates, state) = (tangents.rates(), tangents.state());
     let state = selected(&variables, &state.q, &state.v);
     Ok(StateSpace {
-        a,
-        b,
-        c: identity(),
-        d: SMatrix::zeros(),
         derivative: selected(&variables, &rates.q, &rates.v),
         output: state,
         state,
         inputs,
         variables,
+        ..StateSpace::new(a, b)
     })
 }

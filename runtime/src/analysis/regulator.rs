@@ -96,7 +96,32 @@ struct Problem<'a, const D: usize, const U: usize> {
     is_discrete: bool,
 }
 
-impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
+macro_rules! regulators {
+    ($($(#[$documentation:meta])* $system:ident, $is_discrete:literal;)*) => {$(
+        impl<const D: usize, const U: usize, const Y: usize> $system<f64, D, U, Y> {
+            $(#[$documentation])*
+            pub fn regulator(
+                &self,
+                state_weight: &SMatrix<f64, D, D>,
+                input_weight: &SMatrix<f64, U, U>,
+            ) -> Result<Regulator<D, U>, RegulatorError> {
+                let problem = Problem {
+                    state: self.state,
+                    inputs: self.inputs,
+                    variables: self.variables,
+                    a: &self.a,
+                    b: &self.b,
+                    q: state_weight,
+                    r: input_weight,
+                    is_discrete: $is_discrete,
+                };
+                problem.solved()
+            }
+        }
+    )*};
+}
+
+regulators! {
     /// Computes the regulator that minimizes ∫ xᵀ Q x + uᵀ R u dt, with Q positive semidefinite and R positive
     /// definite.
     ///
@@ -107,26 +132,8 @@ impl<const D: usize, const U: usize, const Y: usize> StateSpace<f64, D, U, Y> {
     /// [`RegulatorError`] if a weight is not positive (semi)definite, if no input reaches an unstable mode, or if a
     /// mode that neither grows nor decays has no cost. States without a cost are allowed: with Q = 0, unstable modes
     /// are stabilized with the least effort.
-    pub fn regulator(
-        &self,
-        state_weight: &SMatrix<f64, D, D>,
-        input_weight: &SMatrix<f64, U, U>,
-    ) -> Result<Regulator<D, U>, RegulatorError> {
-        let problem = Problem {
-            state: self.state,
-            inputs: self.inputs,
-            variables: self.variables,
-            a: &self.a,
-            b: &self.b,
-            q: state_weight,
-            r: input_weight,
-            is_discrete: false,
-        };
-        problem.solved()
-    }
-}
+    StateSpace, false;
 
-impl<const D: usize, const U: usize, const Y: usize> DiscreteStateSpace<f64, D, U, Y> {
     /// Computes the regulator that minimizes Σ xᵀ Q x + uᵀ R u over samples, with Q positive semidefinite and R
     /// positive definite.
     ///
@@ -137,23 +144,7 @@ impl<const D: usize, const U: usize, const Y: usize> DiscreteStateSpace<f64, D, 
     /// [`RegulatorError`] if a weight is not positive (semi)definite, if no input reaches an unstable mode, or if a
     /// mode that neither grows nor decays has no cost. States without a cost are allowed: with Q = 0, unstable modes
     /// are stabilized with the least effort.
-    pub fn regulator(
-        &self,
-        state_weight: &SMatrix<f64, D, D>,
-        input_weight: &SMatrix<f64, U, U>,
-    ) -> Result<Regulator<D, U>, RegulatorError> {
-        let problem = Problem {
-            state: self.state,
-            inputs: self.inputs,
-            variables: self.variables,
-            a: &self.a,
-            b: &self.b,
-            q: state_weight,
-            r: input_weight,
-            is_discrete: true,
-        };
-        problem.solved()
-    }
+    DiscreteStateSpace, true;
 }
 
 impl<const D: usize, const U: usize> Problem<'_, D, U> {

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::controllability::UncontrollableMode;
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::number_format::Readable;
 
 /// The reason why there is no linear-quadratic regulator.
@@ -51,69 +51,42 @@ pub enum RegulatorError {
     },
 }
 
-impl fmt::Display for RegulatorError {
+error_messages! { RegulatorError:
+    Self::NotFinite => "an entry of A, B or Q is not finite";
+    Self::NotSymmetric { matrix, row, column, difference } =>
+        "{matrix} is not symmetric: its entries ({row}, {column}) and ({column}, {row}) differ by {}",
+        Readable(difference);
+    Self::NotPositive { matrix, eigenvalue, zero_is_allowed: true } =>
+        "the eigenvalues of {matrix} must not be negative, and one is {}",
+        Readable(eigenvalue);
+    Self::NotPositive { matrix, eigenvalue, zero_is_allowed: false } =>
+        "the eigenvalues of {matrix} have to be positive, and one is {}",
+        Readable(eigenvalue);
+    Self::NotStabilizable { mode } => "no input reaches the mode{}, which is not stable", Mode(mode);
+    Self::NoCost { mode } =>
+        "the mode{} neither grows nor decays and has no cost: give it a weight in Q",
+        Mode(mode);
+    Self::NoConvergence =>
+        "the Riccati equation was not solved: eigenvalues of the closed loop are too near the border of stability";
+    Self::Inaccurate { change } =>
+        "the solution of the Riccati equation is not accurate, with a relative error of about {}: choose units in which the \
+         entries of A, B and of the weights are of similar size",
+        Readable(change);
+}
+
+/// What describes a mode in a message.
+struct Mode(UncontrollableMode);
+
+impl fmt::Display for Mode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NotFinite => f.write_str("an entry of A, B or Q is not finite"),
-            Self::NotSymmetric {
-                matrix,
-                row,
-                column,
-                difference,
-            } => write!(
-                f,
-                "{matrix} is not symmetric: its entries ({row}, {column}) and ({column}, {row}) differ by {}",
-                Readable(difference)
-            ),
-            Self::NotPositive {
-                matrix,
-                eigenvalue,
-                zero_is_allowed,
-            } => {
-                let required = if zero_is_allowed {
-                    "must not be negative"
-                } else {
-                    "have to be positive"
-                };
-                let eigenvalue = Readable(eigenvalue);
-                write!(f, "the eigenvalues of {matrix} {required}, and one is {eigenvalue}")
-            }
-            Self::NotStabilizable { mode } => {
-                f.write_str("no input reaches the mode")?;
-                write_mode(f, &mode)?;
-                f.write_str(", which is not stable")
-            }
-            Self::NoCost { mode } => {
-                f.write_str("the mode")?;
-                write_mode(f, &mode)?;
-                f.write_str(" neither grows nor decays and has no cost: give it a weight in Q")
-            }
-            Self::NoConvergence => f.write_str(
-                "the Riccati equation was not solved: eigenvalues of the closed loop are too near the border of stability",
-            ),
-            Self::Inaccurate { change } => write!(
-                f,
-                "the solution of the Riccati equation is not accurate, with a relative error of about {}: choose units in which the \
-                 entries of A, B and of the weights are of similar size",
-                Readable(change)
-            ),
+        let UncontrollableMode {
+            eigenvalue: value,
+            component,
+        } = self.0;
+        write!(f, " with the eigenvalue {}", Readable(value.re))?;
+        if value.im.abs() > 0.0 {
+            write!(f, " ± {} i", Readable(value.im.abs()))?;
         }
+        write!(f, ", which is mostly in component {component} of the state")
     }
 }
-
-fn write_mode(f: &mut fmt::Formatter<'_>, mode: &UncontrollableMode) -> fmt::Result {
-    let value = mode.eigenvalue;
-    write!(f, " with the eigenvalue {}", Readable(value.re))?;
-    if value.im.abs() > 0.0 {
-        write!(f, " ± {} i", Readable(value.im.abs()))?;
-    }
-    write!(
-        f,
-        ", which is mostly in component {} of the state",
-        mode.component
-    )
-}
-
-debug_by_message!(RegulatorError);
-
-impl core::error::Error for RegulatorError {}

@@ -5,10 +5,9 @@ use nalgebra::SVector;
 use super::exceeds;
 use super::jacobian_rows::{JacobianRows, Variables};
 use super::required_inputs_error::RequiredInputsError;
-use super::small_oscillations::largest;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::INPUT_STEPS;
-use crate::linalg::IntoVector;
+use crate::linalg::{IntoVector, kept, largest};
 use crate::model::{DegreesOfFreedom, DirectionalDerivatives, Inputs, Quantities, State};
 use crate::scalar::Scalar;
 
@@ -85,10 +84,7 @@ impl<S: SingleNumber, const U: usize, const C: usize> RequiredInputs<S, U, C> {
         let units = units(&weights.into_vector())?;
         motion.check_constraints()?;
         let freedom = DegreesOfFreedom::<N, C>::of(model, state, [&[false; N]; 2]);
-        let mut independent = [false; N];
-        freedom
-            .independent_velocities()
-            .for_each(|i| independent[i] = true);
+        let [_, independent] = freedom.marks();
         let mut inputs = SVector::<S, U>::zeros();
         let mut rank = 0;
         for _ in 0..INPUT_STEPS {
@@ -185,13 +181,7 @@ where
         let found = self
             .model
             .accelerations(self.state, inputs, &self.model.prepare());
-        SVector::from_fn(|i, _| {
-            if independent[i] {
-                self.accelerations[i] - found[i]
-            } else {
-                S::zero()
-            }
-        })
+        kept(&(self.accelerations - found), |i, _| independent[i])
     }
 
     /// Returns the factored derivatives of the independent accelerations by the inputs in their units.

@@ -1,8 +1,6 @@
 //! The errors of the inverse dynamics of constrained models.
 
-use core::fmt;
-
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::number_format::Readable;
 
 /// The reason why no inputs give a constrained model accelerations.
@@ -43,45 +41,18 @@ pub enum RequiredInputsError {
     },
 }
 
-impl fmt::Display for RequiredInputsError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::InconsistentState {
-                constraint,
-                residual,
-            } => write!(
-                f,
-                "the state does not meet the constraint `{constraint}`, whose residual is {}; `assemble` finds a state that does",
-                Readable(residual)
-            ),
-            Self::InconsistentAccelerations {
-                constraint,
-                residual,
-            } => write!(
-                f,
-                "the accelerations do not meet the constraint `{constraint}`, whose second derivative would be {}",
-                Readable(residual)
-            ),
-            Self::Weight { input, weight } => write!(
-                f,
-                "the weight of the input {input} has to be positive and finite; it is {}",
-                Readable(weight)
-            ),
-            Self::TooFewInputs {
-                coordinate,
-                missing,
-                inputs,
-                freedoms,
-            } => write!(
-                f,
-                "no inputs give these accelerations: `{coordinate}` misses {}, and the inputs act on {inputs} of {freedoms} degrees of \
-                 freedom; add inputs, or ask for a motion that needs fewer",
-                Readable(missing)
-            ),
-        }
-    }
+error_messages! { RequiredInputsError:
+    Self::InconsistentState { constraint, residual } =>
+        "the state does not meet the constraint `{constraint}`, whose residual is {}; `assemble` finds a state that does",
+        Readable(residual);
+    Self::InconsistentAccelerations { constraint, residual } =>
+        "the accelerations do not meet the constraint `{constraint}`, whose second derivative would be {}",
+        Readable(residual);
+    Self::Weight { input, weight } =>
+        "the weight of the input {input} has to be positive and finite; it is {}",
+        Readable(weight);
+    Self::TooFewInputs { coordinate, missing, inputs, freedoms } =>
+        "no inputs give these accelerations: `{coordinate}` misses {}, and the inputs act on {inputs} of {freedoms} degrees of \
+         freedom; add inputs, or ask for a motion that needs fewer",
+        Readable(missing);
 }
-
-debug_by_message!(RequiredInputsError);
-
-impl core::error::Error for RequiredInputsError {}

@@ -11,15 +11,9 @@ use nalgebra::{Complex, SMatrix};
 use super::eigenvalues::eigenvalues;
 use super::spectrum::modulus;
 use crate::limits::analysis::{CAYLEY_SHIFTS, DOUBLINGS};
-use crate::linalg::pivoting::{PivotedLu, solve};
+use crate::linalg::pivoting::PivotedLu;
 
 type Square<const D: usize> = SMatrix<f64, D, D>;
-
-/// Returns A⁻¹ B.
-fn divided<const D: usize>(a: &Square<D>, b: &Square<D>) -> Square<D> {
-    let lu = PivotedLu::new(*a);
-    solve(&lu.factors, &lu.reciprocals, &lu.interchanges, b)
-}
 
 fn symmetric<const D: usize>(matrix: &Square<D>) -> Square<D> {
     (matrix + matrix.transpose()) * 0.5
@@ -33,9 +27,9 @@ pub(super) fn discrete<const D: usize>(
 ) -> Option<Square<D>> {
     let (mut a, mut g, mut x) = (*a, *g, *q);
     for _ in 0..DOUBLINGS {
-        let factor = Square::identity() + g * x;
-        let first = divided(&factor, &a);
-        let second = divided(&factor, &g);
+        let factored = PivotedLu::new(Square::identity() + g * x);
+        let first = factored.solve(&a);
+        let second = factored.solve(&g);
         let change = symmetric(&(a.transpose() * x * first));
         g += symmetric(&(a * second * a.transpose()));
         a *= first;
@@ -60,15 +54,16 @@ pub(super) fn continuous<const D: usize>(
     let shift = cayley_shift(a, g, q)?;
     let identity = Square::<D>::identity();
     let shifted = a - identity * shift;
-    let of_g = divided(&shifted, g);
-    let of_q = divided(&shifted.transpose(), q);
+    let factored = PivotedLu::new(shifted);
+    let of_g = factored.solve(g);
+    let of_q = PivotedLu::new(shifted.transpose()).solve(q);
     let first = shifted + g * of_q;
-    let second = shifted.transpose() + q * of_g;
-    let inverse = divided(&shifted, &identity);
+    let second = PivotedLu::new(shifted.transpose() + q * of_g);
+    let inverse = factored.solve(&identity);
     let doubled = 2.0 * shift;
-    let a = identity + divided(&first, &identity) * doubled;
-    let g = symmetric(&(of_g * divided(&second, &identity) * doubled));
-    let q = symmetric(&(divided(&second, &(q * inverse)) * doubled));
+    let a = identity + PivotedLu::new(first).solve(&identity) * doubled;
+    let g = symmetric(&(of_g * second.solve(&identity) * doubled));
+    let q = symmetric(&(second.solve(&(q * inverse)) * doubled));
     discrete(&a, &g, &q)
 }
 

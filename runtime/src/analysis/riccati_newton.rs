@@ -9,10 +9,10 @@
 use nalgebra::SMatrix;
 
 use super::eigenvalues::balancing;
-use super::lyapunov::{Square, form_in_units, largest, lyapunov, symmetric};
+use super::lyapunov::{Square, form_in_units, lyapunov, symmetric};
 use super::matrix_sign::stabilizing;
 use crate::limits::analysis::{RICCATI_CHANGE, RICCATI_NEWTON_STEPS, RICCATI_ROUNDING};
-use crate::linalg::Factorization;
+use crate::linalg::{Factorization, largest_or_nan};
 use crate::scalar::{DoubleDouble, Scalar};
 
 /// The matrices of a regulator problem.
@@ -93,7 +93,7 @@ impl<const D: usize, const U: usize> Riccati<D, U> {
 /// of the largest one may vanish, and is compared with those errors, in units in which A is balanced.
 fn relative_change<const D: usize>(cost: &Square<D>, step: &Square<D>, units: &[i32; D]) -> f64 {
     let [cost, step] = [cost, step].map(|form| form_in_units(form, units));
-    let least = f64::EPSILON * largest(&cost);
+    let least = f64::EPSILON * largest_or_nan(&cost);
     let root = |i: usize| libm::sqrt(cost[(i, i)].to_f64().max(least));
     let mut most = 0.0_f64;
     for i in 0..D {

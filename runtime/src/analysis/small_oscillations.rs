@@ -14,12 +14,14 @@ use super::exceeds;
 use super::force_balance::{UnbalancedForce, unbalanced_force};
 use super::jacobian_rows::Variables;
 use super::linear_errors::{Neighbourhood, Unconstrained, gives_energy, linear_errors};
+use super::members::Members;
 use super::oscillation_error::OscillationError;
 use super::reduced_equations::{Part, Reduced, under_held_inputs};
 use super::spectrum::Spectrum;
 use super::time_dependence::contains_time;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::NEGLIGIBLE;
+use crate::linalg::largest;
 use crate::model::{Lagrangian, State, StateJacobian};
 use crate::scalar::Scalar;
 
@@ -149,16 +151,11 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     }
 
     /// Returns the oscillating coordinates, then the coordinates of which only velocities are variables; and the number
-    /// of the oscillating ones and of both.
-    pub(super) fn variables(&self) -> ([usize; N], [usize; 2]) {
+    /// of the oscillating ones.
+    pub(super) fn variables(&self) -> (Members<N>, usize) {
         let moving = (0..N).filter(|i| self.parts[*i] == Part::Moving);
-        let mut variables = [0; N];
-        let mut count = 0;
-        for (entry, i) in variables.iter_mut().zip(self.coordinates().chain(moving)) {
-            *entry = i;
-            count += 1;
-        }
-        (variables, [self.coordinates().count(), count])
+        let variables = Members::of(self.coordinates().chain(moving));
+        (variables, self.coordinates().count())
     }
 
     /// Returns the stiffness matrix K = −M ∂q̈/∂q.
@@ -220,22 +217,22 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
 
     /// Writes the matrix of the first-order system of some coordinates in rows of length 2 `N`, and returns its order.
     fn first_order_matrix(&self, flat: &mut [f64], is_member: &dyn Fn(usize) -> bool) -> usize {
-        let (variables, [all_coordinates, all]) = self.variables();
-        let members = |range: core::ops::Range<usize>| {
-            let variables = variables[range].iter().copied();
+        let (variables, all_coordinates) = self.variables();
+        let members = |count: usize| {
+            let variables = variables[..count].iter().copied();
             variables.filter(|i| is_member(*i))
         };
-        let coordinates = members(0..all_coordinates).count();
-        let count = members(0..all).count();
+        let all = variables.len();
+        let [coordinates, count] = [all_coordinates, all].map(|count| members(count).count());
         for i in 0..coordinates {
             flat[i * 2 * N + coordinates + i] = 1.0;
         }
-        for (i, row) in members(0..all).enumerate() {
+        for (i, row) in members(all).enumerate() {
             let start = (coordinates + i) * 2 * N;
-            for (j, column) in members(0..all_coordinates).enumerate() {
+            for (j, column) in members(all_coordinates).enumerate() {
                 flat[start + j] = self.position[(row, column)].largest();
             }
-            for (j, column) in members(0..all).enumerate() {
+            for (j, column) in members(all).enumerate() {
                 flat[start + coordinates + j] = self.velocity[(row, column)].largest();
             }
         }
@@ -253,10 +250,7 @@ where
     S: SingleNumber,
     M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
 {
-    let steepest = slopes
-        .iter()
-        .map(|slopes| largest(slopes))
-        .fold(0.0, f64::max);
+    let steepest = largest(slopes.iter().copied().flatten());
     let accelerations = model.accelerations(state);
     for (i, name) in M::COORDINATES.into_iter().enumerate() {
         let velocity = state.v[i].largest();
@@ -307,11 +301,7 @@ where
         ];
         M::IGNORABLE[i]
             && pairs.iter().all(|(sums, terms)| {
-                let most = |matrix: &SMatrix<S, N, N>| {
-                    let row = matrix.row(i);
-                    row.iter().fold(0.0, |most, x| x.abs().largest().max(most))
-                };
-                most(sums) <= negligible::<S>() * most(terms)
+                largest(sums.row(i)) <= negligible::<S>() * largest(terms.row(i))
             })
     })
 }
@@ -319,10 +309,4 @@ where
 /// Returns the bound below which a number is negligible relative to 1.
 pub(super) fn negligible<S: Scalar>() -> f64 {
     libm::pow(S::machine_epsilon(), NEGLIGIBLE)
-}
-
-/// Returns the largest magnitude.
-pub(super) fn largest<S: Scalar, const R: usize, const C: usize>(matrix: &SMatrix<S, R, C>) -> f64 {
-    let entries = matrix.iter().map(|x| x.abs().largest());
-    entries.fold(0.0, f64::max)
 }

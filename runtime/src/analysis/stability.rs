@@ -8,13 +8,15 @@ use nalgebra::{Complex, SMatrix};
 use super::components::components;
 use super::eigenvalue_errors::Located;
 use super::exceeds;
+use super::members::Members;
 use super::oscillation_error::OscillationError;
 use super::reduced_equations::Part;
-use super::small_oscillations::{SmallOscillations, largest, negligible};
+use super::small_oscillations::{SmallOscillations, negligible};
 use super::spectrum::modulus;
 use super::symmetric_eigenvalues::symmetric_eigenvalues;
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{SINGULAR, VARIATION_ERRORS};
+use crate::linalg::largest;
 use crate::scalar::Scalar;
 
 /// The second variation of the potential energy or of the effective potential: the signs of the eigenvalues of K φ = κ
@@ -253,15 +255,8 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
             let inertia = self.mass[(i, i)].abs().largest();
             if inertia > 0.0 { inertia } else { 1.0 }
         });
-        let rows: [f64; N] = core::array::from_fn(|i| {
-            let entries = (0..N).map(|j| {
-                let pair = [matrix[(i, j)], matrix[(j, i)]];
-                pair.map(|x| x.abs().largest())
-                    .into_iter()
-                    .fold(0.0, f64::max)
-            });
-            entries.fold(0.0, f64::max)
-        });
+        let rows: [f64; N] =
+            core::array::from_fn(|i| largest(matrix.row(i).iter().chain(&matrix.column(i))));
         let labels = components(&[&self.mass]);
         core::array::from_fn(|i| {
             let sharing = (0..N).filter(|j| labels[*j] == labels[i]);
@@ -281,28 +276,15 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
     /// An eigenvalue counts as zero up to `zero`, relative to its group, or up to the uncertainty that results from
     /// `error`. Groups of uncoupled coordinates are treated separately.
     fn signs(&self, matrix: &SMatrix<S, N, N>, zero: f64, error: &SMatrix<S, N, N>) -> [usize; 2] {
-        let (variables, [_, count]) = self.variables();
+        let (variables, _) = self.variables();
         let labels = components(&[matrix]);
         let mut found = [0; 2];
         for label in 0..N {
-            let mut members = [0; N];
-            let mut order = 0;
-            let all = variables.iter().take(count);
-            for (entry, i) in members.iter_mut().zip(all.filter(|i| labels[**i] == label)) {
-                *entry = *i;
-                order += 1;
-            }
-            let part = |whole: &SMatrix<S, N, N>| {
-                SMatrix::<S, N, N>::from_fn(|i, j| {
-                    if i < order && j < order {
-                        whole[(members[i], members[j])]
-                    } else {
-                        S::zero()
-                    }
-                })
-            };
-            let (values, vectors) = symmetric_eigenvalues(&part(matrix), order);
-            let error = part(error);
+            let of_label = variables.iter().filter(|i| labels[**i] == label);
+            let members = Members::of(of_label.copied());
+            let order = members.len();
+            let (values, vectors) = symmetric_eigenvalues(&members.block(matrix), order);
+            let error = members.block(error);
             for k in 0..order {
                 let vector = vectors.column(k).map(S::abs);
                 let undetermined = VARIATION_ERRORS * vector.dot(&(error * vector)).largest();

@@ -90,10 +90,6 @@ pub struct DiscreteStateSpace<S: Scalar, const D: usize, const U: usize, const Y
     pub period: S,
 }
 
-pub(super) fn identity<S: Scalar, const D: usize>() -> SMatrix<S, D, D> {
-    SMatrix::from_fn(|i, j| if i == j { S::one() } else { S::zero() })
-}
-
 /// Returns the variables of a model without constraints: all coordinates, then all velocities.
 fn all_variables<const D: usize>() -> [Variable; D] {
     core::array::from_fn(|i| match i.checked_sub(D / 2) {
@@ -106,16 +102,16 @@ impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
     /// Creates the model ẋ = A x + B u, whose outputs are the states.
     #[must_use]
     pub fn new(a: SMatrix<S, D, D>, b: SMatrix<S, D, U>) -> Self {
-        let zero = SVector::from_element(S::zero());
+        let zero = SVector::zeros();
         Self {
             a,
             b,
-            c: identity(),
+            c: SMatrix::identity(),
             d: SMatrix::zeros(),
             derivative: zero,
             output: zero,
             state: zero,
-            inputs: SVector::from_element(S::zero()),
+            inputs: SVector::zeros(),
             variables: all_variables(),
         }
     }
@@ -129,7 +125,7 @@ impl<S: Scalar, const D: usize, const U: usize> DiscreteStateSpace<S, D, U, D> {
         Self {
             a,
             b,
-            c: identity(),
+            c: SMatrix::identity(),
             d: SMatrix::zeros(),
             increment: zero,
             output: zero,
@@ -149,17 +145,7 @@ impl<S: Scalar, const D: usize> StateSpace<S, D, 0, D> {
     where
         M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
     {
-        Self {
-            a: model.linearize(state).state_matrix(),
-            b: SMatrix::zeros(),
-            c: identity(),
-            d: SMatrix::zeros(),
-            derivative: stacked(&state.v, &model.accelerations(state)),
-            output: stacked(&state.q, &state.v),
-            state: stacked(&state.q, &state.v),
-            inputs: SVector::from_element(S::zero()),
-            variables: all_variables(),
-        }
+        Self::about(model, state, SMatrix::zeros(), SVector::zeros())
     }
 }
 
@@ -173,16 +159,27 @@ impl<S: Scalar, const D: usize, const U: usize> StateSpace<S, D, U, D> {
     where
         M: Lagrangian<N, S, Model: Inputs<N, U, S> + StateJacobian<N, S>> + ?Sized,
     {
+        let b = below_zeros(&model.input_jacobian(state));
+        Self::about(model, state, b, model.inputs())
+    }
+
+    fn about<M, const N: usize>(
+        model: &M,
+        state: &State<S, N>,
+        b: SMatrix<S, D, U>,
+        inputs: SVector<S, U>,
+    ) -> Self
+    where
+        M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
+    {
+        let a = model.linearize(state).state_matrix();
+        let x = stacked(&state.q, &state.v);
         Self {
-            a: model.linearize(state).state_matrix(),
-            b: below_zeros(&model.input_jacobian(state)),
-            c: identity(),
-            d: SMatrix::zeros(),
             derivative: stacked(&state.v, &model.accelerations(state)),
-            output: stacked(&state.q, &state.v),
-            state: stacked(&state.q, &state.v),
-            inputs: model.inputs(),
-            variables: all_variables(),
+            output: x,
+            state: x,
+            inputs,
+            ..Self::new(a, b)
         }
     }
 }

@@ -4,7 +4,7 @@ use super::tangent_error::{IndependentVariables, TangentError};
 use crate::model::DegreesOfFreedom;
 
 /// What is chosen by the user; the rest is proposed.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Chosen<const N: usize> {
     pub(super) coordinates: Option<[bool; N]>,
     pub(super) velocities: Option<[bool; N]>,
@@ -32,19 +32,9 @@ impl<const N: usize> Chosen<N> {
         &self,
         freedom: &DegreesOfFreedom<N, C>,
     ) -> Result<Choice<N>, TangentError> {
-        let marked = |indices: &mut dyn Iterator<Item = usize>| {
-            let mut marks = [false; N];
-            indices.for_each(|i| marks[i] = true);
-            marks
-        };
-        let coordinates = match self.coordinates {
-            Some(_) => self.kept(),
-            None => marked(&mut freedom.independent_coordinates()),
-        };
-        let velocities = match self.velocities {
-            Some(velocities) => velocities,
-            None => marked(&mut freedom.independent_velocities()),
-        };
+        let [coordinates, velocities] = freedom.marks();
+        let coordinates = self.coordinates.map_or(coordinates, |_| self.kept());
+        let velocities = self.velocities.unwrap_or(velocities);
         let numbers = [freedom.coordinates, freedom.velocities];
         for (variables, marks) in [
             (IndependentVariables::Coordinates, &coordinates),

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::number_format::Readable;
 
 /// What a choice of independent variables is of.
@@ -111,92 +111,39 @@ impl fmt::Display for IndependentVariables {
     }
 }
 
-impl fmt::Display for TangentError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NoSuchCoordinate { index } => write!(
-                f,
-                "no coordinate has the index {index}: use the constants of the model, such as `Model::THETA`"
-            ),
-            Self::Inconsistent {
-                constraint,
-                residual,
-            } => write!(
-                f,
-                "the state does not meet the constraint `{constraint}`, whose residual is {}; `assemble` finds a state that does",
-                Readable(residual)
-            ),
-            Self::Singular {
-                constraint,
-                rank,
-                nearby,
-            } => write!(
-                f,
-                "the configuration is singular: `{constraint}` depends on other constraints, of which {rank} are independent here and \
-                 {nearby} nearby; linearize at another state"
-            ),
-            Self::Count {
-                variables,
-                chosen,
-                independent,
-            } => write!(
-                f,
-                "{chosen} {variables} are chosen, and {independent} are independent at this state; `degrees_of_freedom` proposes some"
-            ),
-            Self::NotIndependent {
-                variables,
-                free,
-                bound,
-                pivot,
-            } => write!(
-                f,
-                "the chosen {variables} are not independent at this state: `{bound}` follows from the others, and none of them \
-                 determines `{free}` (pivot {}); choose `{free}` in place of `{bound}`",
-                Readable(pivot)
-            ),
-            Self::Dimension {
-                given,
-                variables: [coordinates, velocities],
-            } => write!(
-                f,
-                "the linear model has {coordinates} coordinates and {velocities} velocities: `D` is {}, not {given}",
-                coordinates + velocities
-            ),
-            Self::NoVelocity { name } => write!(
-                f,
-                "`{name}` is an independent coordinate, and its velocity is not independent: leave it out by `without`, or take \
-                 `StateSpace::reduced`"
-            ),
-            Self::Acts {
-                coordinate,
-                on,
-                slope,
-            } => write!(
-                f,
-                "`{coordinate}` cannot be left out: it acts on `{on}`, with the derivative {}; keep it, or choose independent \
-                 velocities that are the same in all directions",
-                Readable(slope)
-            ),
-            Self::Moving { name, velocity } => write!(
-                f,
-                "the motion is not steady: `{name}` has the velocity {}; leave it out by `without` if the motion does not \
-                 depend on it, or linearize about the motion by `along_motion`",
-                Readable(velocity)
-            ),
-            Self::Accelerated { name, acceleration } => write!(
-                f,
-                "the state is neither an equilibrium nor a steady motion: `{name}` has the acceleration {}; linearize about \
-                 the motion by `along_motion`",
-                Readable(acceleration)
-            ),
-            Self::NotFinite { name } => write!(
-                f,
-                "the derivatives of the velocity or the acceleration of `{name}` are not finite"
-            ),
-        }
-    }
+error_messages! { TangentError:
+    Self::NoSuchCoordinate { index } =>
+        "no coordinate has the index {index}: use the constants of the model, such as `Model::THETA`";
+    Self::Inconsistent { constraint, residual } =>
+        "the state does not meet the constraint `{constraint}`, whose residual is {}; `assemble` finds a state that does",
+        Readable(residual);
+    Self::Singular { constraint, rank, nearby } =>
+        "the configuration is singular: `{constraint}` depends on other constraints, of which {rank} are independent here and \
+         {nearby} nearby; linearize at another state";
+    Self::Count { variables, chosen, independent } =>
+        "{chosen} {variables} are chosen, and {independent} are independent at this state; `degrees_of_freedom` proposes some";
+    Self::NotIndependent { variables, free, bound, pivot } =>
+        "the chosen {variables} are not independent at this state: `{bound}` follows from the others, and none of them \
+         determines `{free}` (pivot {}); choose `{free}` in place of `{bound}`",
+        Readable(pivot);
+    Self::Dimension { given, variables: [coordinates, velocities] } =>
+        "the linear model has {coordinates} coordinates and {velocities} velocities: `D` is {}, not {given}",
+        coordinates + velocities;
+    Self::NoVelocity { name } =>
+        "`{name}` is an independent coordinate, and its velocity is not independent: leave it out by `without`, or take \
+         `StateSpace::reduced`";
+    Self::Acts { coordinate, on, slope } =>
+        "`{coordinate}` cannot be left out: it acts on `{on}`, with the derivative {}; keep it, or choose independent \
+         velocities that are the same in all directions",
+        Readable(slope);
+    Self::Moving { name, velocity } =>
+        "the motion is not steady: `{name}` has the velocity {}; leave it out by `without` if the motion does not \
+         depend on it, or linearize about the motion by `along_motion`",
+        Readable(velocity);
+    Self::Accelerated { name, acceleration } =>
+        "the state is neither an equilibrium nor a steady motion: `{name}` has the acceleration {}; linearize about \
+         the motion by `along_motion`",
+        Readable(acceleration);
+    Self::NotFinite { name } =>
+        "the derivatives of the velocity or the acceleration of `{name}` are not finite";
 }
-
-debug_by_message!(TangentError);
-
-impl core::error::Error for TangentError {}

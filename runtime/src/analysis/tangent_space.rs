@@ -3,9 +3,11 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::equilibrium::Variable;
+use super::tangent_choice::Chosen;
 use super::tangent_error::{IndependentVariables, TangentError};
 use super::tangents::{Tangents, check_finite};
 use crate::integrate::SingleNumber;
+use crate::linalg::largest;
 use crate::model::{DirectionalDerivatives, Lagrangian, State};
 use crate::scalar::Scalar;
 
@@ -54,9 +56,7 @@ use crate::scalar::Scalar;
 pub struct TangentSpace<'a, M: ?Sized, S: Scalar, const N: usize, const C: usize> {
     pub(super) model: &'a M,
     pub(super) state: State<S, N>,
-    pub(super) coordinates: Option<[bool; N]>,
-    pub(super) velocities: Option<[bool; N]>,
-    pub(super) left_out: [bool; N],
+    pub(super) chosen: Chosen<N>,
     pub(super) is_steady: bool,
     /// The first index of no coordinate.
     missing: Option<usize>,
@@ -96,9 +96,11 @@ where
         Self {
             model,
             state: *state,
-            coordinates: None,
-            velocities: None,
-            left_out: [false; N],
+            chosen: Chosen {
+                coordinates: None,
+                velocities: None,
+                left_out: [false; N],
+            },
             is_steady: true,
             missing: None,
         }
@@ -106,20 +108,20 @@ where
 
     /// Sets the independent coordinates, besides those that are left out.
     pub fn coordinates(mut self, coordinates: impl IntoIterator<Item = usize>) -> Self {
-        self.coordinates = Some(self.marked(coordinates));
+        self.chosen.coordinates = Some(self.marked(coordinates));
         self
     }
 
     /// Sets the coordinates with independent velocities.
     pub fn velocities(mut self, coordinates: impl IntoIterator<Item = usize>) -> Self {
-        self.velocities = Some(self.marked(coordinates));
+        self.chosen.velocities = Some(self.marked(coordinates));
         self
     }
 
     /// Leaves out coordinates on which the velocities and accelerations of the others do not depend, such as ignorable ones.
     /// Their velocities may be independent variables.
     pub fn without(mut self, coordinates: impl IntoIterator<Item = usize>) -> Self {
-        self.left_out = self.marked(coordinates);
+        self.chosen.left_out = self.marked(coordinates);
         self
     }
 
@@ -159,7 +161,7 @@ where
             let column = tangents.rates_along(&direction);
             a.set_column(j, &selected(&variables, &column.q, &column.v));
         }
-        let largest = a.iter().fold(0.0, |most, x| x.abs().largest().max(most));
+        let largest = largest(&a);
         check_finite::<M::Model, S, N, C, D>(&variables, &a)?;
         tangents.check_left_out(&variables, largest)?;
         if self.is_steady {
@@ -171,30 +173,29 @@ where
     /// Returns the space with the variables of these tangents, at any state near this one.
     pub(super) fn fixed(&self, tangents: &Tangents<'_, M::Model, S, N, C>) -> Self {
         let [coordinates, velocities] = tangents.independent();
-        Self {
+        let chosen = Chosen {
             coordinates: Some(coordinates),
             velocities: Some(velocities),
+            ..self.chosen
+        };
+        Self {
+            chosen,
             is_steady: false,
-            ..self.at_state(&self.state)
+            ..*self
         }
     }
 
     /// Returns the space with these choices at another state.
     pub(super) fn at_state(&self, state: &State<S, N>) -> Self {
         Self {
-            model: self.model,
             state: *state,
-            coordinates: self.coordinates,
-            velocities: self.velocities,
-            left_out: self.left_out,
-            is_steady: self.is_steady,
-            missing: self.missing,
+            ..*self
         }
     }
 
     /// Returns the coordinates and velocities that determine others, as far as they are chosen.
     pub(super) fn held(&self) -> [[bool; N]; 2] {
-        [self.coordinates, self.velocities].map(|marks| marks.unwrap_or([false; N]))
+        [self.chosen.coordinates, self.chosen.velocities].map(|marks| marks.unwrap_or([false; N]))
     }
 
     fn marked(&mut self, coordinates: impl IntoIterator<Item = usize>) -> [bool; N] {

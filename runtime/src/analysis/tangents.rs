@@ -10,7 +10,7 @@ use super::tangent_choice::{Choice, Chosen};
 use super::tangent_error::{IndependentVariables, TangentError};
 use super::tangent_space::TangentSpace;
 use crate::integrate::SingleNumber;
-use crate::linalg::{DependentColumns, Undetermined, column_widths};
+use crate::linalg::{DependentColumns, Undetermined, column_widths, kept, largest};
 use crate::model::{
     DegreesOfFreedom, DirectionalDerivatives, Lagrangian, Phase, Quantities, State,
 };
@@ -39,17 +39,8 @@ where
         L: Lagrangian<N, S, Model = M> + ?Sized,
     {
         space.check_indices()?;
-        let chosen = Chosen {
-            coordinates: space.coordinates,
-            velocities: space.velocities,
-            left_out: space.left_out,
-        };
-        Self::at(
-            space.model.model(),
-            &space.state,
-            space.model.inputs(),
-            chosen,
-        )
+        let (model, inputs) = (space.model.model(), space.model.inputs());
+        Self::at(model, &space.state, inputs, space.chosen)
     }
 
     /// Returns the tangents at a state and inputs.
@@ -73,30 +64,21 @@ where
         let choice = chosen.completed(&freedom)?;
         let jacobian = model.constraint_jacobian(&state, &prepared);
         let widths = column_widths(&jacobian, &model.mass_matrix(&state, &prepared).diagonal());
-        let holonomic = SMatrix::from_fn(|i, j| {
-            if i < M::HOLONOMIC {
-                jacobian[(i, j)]
-            } else {
-                S::zero()
-            }
-        });
+        let holonomic = kept(&jacobian, |i, _| i < M::HOLONOMIC);
         let solver = |jacobian: &SMatrix<S, C, N>, independent: &[bool; N], variables| {
             let found = DependentColumns::of(jacobian, &widths, independent);
             found.map_err(|undetermined| {
                 not_independent::<M, S, N, C>(variables, undetermined, independent)
             })
         };
+        let Choice {
+            coordinates,
+            velocities,
+            ..
+        } = &choice;
         let solvers = [
-            solver(
-                &holonomic,
-                &choice.coordinates,
-                IndependentVariables::Coordinates,
-            )?,
-            solver(
-                &jacobian,
-                &choice.velocities,
-                IndependentVariables::Velocities,
-            )?,
+            solver(&holonomic, coordinates, IndependentVariables::Coordinates)?,
+            solver(&jacobian, velocities, IndependentVariables::Velocities)?,
         ];
         Ok(Self {
             model,
@@ -176,7 +158,7 @@ where
         is_steady: bool,
     ) -> Result<(), TangentError> {
         let entries = reduced.position.iter().chain(reduced.velocity.iter());
-        let largest = entries.fold(1.0, |most: f64, x| x.abs().largest().max(most));
+        let largest = largest(entries).max(1.0);
         let all = (0..N).filter(|i| parts[*i] != Part::Eliminated);
         for i in all {
             let of_coordinate = (parts[i] == Part::Oscillating).then_some(Variable::Coordinate(i));

@@ -2,10 +2,10 @@
 
 use core::fmt;
 
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::limits::derivative_checks::REPORTED_ARGUMENTS;
 use crate::model::FunctionSignature;
-use crate::number_format::Readable;
+use crate::number_format::{Readable, write_values};
 
 /// The point at which a function was evaluated: the names and values of its first four arguments.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,15 +37,8 @@ impl ArgumentValues {
 
 impl fmt::Display for ArgumentValues {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (position, (name, value)) in self.iter().enumerate() {
-            let separator = if position == 0 { "" } else { ", " };
-            write!(f, "{separator}{name} = {}", Readable(value))?;
-        }
         let left_out = self.count.saturating_sub(REPORTED_ARGUMENTS);
-        if left_out > 0 {
-            write!(f, " and {left_out} more")?;
-        }
-        Ok(())
+        write_values(f, "=", self.iter(), left_out)
     }
 }
 
@@ -112,63 +105,35 @@ pub enum DerivativeError {
     },
 }
 
-impl fmt::Display for DerivativeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Wrong {
-                function,
-                argument,
-                point,
-                declared,
-                measured,
-                uncertainty,
-            } => write!(
-                f,
-                "the declared derivative ∂{function}/∂{argument} is {} where {point}, but the numerical derivative \
-                 of `{function}` there is {} within {uncertainty:.1e}",
-                Readable(declared),
-                Readable(measured)
-            ),
-            Self::NoNumericalDerivative { function, argument } => write!(
-                f,
-                "no numerical derivative ∂{function}/∂{argument} is accurate: the values jump or are noisy \
-                 everywhere in this region"
-            ),
-            Self::NonFiniteValue {
-                function,
-                point,
-                value,
-            } => write!(
-                f,
-                "`{function}` is {value} where {point}: choose a region in which it has values"
-            ),
-            Self::NotDeclared { function } => {
-                write!(f, "no derivative of `{function}` is declared")
-            }
-            Self::InvalidRange { function, argument } => write!(
-                f,
-                "the range of `{argument}`, an argument of `{function}`, must be finite and not empty"
-            ),
-            Self::ArgumentCount {
-                function,
-                expected,
-                found,
-            } => write!(
-                f,
-                "`{function}` has {expected} arguments: write a range for each, not {found}"
-            ),
-            Self::UnknownFunction { known } => {
-                f.write_str("there is no function of this name; those of the declaration are")?;
-                for (position, signature) in known.iter().enumerate() {
-                    let separator = if position == 0 { " " } else { ", " };
-                    write!(f, "{separator}`{}`", signature.name)?;
-                }
-                Ok(())
-            }
-        }
-    }
+error_messages! { DerivativeError:
+    Self::Wrong { function, argument, point, declared, measured, uncertainty } =>
+        "the declared derivative ∂{function}/∂{argument} is {} where {point}, but the numerical derivative \
+         of `{function}` there is {} within {uncertainty:.1e}",
+        Readable(declared), Readable(measured);
+    Self::NoNumericalDerivative { function, argument } =>
+        "no numerical derivative ∂{function}/∂{argument} is accurate: the values jump or are noisy \
+         everywhere in this region";
+    Self::NonFiniteValue { function, point, value } =>
+        "`{function}` is {value} where {point}: choose a region in which it has values";
+    Self::NotDeclared { function } => "no derivative of `{function}` is declared";
+    Self::InvalidRange { function, argument } =>
+        "the range of `{argument}`, an argument of `{function}`, must be finite and not empty";
+    Self::ArgumentCount { function, expected, found } =>
+        "`{function}` has {expected} arguments: write a range for each, not {found}";
+    Self::UnknownFunction { known } =>
+        "there is no function of this name; those of the declaration are{}",
+        Names(known);
 }
 
-debug_by_message!(DerivativeError);
+/// The names of functions in a message.
+struct Names(&'static [FunctionSignature]);
 
-impl core::error::Error for DerivativeError {}
+impl fmt::Display for Names {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (position, signature) in self.0.iter().enumerate() {
+            let separator = if position == 0 { " " } else { ", " };
+            write!(f, "{separator}`{}`", signature.name)?;
+        }
+        Ok(())
+    }
+}

@@ -12,6 +12,7 @@
 
 use crate::integrate::SingleNumber;
 use crate::limits::elliptic::{DUPLICATIONS, LARGE_LAST};
+use crate::linalg::largest;
 use crate::scalar::Scalar;
 
 /// Returns the ratio of the mean to the largest deviation of an argument from it at which a Taylor polynomial of this
@@ -19,13 +20,6 @@ use crate::scalar::Scalar;
 fn nearness<S: Scalar>(constant: f64, degree: f64) -> f64 {
     let epsilon = S::machine_epsilon();
     libm::pow(constant * epsilon * epsilon, -1.0 / (degree + 1.0))
-}
-
-/// Returns the largest magnitude.
-fn largest<S: Scalar>(numbers: &[S]) -> f64 {
-    numbers
-        .iter()
-        .fold(0.0, |most: f64, x| most.max(x.abs().largest()))
 }
 
 /// Returns whether more than `most` of the arguments are zero, so that the integral diverges.
@@ -40,6 +34,29 @@ fn infinity<S: Scalar>() -> S {
 
 fn number<S: Scalar>(numerator: f64, denominator: f64) -> S {
     S::ratio(numerator, denominator)
+}
+
+/// Duplicates the arguments by their sums λ of products of roots until the mean is farther from 0 than the distances from it, and
+/// returns the mean and the scale of what is left.
+fn duplicated<S: SingleNumber, const K: usize>(
+    mut arguments: [S; K],
+    mut mean: S,
+    mut distance: f64,
+    mut lambda: impl FnMut(&[S; K], S) -> S,
+) -> (S, S) {
+    let quarter = S::from_f64(0.25);
+    let mut scale = S::one();
+    for _ in 0..DUPLICATIONS {
+        if distance < mean.abs().largest() {
+            break;
+        }
+        let lambda = lambda(&arguments, scale);
+        arguments = arguments.map(|x| (x + lambda) * quarter);
+        mean = (mean + lambda) * quarter;
+        scale *= quarter;
+        distance *= 0.25;
+    }
+    (mean, scale)
 }
 
 /// Returns `R_F`(x, y, z) = ½ ∫₀^∞ dt/√((t + x)(t + y)(t + z)), for nonnegative arguments; infinite if two are 0.
@@ -57,20 +74,11 @@ pub fn carlson_rf<S: SingleNumber>(x: S, y: S, z: S) -> S {
         return infinity();
     }
     let mean = (x + y + z) * number(1.0, 3.0);
-    let mut distance = nearness::<S>(3.0, 5.0) * largest(&start.map(|x| mean - x));
-    let quarter = S::from_f64(0.25);
-    let (mut arguments, mut a, mut scale) = (start, mean, S::one());
-    for _ in 0..DUPLICATIONS {
-        if distance < a.abs().largest() {
-            break;
-        }
+    let distance = nearness::<S>(3.0, 5.0) * largest(&start.map(|x| mean - x));
+    let (a, scale) = duplicated(start, mean, distance, |arguments, _| {
         let [x, y, z] = arguments.map(Scalar::sqrt);
-        let lambda = x * y + x * z + y * z;
-        arguments = arguments.map(|x| (x + lambda) * quarter);
-        a = (a + lambda) * quarter;
-        scale *= quarter;
-        distance *= 0.25;
-    }
+        x * y + x * z + y * z
+    });
     let [x, y] = [start[0], start[1]].map(|x| (mean - x) * scale / a);
     let z = -(x + y);
     let e2 = x * y - z * z;
@@ -96,20 +104,10 @@ pub fn carlson_rc<S: SingleNumber>(x: S, y: S) -> S {
         return infinity();
     }
     let mean = (x + y + y) * number(1.0, 3.0);
-    let mut distance = nearness::<S>(3.0, 7.0) * largest(&[mean - x]);
-    let quarter = S::from_f64(0.25);
-    let (mut at, mut a, mut scale) = ([x, y], mean, S::one());
-    for _ in 0..DUPLICATIONS {
-        if distance < a.abs().largest() {
-            break;
-        }
-        let [x, y] = at;
-        let lambda = S::from_f64(2.0) * x.sqrt() * y.sqrt() + y;
-        at = at.map(|x| (x + lambda) * quarter);
-        a = (a + lambda) * quarter;
-        scale *= quarter;
-        distance *= 0.25;
-    }
+    let distance = nearness::<S>(3.0, 7.0) * largest(&[mean - x]);
+    let (a, scale) = duplicated([x, y], mean, distance, |[x, y], _| {
+        S::from_f64(2.0) * x.sqrt() * y.sqrt() + *y
+    });
     let s = (y - mean) * scale / a;
     let coefficients = [
         (9.0, 8.0),
@@ -152,23 +150,16 @@ pub fn carlson_rj<S: SingleNumber>(x: S, y: S, z: S, p: S) -> S {
 fn by_duplication<S: SingleNumber>(start: [S; 4]) -> S {
     let [x, y, z, p] = start;
     let mean = (x + y + z + p + p) * number(1.0, 5.0);
-    let mut distance = nearness::<S>(0.25, 5.0) * largest(&start.map(|x| mean - x));
-    let quarter = S::from_f64(0.25);
-    let (mut arguments, mut a, mut scale, mut sum) = (start, mean, S::one(), S::zero());
-    for _ in 0..DUPLICATIONS {
-        if distance < a.abs().largest() {
-            break;
-        }
+    let distance = nearness::<S>(0.25, 5.0) * largest(&start.map(|x| mean - x));
+    let mut sum = S::zero();
+    let (a, scale) = duplicated(start, mean, distance, |arguments, scale| {
         let roots = arguments.map(Scalar::sqrt);
         let [x, y, z, _] = roots;
         let lambda = x * y + x * z + y * z;
-        let (ratio, divisor) = elementary(&arguments, &roots, arguments[3] + lambda);
+        let (ratio, divisor) = elementary(arguments, &roots, arguments[3] + lambda);
         sum += scale / divisor * carlson_rc(S::one(), ratio);
-        arguments = arguments.map(|x| (x + lambda) * quarter);
-        a = (a + lambda) * quarter;
-        scale *= quarter;
-        distance *= 0.25;
-    }
+        lambda
+    });
     let [x, y, z] = [start[0], start[1], start[2]].map(|x| (mean - x) * scale / a);
     let six = S::from_f64(6.0);
     scale / a / a.sqrt() * third_kind_near_mean(x, y, z) + six * sum

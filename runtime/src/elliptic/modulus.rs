@@ -201,7 +201,7 @@ impl<S: SingleNumber> Modulus<S> {
 }
 
 /// Returns −1 below 0, and 1 otherwise.
-fn sign<S: SingleNumber>(x: S) -> S {
+pub(crate) fn sign<S: SingleNumber>(x: S) -> S {
     if x.largest() < 0.0 {
         -S::one()
     } else {

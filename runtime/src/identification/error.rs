@@ -4,7 +4,7 @@ use core::fmt;
 
 use nalgebra::SVector;
 
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 
 /// The reason why parameters were not identified.
 #[derive(Clone, Copy, PartialEq)]
@@ -32,40 +32,28 @@ pub enum IdentificationError<const B: usize> {
     },
 }
 
-impl<const B: usize> fmt::Display for IdentificationError<B> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooFewEquations { equations } => write!(
-                f,
-                "{B} base parameters need more than {B} equations, and there are {equations}: add further instants"
-            ),
-            Self::NotFinite { equation } => {
-                write!(
-                    f,
-                    "equation {equation} contains a number that is not finite"
-                )
-            }
-            Self::PoorExcitation {
-                direction,
-                names,
-                condition_number,
-            } => {
-                f.write_str("the motion does not excite the combination of base parameters")?;
-                for (weight, name) in direction.iter().zip(names) {
-                    if weight.abs() > 0.01 {
-                        write!(f, " {weight:+.2} ({name})")?;
-                    }
-                }
-                write!(
-                    f,
-                    " (condition number {condition_number:.1e}): measure a richer motion, or take one of these parameters \
-                     as known"
-                )
-            }
-        }
-    }
+error_messages! { [const B: usize] IdentificationError<B>:
+    Self::TooFewEquations { equations } =>
+        "{B} base parameters need more than {B} equations, and there are {equations}: add further instants";
+    Self::NotFinite { equation } => "equation {equation} contains a number that is not finite";
+    Self::PoorExcitation { direction, names, condition_number } =>
+        "the motion does not excite the combination of base parameters{} (condition number {condition_number:.1e}): \
+         measure a richer motion, or take one of these parameters as known",
+        Combination(direction, names);
 }
 
-debug_by_message!(IdentificationError<B>; const B: usize);
+/// A combination of base parameters in a message, without those of small weights.
+struct Combination<const B: usize>(SVector<f64, B>, [&'static str; B]);
 
-impl<const B: usize> core::error::Error for IdentificationError<B> {}
+impl<const B: usize> fmt::Display for Combination<B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(weights, names) = self;
+        let mut pairs = weights.iter().zip(names);
+        pairs.try_for_each(|(weight, name)| {
+            if weight.abs() > 0.01 {
+                write!(f, " {weight:+.2} ({name})")?;
+            }
+            Ok(())
+        })
+    }
+}

@@ -30,22 +30,58 @@ struct Segment<P> {
     interpolant: P,
 }
 
-impl<X, P, S> DenseSolution<X, P, S> {
-    pub(super) fn new(initial: At<f64, X>, segments: Segments<P>, last: At<f64, X>) -> Self {
-        Self {
-            initial,
-            segments: segments.0,
-            last,
-            scalar: PhantomData,
-        }
-    }
+/// The type of what `save(Dense)` keeps.
+#[diagnostic::on_unimplemented(
+    message = "the motion was not kept",
+    note = "write `.save(Dense)` before `.solve(…)`"
+)]
+pub trait KeptMotion<S, X> {
+    /// Returns the state at a time; at a jump, the state after the jump.
+    fn state(&self, t: f64) -> Result<X, IntegrationError>;
+
+    /// Returns the state at a time; at a jump, the state before the jump.
+    fn state_before(&self, t: f64) -> Result<X, IntegrationError>;
+
+    /// Returns the derivative of the interpolating polynomial at a time, or `None` if there is no step. For a
+    /// mechanical system it holds velocities and accelerations.
+    fn slope(&self, t: f64) -> Result<Option<X>, IntegrationError>;
 
     /// Returns the times of the ends of steps and of events, the initial time first.
-    pub(super) fn times(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
+    fn ends_of_steps(&self) -> impl DoubleEndedIterator<Item = f64>;
+}
+
+impl<S, X, P> KeptMotion<S, X> for DenseSolution<X, P, S>
+where
+    S: Scalar,
+    X: VectorSpace<S>,
+    P: Interpolant<S, X>,
+{
+    fn state(&self, t: f64) -> Result<X, IntegrationError> {
+        if t - self.last.t == 0.0 {
+            return Ok(self.last.x.clone());
+        }
+        self.interpolated(t, |end, t| end <= t)
+    }
+
+    fn state_before(&self, t: f64) -> Result<X, IntegrationError> {
+        if t - self.initial.t == 0.0 {
+            return Ok(self.initial.x.clone());
+        }
+        self.interpolated(t, |end, t| end < t)
+    }
+
+    fn slope(&self, t: f64) -> Result<Option<X>, IntegrationError> {
+        let found = self.segment(t, |end, t| end <= t)?;
+        Ok(found.map(|segment| segment.interpolant.derivative(t)))
+    }
+
+    fn ends_of_steps(&self) -> impl DoubleEndedIterator<Item = f64> {
         let ends = self.segments.iter().map(|segment| segment.end);
         core::iter::once(self.initial.t).chain(ends)
     }
+}
 
+impl<X, P, S> DenseSolution<X, P, S> {
     /// Returns the end of the last segment, or the initial time if there is none.
     fn end(&self) -> f64 {
         self.segments.last().map_or(self.initial.t, |last| last.end)
@@ -58,37 +94,11 @@ where
     X: VectorSpace<S>,
     P: Interpolant<S, X>,
 {
-    /// Returns the state at a time. At a jump it is the state after the jump; [`before`](Self::before) returns the
-    /// state before the jump.
-    pub(super) fn at(&self, t: f64) -> Result<X, IntegrationError> {
-        if t - self.last.t == 0.0 {
-            return Ok(self.last.x.clone());
-        }
-        let found = self.segment(t, |end, t| end <= t)?;
-        Ok(found.map_or_else(
-            || self.initial.x.clone(),
-            |segment| segment.interpolant.at(t),
-        ))
-    }
-
-    /// Returns the state at a time; at a jump, the state before the jump.
-    pub(super) fn before(&self, t: f64) -> Result<X, IntegrationError> {
-        if t - self.initial.t == 0.0 {
-            return Ok(self.initial.x.clone());
-        }
-        let found = self.segment(t, |end, t| end < t)?;
-        Ok(found.map_or_else(
-            || self.initial.x.clone(),
-            |segment| segment.interpolant.at(t),
-        ))
-    }
-
-    /// Returns the derivative of the interpolating polynomial at a time, or `None` if there is no step. For a
-    /// mechanical system it holds velocities and accelerations.
-    pub(super) fn derivative(&self, t: f64) -> Result<Option<X>, IntegrationError> {
-        let found = self.segment(t, |end, t| end <= t)?;
-        let found = found.or(self.segments.last());
-        Ok(found.map(|segment| segment.interpolant.derivative(t)))
+    /// Returns the state at a time from the first segment that is not `over` there.
+    fn interpolated(&self, t: f64, over: impl Fn(f64, f64) -> bool) -> Result<X, IntegrationError> {
+        let state = |segment: &Segment<P>| segment.interpolant.at(t);
+        let found = self.segment(t, over)?;
+        Ok(found.map_or_else(|| self.initial.x.clone(), state))
     }
 
     /// Returns the first segment that is not `over` at a time; at the end, the last segment.
@@ -122,24 +132,42 @@ impl<X, P, S> fmt::Debug for DenseSolution<X, P, S> {
     }
 }
 
-/// The segments collected so far.
-pub(super) struct Segments<P>(Vec<Segment<P>>);
+/// The steps collected so far, and the initial state.
+pub struct Whole<X, P> {
+    initial: At<f64, X>,
+    segments: Vec<Segment<P>>,
+}
 
-impl<P> Segments<P> {
-    pub(super) fn new() -> Self {
-        Self(Vec::new())
+impl<X, P> From<At<f64, X>> for Whole<X, P> {
+    fn from(initial: At<f64, X>) -> Self {
+        Self {
+            initial,
+            segments: Vec::new(),
+        }
     }
 }
 
-impl<S, D, T> Collector<S, D, T> for Segments<T::Interpolant>
+impl<X, P> Whole<X, P> {
+    /// Returns the motion until the last state.
+    pub(super) fn until<S>(self, last: At<f64, X>) -> DenseSolution<X, P, S> {
+        DenseSolution {
+            initial: self.initial,
+            segments: self.segments,
+            last,
+            scalar: PhantomData,
+        }
+    }
+}
+
+impl<S, D, T> Collector<S, D, T> for Whole<D::State, T::Interpolant>
 where
     S: Scalar,
-    D: Dynamics<S> + ?Sized,
+    D: Dynamics<S>,
     T: DenseOutput<S, D>,
 {
     fn step(&mut self, dynamics: &D, stepper: &mut T, end: f64) {
         if let Some(interpolant) = stepper.interpolant(dynamics) {
-            self.0.push(Segment { end, interpolant });
+            self.segments.push(Segment { end, interpolant });
         }
     }
 }

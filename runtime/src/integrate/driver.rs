@@ -12,7 +12,6 @@ use super::observer::Observer;
 use super::outcome::{Outcome, StopReason};
 use super::reactions::Reactions;
 use super::sample_times::SampleTimes;
-use super::singularity_check::check_singularity;
 use super::stepper::{Advance, Stepper as _, checked_state};
 use crate::limits::MIN_SINGULARITY_TOLERANCE;
 use crate::scalar::Scalar;
@@ -289,8 +288,13 @@ impl<I, C, O> Driver<I, C, O> {
         {
             return Err(IntegrationError::InvalidSingularityTolerance { tolerance });
         }
-        checked_state(dynamics, initial.t, &initial.x)?;
-        check_singularity::<S, D>(dynamics, initial.t, &initial.x, self.min_pivot::<S, D>())
+        let At { t, x } = initial;
+        checked_state(dynamics, *t, x)?;
+        let min_pivot = Some(self.min_pivot::<S, D>()).filter(|pivot| *pivot > 0.0);
+        let found = min_pivot.and_then(|pivot| dynamics.singularity(S::from_f64(*t), x, pivot));
+        found.map_or(Ok(()), |found| {
+            Err(IntegrationError::singular::<S>(*t, found))
+        })
     }
 
     /// Returns the smallest relative pivot that does not end the integration.

@@ -241,82 +241,51 @@ pub trait Dynamics<S: Scalar = f64> {
     }
 }
 
+/// Methods that another system answers.
+macro_rules! forward {
+    ($self:ident => $dynamics:expr; $(
+        $method:ident($($argument:ident: $type:ty),*) -> $result:ty;
+    )*) => {$(
+        #[inline]
+        fn $method(&$self, $($argument: $type),*) -> $result {
+            $dynamics.$method($($argument),*)
+        }
+    )*};
+}
+pub(super) use forward;
+
+/// The methods of `Dynamics` that another system answers, without the allowed error and those that change the system.
+macro_rules! forward_dynamics {
+    ($self:ident => $dynamics:expr) => {
+        $crate::integrate::dynamics::forward! { $self => $dynamics;
+            derivative(t: S, x: &Self::State) -> Self::State;
+            rounding_sizes(t: S, x: &Self::State, sizes: &Self::State) -> Option<Self::State>;
+            reduced(x: &Self::State, compensation: &Self::State) -> Self::State;
+            singularity(t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity>;
+            singularity_in_motion(t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity>;
+            singularity_between(before: &Self::State, after: (S, &Self::State)) -> Option<Singularity>;
+            vanishing_inertia(t: S, x: &Self::State) -> Option<Singularity>;
+            vanishing_inertia_in_lane(lane: usize, t: S, x: &Self::State) -> Option<Singularity>;
+            check() -> Result<(), IntegrationError>;
+            next_update(x: &Self::State) -> Option<f64>;
+            update(t: S, x: &mut Self::State) -> ();
+            project(t: S, x: &Self::State) -> Option<Projection<S, Self::State>>;
+            constraint_sine(t: S, x: &Self::State) -> Option<S>;
+            violated_constraint(t: S, x: &Self::State) -> Option<(usize, S)>;
+            constraint_name(index: usize) -> &'static str;
+            component_name(index: usize) -> ComponentName;
+        }
+    };
+}
+pub(super) use forward_dynamics;
+
 impl<S: Scalar, D: Dynamics<S> + ?Sized> Dynamics<S> for &D {
     type State = D::State;
-
-    #[inline]
-    fn derivative(&self, t: S, x: &D::State) -> D::State {
-        (**self).derivative(t, x)
-    }
 
     #[inline]
     fn allowed_error(&self, x: &D::State, tolerance: &ErrorTolerance<S>) -> D::State {
         (**self).allowed_error(x, tolerance)
     }
 
-    #[inline]
-    fn rounding_sizes(&self, t: S, x: &D::State, sizes: &D::State) -> Option<D::State> {
-        (**self).rounding_sizes(t, x, sizes)
-    }
-
-    #[inline]
-    fn reduced(&self, x: &D::State, compensation: &D::State) -> D::State {
-        (**self).reduced(x, compensation)
-    }
-
-    #[inline]
-    fn singularity(&self, t: S, x: &D::State, min_pivot: f64) -> Option<Singularity> {
-        (**self).singularity(t, x, min_pivot)
-    }
-
-    #[inline]
-    fn singularity_in_motion(&self, t: S, x: &D::State, min_pivot: f64) -> Option<Singularity> {
-        (**self).singularity_in_motion(t, x, min_pivot)
-    }
-
-    #[inline]
-    fn singularity_between(&self, before: &D::State, after: (S, &D::State)) -> Option<Singularity> {
-        (**self).singularity_between(before, after)
-    }
-
-    fn vanishing_inertia(&self, t: S, x: &D::State) -> Option<Singularity> {
-        (**self).vanishing_inertia(t, x)
-    }
-
-    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &D::State) -> Option<Singularity> {
-        (**self).vanishing_inertia_in_lane(lane, t, x)
-    }
-
-    fn check(&self) -> Result<(), IntegrationError> {
-        (**self).check()
-    }
-
-    fn next_update(&self, x: &D::State) -> Option<f64> {
-        (**self).next_update(x)
-    }
-
-    fn update(&self, t: S, x: &mut D::State) {
-        (**self).update(t, x);
-    }
-
-    #[inline]
-    fn project(&self, t: S, x: &D::State) -> Option<Projection<S, D::State>> {
-        (**self).project(t, x)
-    }
-
-    fn constraint_sine(&self, t: S, x: &D::State) -> Option<S> {
-        (**self).constraint_sine(t, x)
-    }
-
-    fn violated_constraint(&self, t: S, x: &D::State) -> Option<(usize, S)> {
-        (**self).violated_constraint(t, x)
-    }
-
-    fn constraint_name(&self, index: usize) -> &'static str {
-        (**self).constraint_name(index)
-    }
-
-    fn component_name(&self, index: usize) -> ComponentName {
-        (**self).component_name(index)
-    }
+    forward_dynamics! { self => (**self) }
 }

@@ -2,16 +2,9 @@
 
 mod messages;
 
-use core::fmt;
-
 use super::component_name::ComponentName;
 use super::singularity::Singularity;
-use crate::error_debug::debug_by_message;
-use crate::number_format::Readable;
-use messages::{
-    write_failed_projection, write_inconsistent, write_no_series, write_off_manifold,
-    write_singular, write_sliding, write_too_small, write_vanishing,
-};
+use crate::scalar::Scalar;
 
 /// Why an integration could not start or could not continue.
 ///
@@ -242,105 +235,14 @@ pub enum IntegrationError {
     },
 }
 
-impl fmt::Display for IntegrationError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NonFiniteState {
-                time,
-                component,
-                value,
-            } => write!(f, "{component} is {value} at t = {}", Readable(time)),
-            Self::NonFiniteDerivative {
-                time,
-                component,
-                value,
-            } => write!(
-                f,
-                "the derivative of {component} is {value} at t = {}",
-                Readable(time)
-            ),
-            Self::NonFiniteTime { time } => {
-                write!(
-                    f,
-                    "a time to integrate from or to must be finite, and the same in all lanes, not {time}"
-                )
-            }
-            Self::SingularConfiguration {
-                time,
-                estimated_error,
-                singularity,
-            } => write_singular(f, (time, estimated_error), &singularity),
-            Self::StepTooSmall {
-                time,
-                step,
-                component,
-                relative_only,
-            } => write_too_small(f, (time, step), component, relative_only),
-            Self::SmallestStep {
-                time,
-                step,
-                component,
-            } => write!(
-                f,
-                "at t = {} a step of {step:e}, which `min_step` does not let be shortened, does not meet the tolerance: the error of \
-                 {component} is too large; allow shorter steps, or larger errors",
-                Readable(time)
-            ),
-            Self::NoTaylorSeries { time, component } => write_no_series(f, time, component),
-            Self::VanishingInertia {
-                time,
-                step,
-                singularity,
-            } => write_vanishing(f, (time, step), &singularity),
-            Self::SlidingMode { time, function } => write_sliding(f, time, function),
-            Self::ProjectionFailed {
-                time,
-                constraint,
-                residual,
-            } => write_failed_projection(f, time, constraint, residual),
-            Self::Inconsistent {
-                time,
-                constraint,
-                residual,
-            } => write_inconsistent(f, time, constraint, residual),
-            Self::OffManifold {
-                time,
-                component,
-                correction,
-                limit,
-            } => write_off_manifold(f, time, component, [correction, limit]),
-            Self::TooManySteps { time, limit } => {
-                write!(
-                    f,
-                    "the limit of {limit} steps is reached at t = {}: raise it, or look for discontinuous \
-                     forces, such as dry friction, which need fixed steps or a smooth approximation",
-                    Readable(time)
-                )
-            }
-            Self::OutsideSolution { time, start, end } => write!(
-                f,
-                "the solution is known from t = {} to {}, not at {}",
-                Readable(start),
-                Readable(end),
-                Readable(time)
-            ),
-            Self::InvalidStep { .. }
-            | Self::InvalidStepRange { .. }
-            | Self::InvalidTolerance { .. }
-            | Self::InvalidSize { .. }
-            | Self::InvalidSingularityTolerance { .. }
-            | Self::NoSuchEvent { .. }
-            | Self::UnorderedTimes { .. }
-            | Self::OutsideSpan { .. }
-            | Self::InvalidSampleInterval { .. }
-            | Self::InvalidPeriod { .. }
-            | Self::InvalidTimeConstant { .. }
-            | Self::InvalidCompliance { .. }
-            | Self::InvalidUpdate { .. } => self.write_invalid_setting(f),
+impl IntegrationError {
+    /// Returns the error for a singularity.
+    #[cold]
+    pub(crate) fn singular<S: Scalar>(time: f64, singularity: Singularity) -> Self {
+        Self::SingularConfiguration {
+            time,
+            estimated_error: S::machine_epsilon() / singularity.relative_pivot(),
+            singularity,
         }
     }
 }
-
-debug_by_message!(IntegrationError);
-
-impl core::error::Error for IntegrationError {}

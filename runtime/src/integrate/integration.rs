@@ -10,7 +10,6 @@ use super::observer::{ObservationKind, Observer, Progress};
 use super::outcome::{Outcome, StopReason};
 use super::sample_times::SampleTimes;
 use super::singularity::Singularity;
-use super::singularity_check::{check_singularity_in_motion, singular};
 use super::stepper::Advance;
 use crate::scalar::Scalar;
 
@@ -176,20 +175,17 @@ where
     /// Returns the error for a step that leads to a singularity or beyond a pole, and the last time within the step
     /// before that.
     fn broken_step(&mut self) -> Option<(f64, IntegrationError)> {
-        if self.state.is_visited {
+        let min_pivot = self.state.min_pivot;
+        if self.state.is_visited || min_pivot <= 0.0 {
             return None;
         }
         let (end, x) = (self.stepper.time(), self.stepper.state());
-        let t = S::from_f64(end);
-        if self.state.min_pivot > 0.0 {
-            let before = &self.outcome.last.x;
-            let pole = self.dynamics.singularity_between(before, (t, x));
-            if let Some(pole) = pole {
-                return Some(self.pole_in_step(pole));
-            }
+        let (t, before) = (S::from_f64(end), &self.outcome.last.x);
+        if let Some(pole) = self.dynamics.singularity_between(before, (t, x)) {
+            return Some(self.pole_in_step(pole));
         }
-        let error =
-            check_singularity_in_motion(self.dynamics, end, x, self.state.min_pivot).err()?;
+        let found = self.dynamics.singularity_in_motion(t, x, min_pivot)?;
+        let error = IntegrationError::singular::<S>(end, found);
         let regular = if self.state.end >= self.state.start {
             end.next_down()
         } else {
@@ -206,7 +202,7 @@ where
         loop {
             let middle = self.at(0.5 * (before.t + after));
             if middle.t - before.t == 0.0 || middle.t - after == 0.0 {
-                return (before.t, singular::<S>(after, pole));
+                return (before.t, IntegrationError::singular::<S>(after, pole));
             }
             let there = (S::from_f64(middle.t), &middle.x);
             match self.dynamics.singularity_between(&before.x, there) {

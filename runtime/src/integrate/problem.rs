@@ -6,6 +6,10 @@
 #![allow(clippy::type_complexity)] // The type of a problem contains its settings.
 
 mod keep;
+#[cfg(feature = "alloc")]
+mod samples;
+#[cfg(feature = "alloc")]
+mod dense;
 mod member;
 mod run;
 mod solution;
@@ -13,10 +17,12 @@ mod system;
 mod watch;
 
 #[cfg(feature = "alloc")]
-pub use keep::{Dense, Every, StepEnds};
+pub use dense::Dense;
 pub use keep::{End, Keep};
 pub(crate) use member::Member;
 pub use run::Run;
+#[cfg(feature = "alloc")]
+pub use samples::{Every, StepEnds};
 use solution::Events;
 pub(crate) use solution::Found;
 pub use solution::Solution;

@@ -8,8 +8,7 @@ use super::compensated::Compensated;
 use super::dynamics::Dynamics;
 use super::error::IntegrationError;
 use super::projection::Projection;
-use super::singularity_check::singular;
-use super::stepper::checked_state;
+use super::stepper::{Statistics, checked_state};
 use crate::limits::passing::NEARLY_SINGULAR;
 use crate::limits::projection::{CHANGES, MAX_CORRECTION, MOVED_EPSILONS};
 use crate::linalg::lane_select::{is_zero, one_if_zero};
@@ -105,7 +104,43 @@ pub(crate) fn reduced_on_manifold<S: Scalar, D: Dynamics<S> + ?Sized>(
     }
 }
 
-impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
+impl<'a, S: Scalar, D: Dynamics<S> + ?Sized> Projected<'a, S, D> {
+    /// A state that no step led to.
+    fn at(dynamics: &'a D, t: S, x: &'a D::State) -> Self {
+        Self {
+            dynamics,
+            t,
+            before: x,
+            length: S::zero(),
+            lane: None,
+        }
+    }
+
+    /// Returns the end of a step, projected onto the manifold of the dynamics if they have one. The allowed error is a
+    /// function of the end before and after its projection.
+    ///
+    /// # Errors
+    ///
+    /// As of [`check`](Self::check).
+    #[inline]
+    pub(crate) fn end(
+        &self,
+        state: Compensated<D::State>,
+        allowed: impl FnOnce(&D::State, &D::State) -> D::State,
+        is_limited: bool,
+        statistics: &mut Statistics,
+    ) -> Result<Compensated<D::State>, IntegrationError> {
+        let Some(projection) = self.dynamics.project(self.t, state.value()) else {
+            return Ok(state);
+        };
+        let (end, correction) = corrected(&state, &projection);
+        let allowed = allowed(state.value(), end.value());
+        let found = (&projection, end.value());
+        let distance = self.check(found, &correction, &allowed, is_limited)?;
+        statistics.note_projection(distance, projection.pivoted.largest());
+        Ok(end)
+    }
+
     /// Returns the largest component of the correction over its allowed error; at most the limit where rounding explains
     /// more. Components without an allowed error do not count.
     ///
@@ -136,7 +171,7 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized> Projected<'_, S, D> {
             if sine.is_some_and(|sine| self.largest(sine) < NEARLY_SINGULAR)
                 && let Some(found) = self.dynamics.singularity(self.t, x, NEARLY_SINGULAR)
             {
-                return singular::<S>(self.time(), found);
+                return IntegrationError::singular::<S>(self.time(), found);
             }
         }
         error
@@ -304,13 +339,7 @@ pub(crate) fn check_start<S: Scalar, D: Dynamics<S> + ?Sized>(
     let Some(projection) = dynamics.project(t, x) else {
         return Ok(());
     };
-    let start = Projected {
-        dynamics,
-        t,
-        before: x,
-        length: S::zero(),
-        lane: None,
-    };
+    let start = Projected::at(dynamics, t, x);
     let (end, correction) = corrected(&Compensated::new(x.clone()), &projection);
     let allowed = dynamics.allowed_error(x, tolerance);
     let found = (&projection, end.value());
@@ -333,13 +362,7 @@ pub(crate) fn nearest<S: Scalar, D: Dynamics<S> + ?Sized>(
     let Some(projection) = dynamics.project(t, x) else {
         return Ok(None);
     };
-    let here = Projected {
-        dynamics,
-        t,
-        before: x,
-        length: S::zero(),
-        lane: None,
-    };
+    let here = Projected::at(dynamics, t, x);
     if projection.has_failed() {
         return Err(here.failure(&projection));
     }

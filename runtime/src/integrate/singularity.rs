@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::limits::REPORTED_COORDINATES;
-use crate::number_format::Readable;
+use crate::number_format::{Readable, write_values};
 
 /// A configuration in which the mass matrix is singular, or so ill-conditioned that the accelerations
 /// have lost their accuracy.
@@ -121,82 +121,66 @@ impl Singularity {
         (0..self.count()).map(dependency).zip(self.values)
     }
 
-    /// Writes the configuration as the end of a clause.
-    pub(crate) fn write_coordinates(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, (name, value)) in self.coordinates().enumerate() {
-            let separator = if i == 0 { " where" } else { "," };
-            write!(f, "{separator} {name} = {}", Readable(value))?;
-        }
-        let left_out = self.count().saturating_sub(REPORTED_COORDINATES);
-        if left_out > 0 {
-            write!(f, " and {left_out} more")?;
-        }
-        Ok(())
-    }
-
-    /// Writes the message about a pole.
-    fn write_pole(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (coordinate, value) = (self.coordinate(), Readable(self.values[0]));
-        if self.relative_pivot > 0.0 {
-            write!(
-                f,
-                "the reduced model loses its digits at {coordinate} = {value}, near a pole"
-            )?;
-        } else {
-            write!(
-                f,
-                "the reduced model has no accelerations at the pole {coordinate} = {value}"
-            )?;
-        }
-        f.write_str(
-            " of its angles: write `routhian(Name, half_angles)`, which has them for the constants with which a pole is \
-             reached",
-        )
-    }
-
     fn name(&self, index: usize) -> &'static str {
         self.names.get(index).copied().unwrap_or("?")
     }
 }
 
+/// The configuration at a singularity as the end of a clause.
+pub(crate) struct SingularCoordinates<'a>(pub(crate) &'a Singularity);
+
+impl fmt::Display for SingularCoordinates<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = self.0.count();
+        if count > 0 {
+            f.write_str(" where ")?;
+        }
+        let left_out = count.saturating_sub(REPORTED_COORDINATES);
+        write_values(f, "=", self.0.coordinates(), left_out)
+    }
+}
+
 impl fmt::Display for Singularity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let coordinate = self.coordinate();
+        let (coordinate, pivot) = (self.coordinate(), self.relative_pivot);
         match self.cause {
-            Cause::Pole => return self.write_pole(f),
-            Cause::OutsideDomain => {
-                return f.write_str(
-                    "the Lagrangian is not a number: a root, a logarithm or another function in it is taken outside of its \
-                     domain, as where a velocity exceeds the largest one; begin within the domain",
-                );
-            }
-            Cause::Constraint => {
-                let pivot = self.relative_pivot;
-                return write!(
+            Cause::Pole => {
+                let value = Readable(self.values[0]);
+                let (lost, near) = if pivot > 0.0 {
+                    ("loses its digits at", ", near a pole")
+                } else {
+                    ("has no accelerations at the pole", "")
+                };
+                write!(
                     f,
-                    "the constraint {coordinate} depends on others or nearly so (relative pivot {pivot:.1e}), so that the \
-                     reactions are not unique: at a dead centre or a change point of the mechanism begin elsewhere, or let the \
-                     method pass_singular_configurations(), and leave out a constraint that follows from others"
-                );
+                    "the reduced model {lost} {coordinate} = {value}{near} of its angles: write \
+                     `routhian(Name, half_angles)`, which has them for the constants with which a pole is reached"
+                )
             }
-            Cause::MassMatrix => {}
-        }
-        let pivot = self.relative_pivot;
-        write!(
-            f,
-            "the mass matrix is singular or nearly so (relative pivot {pivot:.1e} at {coordinate})"
-        )?;
-        self.write_coordinates(f)?;
-        if self.dependencies.is_empty() {
-            f.write_str(
-                "; it is so whatever the coordinates are: look for a parameter such as a mass or \
-                 an inertia that is zero or not a number",
-            )
-        } else {
-            f.write_str(
-                "; use coordinates that are regular there, for Euler angles another sequence, \
-                 unless a mass or an inertia is zero or not a number",
-            )
+            Cause::OutsideDomain => f.write_str(
+                "the Lagrangian is not a number: a root, a logarithm or another function in it is taken outside of its \
+                 domain, as where a velocity exceeds the largest one; begin within the domain",
+            ),
+            Cause::Constraint => write!(
+                f,
+                "the constraint {coordinate} depends on others or nearly so (relative pivot {pivot:.1e}), so that the \
+                 reactions are not unique: at a dead centre or a change point of the mechanism begin elsewhere, or let the \
+                 method pass_singular_configurations(), and leave out a constraint that follows from others"
+            ),
+            Cause::MassMatrix => {
+                let advice = if self.dependencies.is_empty() {
+                    "it is so whatever the coordinates are: look for a parameter such as a mass or \
+                     an inertia that is zero or not a number"
+                } else {
+                    "use coordinates that are regular there, for Euler angles another sequence, \
+                     unless a mass or an inertia is zero or not a number"
+                };
+                write!(
+                    f,
+                    "the mass matrix is singular or nearly so (relative pivot {pivot:.1e} at {coordinate}){}; {advice}",
+                    SingularCoordinates(self)
+                )
+            }
         }
     }
 }

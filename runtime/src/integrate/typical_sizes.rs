@@ -1,7 +1,7 @@
 //! Systems with typical sizes of their coordinates, for the absolute tolerance.
 
 use super::component_name::ComponentName;
-use super::dynamics::Dynamics;
+use super::dynamics::{Dynamics, forward_dynamics};
 use super::error::IntegrationError;
 use super::projection::Projection;
 use super::singularity::Singularity;
@@ -73,11 +73,6 @@ impl<X> TypicalSizes<X> for X {
 impl<S: Scalar, D: Dynamics<S>> Dynamics<S> for WithSizes<D, D::State> {
     type State = D::State;
 
-    #[inline]
-    fn derivative(&self, t: S, x: &Self::State) -> Self::State {
-        self.dynamics.derivative(t, x)
-    }
-
     fn allowed_error(&self, x: &Self::State, tolerance: &ErrorTolerance<S>) -> Self::State {
         let only = |relative, absolute| ErrorTolerance {
             relative,
@@ -97,79 +92,11 @@ impl<S: Scalar, D: Dynamics<S>> Dynamics<S> for WithSizes<D, D::State> {
         allowed
     }
 
-    #[inline]
-    fn rounding_sizes(&self, t: S, x: &Self::State, sizes: &Self::State) -> Option<Self::State> {
-        self.dynamics.rounding_sizes(t, x, sizes)
-    }
-
-    #[inline]
-    fn reduced(&self, x: &Self::State, compensation: &Self::State) -> Self::State {
-        self.dynamics.reduced(x, compensation)
-    }
-
-    #[inline]
-    fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        self.dynamics.singularity(t, x, min_pivot)
-    }
-
-    #[inline]
-    fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        self.dynamics.singularity_in_motion(t, x, min_pivot)
-    }
-
-    #[inline]
-    fn singularity_between(
-        &self,
-        before: &Self::State,
-        after: (S, &Self::State),
-    ) -> Option<Singularity> {
-        self.dynamics.singularity_between(before, after)
-    }
-
-    fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
-        self.dynamics.vanishing_inertia(t, x)
-    }
-
-    fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
-        self.dynamics.vanishing_inertia_in_lane(lane, t, x)
-    }
-
     fn begin(&mut self, t: S, x: &Self::State) {
         self.dynamics.begin(t, x);
     }
 
-    fn check(&self) -> Result<(), IntegrationError> {
-        self.dynamics.check()
-    }
-
-    fn next_update(&self, x: &Self::State) -> Option<f64> {
-        self.dynamics.next_update(x)
-    }
-
-    fn update(&self, t: S, x: &mut Self::State) {
-        self.dynamics.update(t, x);
-    }
-
-    #[inline]
-    fn project(&self, t: S, x: &Self::State) -> Option<Projection<S, Self::State>> {
-        self.dynamics.project(t, x)
-    }
-
-    fn constraint_sine(&self, t: S, x: &Self::State) -> Option<S> {
-        self.dynamics.constraint_sine(t, x)
-    }
-
-    fn violated_constraint(&self, t: S, x: &Self::State) -> Option<(usize, S)> {
-        self.dynamics.violated_constraint(t, x)
-    }
-
-    fn constraint_name(&self, index: usize) -> &'static str {
-        self.dynamics.constraint_name(index)
-    }
-
-    fn component_name(&self, index: usize) -> ComponentName {
-        self.dynamics.component_name(index)
-    }
+    forward_dynamics! { self => self.dynamics }
 }
 
 impl<S: Scalar, D: Series<S>> Series<S> for WithSizes<D, D::State> {

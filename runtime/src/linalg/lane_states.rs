@@ -32,6 +32,31 @@ pub trait LaneStates<const L: usize>: VectorSpace<Lanes<L>> {
     fn set_lane(&mut self, lane: usize, state: &Self::Lane);
 }
 
+/// Implements `LaneStates` for a struct whose fields have lanes.
+macro_rules! lanes_by_fields {
+    ([$($generics:tt)*] $states:ty => $state:ident<$($lane:ty),*> { $($field:ident),* }) => {
+        impl<const L: usize, $($generics)*> LaneStates<L> for $states {
+            type Lane = $state<$($lane),*>;
+
+            #[inline]
+            fn broadcast(state: &Self::Lane) -> Self {
+                Self { $($field: LaneStates::broadcast(&state.$field)),* }
+            }
+
+            #[inline]
+            fn lane(&self, lane: usize) -> Self::Lane {
+                $state { $($field: self.$field.lane(lane)),* }
+            }
+
+            #[inline]
+            fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
+                $(self.$field.set_lane(lane, &state.$field);)*
+            }
+        }
+    };
+}
+pub(crate) use lanes_by_fields;
+
 impl<const L: usize, const D: usize> LaneStates<L> for SVector<Lanes<L>, D> {
     type Lane = SVector<f64, D>;
 

@@ -54,6 +54,11 @@ impl<S: Scalar, const N: usize> PivotedLu<S, N> {
             interchanges,
         }
     }
+
+    /// Returns A⁻¹ B.
+    pub(crate) fn solve<const K: usize>(&self, right: &SMatrix<S, N, K>) -> SMatrix<S, N, K> {
+        solve(&self.factors, &self.reciprocals, &self.interchanges, right)
+    }
 }
 
 /// Returns the scales dᵢ with which the largest entry of each row of dᵢ Mᵢⱼ dⱼ, for a symmetric M, is about 1; any for a row of zeros.
@@ -90,7 +95,7 @@ fn pivot_row<S: Scalar, const N: usize>(
 }
 
 /// Returns the solution of M X = B, given the factors.
-pub(crate) fn solve<S: Scalar, const N: usize, const K: usize>(
+pub(super) fn solve<S: Scalar, const N: usize, const K: usize>(
     factors: &SMatrix<S, N, N>,
     reciprocals: &SVector<S, N>,
     interchanges: &SVector<S, N>,

@@ -201,8 +201,9 @@ impl<S: Scalar, const N: usize, const C: usize, const K: usize> SaddlePoint<S, N
 }
 
 #[cfg(test)]
-#[allow(clippy::unreadable_literal, reason = "numbers of a reference")]
 mod tests {
+    #![allow(clippy::unreadable_literal, reason = "numbers of a reference")]
+
     use super::*;
 
     /// λ and q̈ of M q̈ = f + Gᵀ λ, G q̈ = −γ.

@@ -98,6 +98,29 @@ pub trait VectorSpace<S: Scalar>: Clone {
     }
 }
 
+/// The operations of a vector space on a struct whose fields are vectors.
+macro_rules! operations_by_fields {
+    ($($field:ident),*) => {
+        #[inline]
+        fn add_scaled(&mut self, factor: S, other: &Self) {
+            $(self.$field.add_scaled(factor, &other.$field);)*
+        }
+
+        #[inline]
+        fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
+            Self { $($field: self.$field.map(&mut function)),* }
+        }
+
+        #[inline]
+        fn zip_map(&self, other: &Self, mut function: impl FnMut(S, S) -> S) -> Self {
+            Self {
+                $($field: VectorSpace::zip_map(&self.$field, &other.$field, &mut function)),*
+            }
+        }
+    };
+}
+pub(crate) use operations_by_fields;
+
 impl<S: Scalar, const D: usize> VectorSpace<S> for SVector<S, D> {
     #[inline]
     fn add_scaled(&mut self, factor: S, other: &Self) {

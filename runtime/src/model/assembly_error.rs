@@ -2,9 +2,9 @@
 
 use core::fmt;
 
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::limits::REPORTED_CONSTRAINTS;
-use crate::number_format::Readable;
+use crate::number_format::write_values;
 
 /// The error for constraints that cannot be met.
 #[derive(Clone, Copy, PartialEq)]
@@ -74,39 +74,18 @@ impl OpenConstraints {
 
 impl fmt::Display for OpenConstraints {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, (name, residual)) in self.iter().enumerate() {
-            let separator = if i == 0 { "" } else { ", " };
-            write!(f, "{separator}{name} by {}", Readable(residual))?;
-        }
         let left_out = self.count().saturating_sub(REPORTED_CONSTRAINTS);
-        if left_out > 0 {
-            write!(f, " and {left_out} more")?;
-        }
-        Ok(())
+        write_values(f, "by", self.iter(), left_out)
     }
 }
 
-impl fmt::Display for AssemblyError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite { coordinate } => write!(
-                f,
-                "the guess for {coordinate} or its velocity is not finite: begin at numbers"
-            ),
-            Self::Positions(open) => write!(
-                f,
-                "the mechanism is not closed, constraints stay open: {open}; begin nearer to a closed configuration, hold fewer \
-                 coordinates, or change a length, if there is none"
-            ),
-            Self::Velocities(open) => write!(
-                f,
-                "no velocities meet the constraints, which stay open: {open}; hold fewer velocities, or begin away from a \
-                 singular configuration"
-            ),
-        }
-    }
+error_messages! { AssemblyError:
+    Self::NotFinite { coordinate } =>
+        "the guess for {coordinate} or its velocity is not finite: begin at numbers";
+    Self::Positions(open) =>
+        "the mechanism is not closed, constraints stay open: {open}; begin nearer to a closed configuration, hold fewer \
+         coordinates, or change a length, if there is none";
+    Self::Velocities(open) =>
+        "no velocities meet the constraints, which stay open: {open}; hold fewer velocities, or begin away from a \
+         singular configuration";
 }
-
-debug_by_message!(AssemblyError);
-
-impl core::error::Error for AssemblyError {}

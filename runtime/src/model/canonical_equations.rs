@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::canonical_phase::CanonicalPhase;
 use super::hamiltonian::{Hamiltonian, NoVelocities};
 use super::legendre;
-use super::singular_configuration::singularity_between;
+use super::poles::pole_between;
 use super::state::State;
 use crate::integrate::{At, ComponentName, Dynamics, Singularity};
 use crate::linalg::{ErrorTolerance, VectorSpace};
@@ -101,7 +101,7 @@ where
         (t, after): (S, &Self::State),
     ) -> Option<Singularity> {
         let after = State::new(t, after.q, SVector::zeros());
-        singularity_between::<M, S, N>(&before.q, &after)
+        pole_between::<M, S, N>(&before.q, &after)
     }
 
     fn component_name(&self, index: usize) -> ComponentName {

@@ -7,7 +7,7 @@ use nalgebra::{SMatrix, SVector};
 use super::constraints::Constraints;
 use super::state::State;
 use crate::limits::assembly::NEGLIGIBLE_LEVERAGE;
-use crate::linalg::{ColumnChoice, RowSpace, column_widths};
+use crate::linalg::{ColumnChoice, RowSpace, column_widths, kept};
 use crate::scalar::Scalar;
 
 /// The degrees of freedom of a model with `N` coordinates and `C` constraints at a state, and a choice of independent
@@ -68,7 +68,7 @@ impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
     pub(crate) fn of<M, S>(
         model: &M,
         state: &State<S, N>,
-        [kept, kept_velocities]: [&[bool; N]; 2],
+        [kept_coordinates, kept_velocities]: [&[bool; N]; 2],
     ) -> Self
     where
         M: Constraints<N, C, S> + ?Sized,
@@ -77,19 +77,13 @@ impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
         let prepared = model.prepare();
         let mass = model.mass_matrix(state, &prepared).diagonal();
         let all = model.constraint_jacobian(state, &prepared);
-        let holonomic = SMatrix::from_fn(|i, j| {
-            if i < M::HOLONOMIC {
-                all[(i, j)]
-            } else {
-                S::zero()
-            }
-        });
+        let holonomic = kept(&all, |i, _| i < M::HOLONOMIC);
         let holonomic = Rows::<N, C>::of(&holonomic, &mass);
         let all = Rows::<N, C>::of(&all, &mass);
         let constant = &<M as Constraints<N, C, S>>::CONSTANT_COLUMNS;
         let mut coordinates = ColumnChoice::new(holonomic.directions);
         for _ in 0..holonomic.rank {
-            coordinates.choose_longest(kept, constant);
+            coordinates.choose_longest(kept_coordinates, constant);
         }
         let mut velocities = ColumnChoice::new(all.directions);
         for i in (0..N).filter(|i| coordinates.is_chosen[*i]) {
@@ -107,6 +101,12 @@ impl<const N: usize, const C: usize> DegreesOfFreedom<N, C> {
             indeterminate: all.combinations,
             names: (M::COORDINATES, <M as Constraints<N, C, S>>::CONSTRAINTS),
         }
+    }
+
+    /// Returns which coordinates are independent, and which velocities.
+    pub(crate) fn marks(&self) -> [[bool; N]; 2] {
+        let dependent = [self.dependent_coordinates, self.dependent_velocities];
+        dependent.map(|marks| marks.map(|is_dependent| !is_dependent))
     }
 
     /// The indices of coordinates that determine all others near this state, as

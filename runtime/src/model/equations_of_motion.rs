@@ -6,8 +6,9 @@ use super::generalized_coordinates::GeneralizedCoordinates;
 use super::lagrangian::Lagrangian;
 use super::law::{Held, Law};
 use super::phase::Phase;
+use super::poles::pole_between;
 use super::quantities::Quantities;
-use super::singular_configuration;
+use super::singular_configuration::Configuration;
 use super::state::State;
 use super::whole_periods::{is_large, less_whole_periods};
 use crate::integrate::{ComponentName, Dynamics, IntegrationError, Projection, Singularity};
@@ -177,6 +178,16 @@ where
     pub fn law(&self) -> &L {
         &self.law
     }
+
+    /// Returns what is singular or regular at a time.
+    #[inline]
+    fn configuration<Z>(&self, t: S, x: &Phase<S, N, Z>) -> Configuration<'_, M::Model, S, N> {
+        Configuration {
+            model: self.model.model(),
+            prepared: &self.prepared,
+            state: x.at_time(t),
+        }
+    }
 }
 
 impl<M, S, const N: usize, L> EquationsOfMotion<M, S, N, L>
@@ -260,22 +271,12 @@ where
 
     #[inline]
     fn singularity(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singular_configuration::singularity(
-            self.model.model(),
-            &self.prepared,
-            &x.at_time(t),
-            min_pivot,
-        )
+        self.configuration(t, x).singularity(min_pivot)
     }
 
     #[inline]
     fn singularity_in_motion(&self, t: S, x: &Self::State, min_pivot: f64) -> Option<Singularity> {
-        singular_configuration::singularity_in_motion(
-            self.model.model(),
-            &self.prepared,
-            &x.at_time(t),
-            min_pivot,
-        )
+        self.configuration(t, x).singularity_in_motion(min_pivot)
     }
 
     #[inline]
@@ -284,20 +285,15 @@ where
         before: &Self::State,
         (t, after): (S, &Self::State),
     ) -> Option<Singularity> {
-        singular_configuration::singularity_between::<M::Model, S, N>(&before.q, &after.at_time(t))
+        pole_between::<M::Model, S, N>(&before.q, &after.at_time(t))
     }
 
     fn vanishing_inertia(&self, t: S, x: &Self::State) -> Option<Singularity> {
-        singular_configuration::vanishing_inertia(self.model.model(), &self.prepared, &x.at_time(t))
+        self.configuration(t, x).vanishing_inertia()
     }
 
     fn vanishing_inertia_in_lane(&self, lane: usize, t: S, x: &Self::State) -> Option<Singularity> {
-        singular_configuration::vanishing_inertia_in_lane(
-            self.model.model(),
-            &self.prepared,
-            lane,
-            &x.at_time(t),
-        )
+        self.configuration(t, x).vanishing_inertia_in_lane(lane)
     }
 
     fn check(&self) -> Result<(), IntegrationError> {

@@ -1,13 +1,11 @@
 //! Models in Hamiltonian form: q̇ = ∂H/∂p, ṗ = −∂H/∂q + Q (Hamilton, Second essay on a general method in dynamics, 1835).
 
-use core::fmt;
-
 use nalgebra::SVector;
 
 use super::emitted::no_velocities;
 use super::quantities::Quantities;
 use super::state::State;
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::scalar::Scalar;
 
 /// A model whose declaration has the clause `hamiltonian`: its motion in coordinates and momenta.
@@ -80,24 +78,12 @@ pub enum NoVelocities {
     NotConvex,
 }
 
-impl fmt::Display for NoVelocities {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFound { change } if change.is_finite() => write!(
-                f,
-                "no velocities with these momenta were found: Newton's method still changes them by {change:e}"
-            ),
-            Self::NotFound { .. } => f.write_str(
-                "there are no velocities with these momenta: the mass matrix is singular, or a momentum is not finite",
-            ),
-            Self::NotConvex => f.write_str(
-                "several velocities may have these momenta: the Lagrangian function is not convex in the velocities, since the \
-                 mass matrix is not positive definite where they were found; integrate Lagrange's equations, `dynamics()`",
-            ),
-        }
-    }
+error_messages! { NoVelocities:
+    Self::NotFound { change } if change.is_finite() =>
+        "no velocities with these momenta were found: Newton's method still changes them by {change:e}";
+    Self::NotFound { .. } =>
+        "there are no velocities with these momenta: the mass matrix is singular, or a momentum is not finite";
+    Self::NotConvex =>
+        "several velocities may have these momenta: the Lagrangian function is not convex in the velocities, since the \
+         mass matrix is not positive definite where they were found; integrate Lagrange's equations, `dynamics()`";
 }
-
-debug_by_message!(NoVelocities);
-
-impl core::error::Error for NoVelocities {}

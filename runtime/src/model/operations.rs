@@ -45,30 +45,10 @@ pub struct Operations {
 impl Operations {
     /// The counts of a model without equations.
     #[doc(hidden)]
-    pub const NONE: Self = Self {
-        lagrangian: OperationCount::NONE,
-        energy: OperationCount::NONE,
-        momenta: OperationCount::NONE,
-        mass_matrix: OperationCount::NONE,
-        forcing: OperationCount::NONE,
-        generalized_forces: OperationCount::NONE,
-        prepare: OperationCount::NONE,
-        accelerations: OperationCount::NONE,
-        inverse_dynamics: OperationCount::NONE,
-        linearize: OperationCount::NONE,
-    };
+    pub const NONE: Self = operations([[0; 6]; 10]);
 }
 
 impl OperationCount {
-    const NONE: Self = Self {
-        additions: 0,
-        multiplications: 0,
-        divisions: 0,
-        square_roots: 0,
-        sines_and_cosines: 0,
-        functions: 0,
-    };
-
     /// Returns the sum of all operations; each function counts as one.
     #[must_use]
     pub const fn total(&self) -> usize {
@@ -85,49 +65,29 @@ impl OperationCount {
 #[doc(hidden)]
 #[must_use]
 const fn operation_count(counts: [usize; 6]) -> OperationCount {
-    let [
-        additions,
-        multiplications,
-        divisions,
-        square_roots,
-        sines_and_cosines,
-        functions,
-    ] = counts;
     OperationCount {
-        additions,
-        multiplications,
-        divisions,
-        square_roots,
-        sines_and_cosines,
-        functions,
+        additions: counts[0],
+        multiplications: counts[1],
+        divisions: counts[2],
+        square_roots: counts[3],
+        sines_and_cosines: counts[4],
+        functions: counts[5],
     }
 }
 
 /// Returns the counts of all methods, in the order of the fields.
 #[must_use]
 pub const fn operations(counts: [[usize; 6]; 10]) -> Operations {
-    let [
-        lagrangian,
-        energy,
-        momenta,
-        mass_matrix,
-        forcing,
-        generalized_forces,
-        prepare,
-        accelerations,
-        inverse_dynamics,
-        linearize,
-    ] = counts;
     Operations {
-        lagrangian: operation_count(lagrangian),
-        energy: operation_count(energy),
-        momenta: operation_count(momenta),
-        mass_matrix: operation_count(mass_matrix),
-        forcing: operation_count(forcing),
-        generalized_forces: operation_count(generalized_forces),
-        prepare: operation_count(prepare),
-        accelerations: operation_count(accelerations),
-        inverse_dynamics: operation_count(inverse_dynamics),
-        linearize: operation_count(linearize),
+        lagrangian: operation_count(counts[0]),
+        energy: operation_count(counts[1]),
+        momenta: operation_count(counts[2]),
+        mass_matrix: operation_count(counts[3]),
+        forcing: operation_count(counts[4]),
+        generalized_forces: operation_count(counts[5]),
+        prepare: operation_count(counts[6]),
+        accelerations: operation_count(counts[7]),
+        inverse_dynamics: operation_count(counts[8]),
+        linearize: operation_count(counts[9]),
     }
 }

@@ -5,7 +5,9 @@ use nalgebra::SVector;
 use super::state::State;
 use crate::integrate::{At, TypicalSizes};
 use crate::linalg::lane_select::{is_zero, one_if_zero};
-use crate::linalg::{ErrorTolerance, IntoVector, LaneStates, VectorSpace};
+use crate::linalg::{
+    ErrorTolerance, IntoVector, LaneStates, VectorSpace, lanes_by_fields, operations_by_fields,
+};
 use crate::scalar::{Lanes, Scalar};
 
 /// Coordinates q and velocities q̇ of a system with `N` degrees of freedom, and additional states z: the state that an
@@ -19,13 +21,6 @@ use crate::scalar::{Lanes, Scalar};
 /// coordinates, the velocities, then the components of `z`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "S: serde::Serialize, Z: serde::Serialize",
-        deserialize = "S: serde::Deserialize<'de>, Z: serde::Deserialize<'de>"
-    ))
-)]
 pub struct Phase<S: Scalar, const N: usize, Z = ()> {
     /// Coordinates q.
     pub q: SVector<S, N>,
@@ -84,30 +79,7 @@ impl<S: Scalar, const N: usize> From<State<S, N>> for Phase<S, N> {
 }
 
 impl<S: Scalar, const N: usize, Z: VectorSpace<S>> VectorSpace<S> for Phase<S, N, Z> {
-    #[inline]
-    fn add_scaled(&mut self, factor: S, other: &Self) {
-        self.q.add_scaled(factor, &other.q);
-        self.v.add_scaled(factor, &other.v);
-        self.z.add_scaled(factor, &other.z);
-    }
-
-    #[inline]
-    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
-        Self {
-            q: self.q.map(&mut function),
-            v: self.v.map(&mut function),
-            z: self.z.map(&mut function),
-        }
-    }
-
-    #[inline]
-    fn zip_map(&self, other: &Self, mut function: impl FnMut(S, S) -> S) -> Self {
-        Self {
-            q: VectorSpace::zip_map(&self.q, &other.q, &mut function),
-            v: VectorSpace::zip_map(&self.v, &other.v, &mut function),
-            z: self.z.zip_map(&other.z, &mut function),
-        }
-    }
+    operations_by_fields! { q, v, z }
 
     #[inline]
     fn components(&self) -> impl Iterator<Item = S> + '_ {
@@ -168,33 +140,9 @@ fn rate<S: Scalar, const N: usize, Z>(derivative: &Phase<S, N, Z>, sizes: &Phase
     largest(&derivative.q).max(largest(&derivative.v).sqrt())
 }
 
-impl<const L: usize, const N: usize, Z: LaneStates<L>> LaneStates<L> for Phase<Lanes<L>, N, Z> {
-    type Lane = Phase<f64, N, Z::Lane>;
-
-    #[inline]
-    fn broadcast(state: &Self::Lane) -> Self {
-        Self {
-            q: LaneStates::broadcast(&state.q),
-            v: LaneStates::broadcast(&state.v),
-            z: LaneStates::broadcast(&state.z),
-        }
-    }
-
-    #[inline]
-    fn lane(&self, lane: usize) -> Self::Lane {
-        Phase {
-            q: self.q.lane(lane),
-            v: self.v.lane(lane),
-            z: self.z.lane(lane),
-        }
-    }
-
-    #[inline]
-    fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
-        self.q.set_lane(lane, &state.q);
-        self.v.set_lane(lane, &state.v);
-        self.z.set_lane(lane, &state.z);
-    }
+lanes_by_fields! {
+    [const N: usize, Z: LaneStates<L>]
+    Phase<Lanes<L>, N, Z> => Phase<f64, N, Z::Lane> { q, v, z }
 }
 
 impl<S: Scalar, const N: usize> TypicalSizes<Phase<S, N>> for [f64; N] {

@@ -8,6 +8,7 @@ use super::principal_axes::PrincipalAxes;
 use super::validity::{finite, physical, positive};
 use crate::integrate::SingleNumber;
 use crate::limits::rigid_bodies::UNPHYSICAL_ROUNDING;
+use crate::linalg::largest;
 use crate::scalar::Scalar;
 
 /// The ten numbers of a rigid body: mass, centre of gravity (1.1), and inertia tensor (2.1).
@@ -135,8 +136,7 @@ impl<S: SingleNumber> RigidBody<S> {
 
 /// Returns a bound on the rounding errors of a tensor from which a part was subtracted.
 fn allowance<S: Scalar>(inertia: &InertiaTensor<S>) -> f64 {
-    let moments = inertia.moments().map(|moment| moment.abs().largest());
-    UNPHYSICAL_ROUNDING * S::machine_epsilon() * moments.into_iter().fold(0.0, f64::max)
+    UNPHYSICAL_ROUNDING * S::machine_epsilon() * largest(&inertia.moments())
 }
 
 impl<S: Scalar> RigidBody<S> {

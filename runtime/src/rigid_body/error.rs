@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::number_format::Readable;
 
 /// The reason why a body does not exist.
@@ -87,77 +87,39 @@ pub enum BodyError {
 const CAUSES: &str =
     "the signs of the products of inertia or the point to which the tensor refers may be wrong";
 
-impl fmt::Display for BodyError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NotFinite { quantity, value } => write!(f, "{quantity} is {value}"),
-            Self::NotPositive { quantity, value } => {
-                let value = Readable(value);
-                write!(f, "{quantity} is {value}, but has to be positive")
-            }
-            Self::TooLarge {
-                quantity,
-                value,
-                limit,
-                limit_value,
-            } => write!(
-                f,
-                "{quantity} is {}, but has to be less than {limit}, {}",
-                Readable(value),
-                Readable(limit_value)
-            ),
-            Self::NotSymmetric {
-                row,
-                column,
-                entry,
-                opposite,
-            } => write!(
-                f,
-                "the inertia tensor is not symmetric: its entry ({row}, {column}) is {}, and ({column}, {row}) is {}",
-                Readable(entry),
-                Readable(opposite)
-            ),
-            Self::NegativeMoment { moments } => write!(
-                f,
-                "a principal moment of inertia about the centre of gravity is negative: {}; {CAUSES}",
-                Moments(moments)
-            ),
-            Self::TriangleInequality { moments, excess } => write!(
-                f,
-                "the largest principal moment of inertia about the centre of gravity exceeds the sum of the others by {}: \
-                 {}; {CAUSES}",
-                Readable(excess),
-                Moments(moments)
-            ),
-            Self::NotSymmetricAboutAxis { quantity, value } => write!(
-                f,
-                "the third axis of the body is no axis of symmetry: {quantity} is {}, and has to be zero",
-                Readable(value)
-            ),
-            Self::NoDirection { length } => write!(
-                f,
-                "a line needs a direction, but the vector along it has length {}",
-                Readable(length)
-            ),
-            Self::NoParts => f.write_str("a composition needs at least one part"),
-            Self::NoInertia { moments } => write!(
-                f,
-                "a principal moment of inertia is zero or nearly so: {}; rotation about its axis has no momentum",
-                Moments(moments)
-            ),
-            Self::NotDifferentiable { value } => write!(
-                f,
-                "the closed form of a steady rotation has no derivatives: those of ω × [I] ω are up to {}; integrate Euler's \
-                 equations instead",
-                Readable(value)
-            ),
-        }
-    }
+error_messages! { BodyError:
+    Self::NotFinite { quantity, value } => "{quantity} is {value}";
+    Self::NotPositive { quantity, value } =>
+        "{quantity} is {}, but has to be positive",
+        Readable(value);
+    Self::TooLarge { quantity, value, limit, limit_value } =>
+        "{quantity} is {}, but has to be less than {limit}, {}",
+        Readable(value), Readable(limit_value);
+    Self::NotSymmetric { row, column, entry, opposite } =>
+        "the inertia tensor is not symmetric: its entry ({row}, {column}) is {}, and ({column}, {row}) is {}",
+        Readable(entry), Readable(opposite);
+    Self::NegativeMoment { moments } =>
+        "a principal moment of inertia about the centre of gravity is negative: {}; {CAUSES}",
+        Moments(moments);
+    Self::TriangleInequality { moments, excess } =>
+        "the largest principal moment of inertia about the centre of gravity exceeds the sum of the others by {}: \
+         {}; {CAUSES}",
+        Readable(excess), Moments(moments);
+    Self::NotSymmetricAboutAxis { quantity, value } =>
+        "the third axis of the body is no axis of symmetry: {quantity} is {}, and has to be zero",
+        Readable(value);
+    Self::NoDirection { length } =>
+        "a line needs a direction, but the vector along it has length {}",
+        Readable(length);
+    Self::NoParts => "a composition needs at least one part";
+    Self::NoInertia { moments } =>
+        "a principal moment of inertia is zero or nearly so: {}; rotation about its axis has no momentum",
+        Moments(moments);
+    Self::NotDifferentiable { value } =>
+        "the closed form of a steady rotation has no derivatives: those of ω × [I] ω are up to {}; integrate Euler's \
+         equations instead",
+        Readable(value);
 }
-
-debug_by_message!(BodyError);
-
-impl core::error::Error for BodyError {}
 
 /// Three principal moments in a message.
 struct Moments([f64; 3]);

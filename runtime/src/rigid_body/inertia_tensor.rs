@@ -8,6 +8,7 @@ use super::error::BodyError;
 use super::order::length;
 use crate::integrate::SingleNumber;
 use crate::limits::rigid_bodies::ASYMMETRY;
+use crate::linalg::largest;
 use crate::scalar::Scalar;
 
 /// The products of inertia of (2.1), Ixy = +∫ xy dm; the entries of the tensor are their **negatives**.
@@ -197,9 +198,7 @@ impl<S: SingleNumber> InertiaTensor<S> {
     /// rounding; otherwise their mean is used.
     pub fn from_matrix(matrix: &Matrix3<S>) -> Result<Self, BodyError> {
         let half = S::from_f64(0.5);
-        let largest = matrix
-            .iter()
-            .fold(0.0, |most: f64, x| most.max(x.abs().largest()));
+        let largest = largest(matrix);
         let allowed = ASYMMETRY * S::machine_epsilon() * largest;
         let mean = |row: usize, column: usize| {
             let [entry, opposite] = [matrix[(row, column)], matrix[(column, row)]];

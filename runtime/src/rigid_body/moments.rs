@@ -48,21 +48,6 @@ impl<S: Scalar> Moment<S> for NoMoment {
     }
 }
 
-impl<S: Scalar> MomentSeries<S> for NoMoment {
-    type Recurrence<const HALF: usize> = ();
-
-    fn recurrence<const HALF: usize>(&self) {}
-
-    fn next<const HALF: usize>(
-        &self,
-        (): &mut (),
-        _: Order<S>,
-        _: &RotationState<S>,
-    ) -> Vector3<S> {
-        Vector3::zeros()
-    }
-}
-
 /// A moment that is constant in axes of the body, such as the moment of thrusters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantMoment<S: Scalar = f64>(pub Vector3<S>);
@@ -70,21 +55,6 @@ pub struct ConstantMoment<S: Scalar = f64>(pub Vector3<S>);
 impl<S: Scalar> Moment<S> for ConstantMoment<S> {
     fn moment(&self, _: S, _: &RotationState<S>) -> Vector3<S> {
         self.0
-    }
-}
-
-impl<S: Scalar> MomentSeries<S> for ConstantMoment<S> {
-    type Recurrence<const HALF: usize> = ();
-
-    fn recurrence<const HALF: usize>(&self) {}
-
-    fn next<const HALF: usize>(
-        &self,
-        (): &mut (),
-        order: Order<S>,
-        _: &RotationState<S>,
-    ) -> Vector3<S> {
-        self.0.map(|component| order.constant(component))
     }
 }
 
@@ -98,19 +68,30 @@ impl<S: Scalar> Moment<S> for Damping<S> {
     }
 }
 
-impl<S: Scalar> MomentSeries<S> for Damping<S> {
-    type Recurrence<const HALF: usize> = ();
+/// The series of moments without products, which need no memory.
+macro_rules! series_without_products {
+    ($($moment:ty: |$self:ident, $order:ident, $state:ident| $next:expr;)*) => {$(
+        impl<S: Scalar> MomentSeries<S> for $moment {
+            type Recurrence<const HALF: usize> = ();
 
-    fn recurrence<const HALF: usize>(&self) {}
+            fn recurrence<const HALF: usize>(&self) {}
 
-    fn next<const HALF: usize>(
-        &self,
-        (): &mut (),
-        _: Order<S>,
-        state: &RotationState<S>,
-    ) -> Vector3<S> {
-        -(self.0 * state.angular_velocity)
-    }
+            fn next<const HALF: usize>(
+                &$self,
+                (): &mut (),
+                $order: Order<S>,
+                $state: &RotationState<S>,
+            ) -> Vector3<S> {
+                $next
+            }
+        }
+    )*};
+}
+
+series_without_products! {
+    NoMoment: |self, _order, _state| Vector3::zeros();
+    ConstantMoment<S>: |self, order, _state| self.0.map(|component| order.constant(component));
+    Damping<S>: |self, _order, state| -(self.0 * state.angular_velocity);
 }
 
 /// The moment **N** = **r** × R⁻¹**F** of a force that is constant in space and acts at a point of the body, such as

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::integrate::SingleNumber;
+use crate::linalg::largest;
 use crate::scalar::Scalar;
 
 /// Returns whether a < b, to the last digit of the scalar.
@@ -12,9 +13,7 @@ pub(crate) fn is_less<S: SingleNumber>(a: S, b: S) -> bool {
 
 /// Returns √(x² + y² + z²) without overflow or underflow.
 pub(crate) fn length<S: Scalar>(vector: &Vector3<S>) -> S {
-    let largest = vector
-        .iter()
-        .fold(0.0, |most: f64, x| most.max(x.abs().largest()));
+    let largest = largest(vector);
     if !(largest > 0.0 && largest.is_finite()) {
         return vector.iter().fold(S::zero(), |sum, x| sum + x.abs());
     }

@@ -12,6 +12,7 @@ use super::inertia_tensor::InertiaTensor;
 use super::order::{is_less, length, power_of_two_near};
 use crate::integrate::SingleNumber;
 use crate::limits::rigid_bodies::{EQUAL_MOMENTS, JACOBI_SWEEPS, NEGLIGIBLE_ENTRY};
+use crate::linalg::largest;
 use crate::scalar::Scalar;
 
 /// The principal moments of inertia and the principal axes of a body about a point (2.5).
@@ -70,9 +71,7 @@ impl<S: SingleNumber> PrincipalAxes<S> {
     /// Returns the principal moments and axes of a tensor. If entries are not finite, neither are the moments.
     fn of(tensor: &InertiaTensor<S>) -> Self {
         let matrix = tensor.matrix();
-        let largest = matrix
-            .iter()
-            .fold(0.0, |most: f64, x| most.max(x.abs().largest()));
+        let largest = largest(&matrix);
         let size = if largest > 0.0 && largest.is_finite() {
             S::from_f64(power_of_two_near(largest))
         } else {

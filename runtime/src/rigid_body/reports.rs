@@ -7,6 +7,7 @@ use super::error::BodyError;
 use super::inertia_tensor::{InertiaTensor, ProductsOfInertia};
 use crate::integrate::SingleNumber;
 use crate::limits::rigid_bodies::UNPHYSICAL_DIGITS;
+use crate::linalg::largest;
 use crate::rotation::{EulerAngles, EulerSequence};
 use crate::scalar::Scalar;
 
@@ -196,6 +197,5 @@ fn printed<S: SingleNumber>(
 
 /// Returns a bound on the errors of a printed tensor.
 fn in_digits<S: Scalar>(tensor: &InertiaTensor<S>) -> f64 {
-    let moments = tensor.moments().map(|moment| moment.abs().largest());
-    UNPHYSICAL_DIGITS * moments.into_iter().fold(0.0, f64::max)
+    UNPHYSICAL_DIGITS * largest(&tensor.moments())
 }

@@ -2,7 +2,9 @@
 
 use nalgebra::{UnitQuaternion, Vector3, Vector4};
 
-use crate::linalg::{ErrorTolerance, LaneStates, VectorSpace};
+use crate::linalg::{
+    ErrorTolerance, LaneStates, VectorSpace, lanes_by_fields, operations_by_fields,
+};
 use crate::rotation::{components, normalized};
 use crate::scalar::{Lanes, Scalar};
 
@@ -16,13 +18,6 @@ use crate::scalar::{Lanes, Scalar};
 /// The components are w, x, y, z of the quaternion, then ω₁, ω₂, ω₃.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "S: serde::Serialize",
-        deserialize = "S: serde::Deserialize<'de>"
-    ))
-)]
 pub struct RotationState<S: Scalar = f64> {
     /// The components w, x, y, z of the quaternion.
     pub quaternion: Vector4<S>,
@@ -77,20 +72,7 @@ fn norm<'a, S: Scalar>(components: impl Iterator<Item = &'a S>) -> S {
 }
 
 impl<S: Scalar> VectorSpace<S> for RotationState<S> {
-    #[inline]
-    fn add_scaled(&mut self, factor: S, other: &Self) {
-        self.quaternion.add_scaled(factor, &other.quaternion);
-        self.angular_velocity
-            .add_scaled(factor, &other.angular_velocity);
-    }
-
-    #[inline]
-    fn map(&self, mut function: impl FnMut(S) -> S) -> Self {
-        Self {
-            quaternion: self.quaternion.map(&mut function),
-            angular_velocity: self.angular_velocity.map(&mut function),
-        }
-    }
+    operations_by_fields! { quaternion, angular_velocity }
 
     #[inline]
     fn components(&self) -> impl Iterator<Item = S> + '_ {
@@ -120,26 +102,6 @@ impl<S: Scalar> VectorSpace<S> for RotationState<S> {
     }
 }
 
-impl<const L: usize> LaneStates<L> for RotationState<Lanes<L>> {
-    type Lane = RotationState<f64>;
-
-    fn broadcast(state: &Self::Lane) -> Self {
-        Self {
-            quaternion: LaneStates::broadcast(&state.quaternion),
-            angular_velocity: LaneStates::broadcast(&state.angular_velocity),
-        }
-    }
-
-    fn lane(&self, lane: usize) -> Self::Lane {
-        RotationState {
-            quaternion: self.quaternion.lane(lane),
-            angular_velocity: self.angular_velocity.lane(lane),
-        }
-    }
-
-    fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
-        self.quaternion.set_lane(lane, &state.quaternion);
-        self.angular_velocity
-            .set_lane(lane, &state.angular_velocity);
-    }
+lanes_by_fields! {
+    [] RotationState<Lanes<L>> => RotationState<f64> { quaternion, angular_velocity }
 }

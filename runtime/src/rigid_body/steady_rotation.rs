@@ -2,7 +2,7 @@
 
 use crate::integrate::SingleNumber;
 use crate::limits::rigid_bodies::EQUAL_MOMENTS;
-use crate::scalar::Scalar;
+use crate::linalg::largest;
 
 /// The behaviour of a small perturbation of a steady rotation without a moment.
 ///
@@ -61,7 +61,7 @@ impl<S: SingleNumber> SteadyRotation<S> {
 
     /// Returns the steady rotation about axis 3. To first order, I₁ ω̇₁ = (I₂ − I₃) Ω ω₂ and I₂ ω̇₂ = (I₃ − I₁) Ω ω₁.
     fn about_third([first, second, third]: [S; 3], angular_velocity: S) -> Self {
-        let largest = moments_size([first, second, third]);
+        let largest = largest(&[first, second, third]);
         let zero_if_rounding = |difference: S| {
             let rounding = EQUAL_MOMENTS * S::machine_epsilon() * largest;
             if difference.abs().largest() <= rounding {
@@ -96,12 +96,6 @@ impl<S: SingleNumber> SteadyRotation<S> {
     pub fn is_stable(&self) -> bool {
         matches!(self, Self::Stable { .. } | Self::Indifferent)
     }
-}
-
-fn moments_size<S: Scalar>(moments: [S; 3]) -> f64 {
-    moments
-        .into_iter()
-        .fold(0.0, |most, x| x.abs().largest().max(most))
 }
 
 /// Returns −1, 0 or 1.

@@ -7,6 +7,7 @@ use super::error::BodyError;
 use super::inertia_tensor::{InertiaTensor, ProductsOfInertia};
 use crate::integrate::SingleNumber;
 use crate::limits::rigid_bodies::ASYMMETRY;
+use crate::linalg::largest;
 use crate::scalar::Scalar;
 
 /// A rigid body with an axis of symmetry, the third of its axes, as in (4.7): four numbers.
@@ -64,11 +65,8 @@ impl<S: SingleNumber> SymmetricBody<S> {
         let center = body.center();
         let [x, y, axial] = body.inertia().moments();
         let ProductsOfInertia { xy, xz, yz } = body.inertia().products();
-        let moment = body
-            .inertia_about(&Vector3::repeat(S::zero()))
-            .moments()
-            .into_iter()
-            .fold(0.0, |most: f64, value| most.max(value.abs().largest()));
+        let origin = Vector3::repeat(S::zero());
+        let moment = largest(&body.inertia_about(&origin).moments());
         let rounding = ASYMMETRY * S::machine_epsilon();
         let length = (moment / body.mass().largest()).sqrt();
         for (quantity, value, size) in [

@@ -1,9 +1,7 @@
 //! The errors of rotations and of the rates of angles.
 
-use core::fmt;
-
 use super::euler_sequence::EulerSequence;
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::number_format::Readable;
 
 /// The reason why a rotation or a rate does not exist.
@@ -39,50 +37,19 @@ pub enum RotationError {
     },
 }
 
-impl fmt::Display for RotationError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Singular {
-                sequence,
-                angle,
-                determinant,
-            } => write!(
-                f,
-                "the {sequence} angles are singular where the second angle is {}: det E is {}; use another sequence \
-                 there, or a quaternion",
-                Readable(angle),
-                Readable(determinant)
-            ),
-            Self::NotOrthonormal {
-                columns: [first, second],
-                product,
-            } if first == second => write!(
-                f,
-                "the matrix is no rotation: the square of the length of column {first} is {}",
-                Readable(product)
-            ),
-            Self::NotOrthonormal {
-                columns: [first, second],
-                product,
-            } => write!(
-                f,
-                "the matrix is no rotation: the scalar product of columns {first} and {second} is {}",
-                Readable(product)
-            ),
-            Self::Reflection { determinant } => write!(
-                f,
-                "the matrix is a reflection, its determinant is {}: the axes are left-handed",
-                Readable(determinant)
-            ),
-            Self::NoOrientation { norm } => write!(
-                f,
-                "a quaternion of norm {} has no orientation",
-                Readable(norm)
-            ),
-        }
-    }
+error_messages! { RotationError:
+    Self::Singular { sequence, angle, determinant } =>
+        "the {sequence} angles are singular where the second angle is {}: det E is {}; use another sequence \
+         there, or a quaternion",
+        Readable(angle), Readable(determinant);
+    Self::NotOrthonormal { columns: [first, second], product } if first == second =>
+        "the matrix is no rotation: the square of the length of column {first} is {}",
+        Readable(product);
+    Self::NotOrthonormal { columns: [first, second], product } =>
+        "the matrix is no rotation: the scalar product of columns {first} and {second} is {}",
+        Readable(product);
+    Self::Reflection { determinant } =>
+        "the matrix is a reflection, its determinant is {}: the axes are left-handed",
+        Readable(determinant);
+    Self::NoOrientation { norm } => "a quaternion of norm {} has no orientation", Readable(norm);
 }
-
-debug_by_message!(RotationError);
-
-impl core::error::Error for RotationError {}

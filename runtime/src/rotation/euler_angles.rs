@@ -72,11 +72,7 @@ impl<S: SingleNumber> EulerAngles<S> {
     pub fn of_quaternion(sequence: EulerSequence, quaternion: &UnitQuaternion<S>) -> Self {
         let [first, second, _] = sequence.axes();
         let remaining = sequence.remaining_axis();
-        let sign = if sequence.is_cyclic() {
-            S::one()
-        } else {
-            -S::one()
-        };
+        let sign: S = sequence.sign();
         let q = components(quaternion);
         let [w, i, j, k] = [q[0], q[first + 1], q[second + 1], sign * q[remaining + 1]];
         if sequence.repeats_axis() {

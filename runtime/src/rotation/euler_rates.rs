@@ -33,11 +33,7 @@ impl<S: Scalar> Axes<S> {
         let remaining = sequence.remaining_axis();
         let [_, theta, psi] = angles.angles;
         let [(sin_theta, cos_theta), spin] = [theta.sin_cos(), psi.sin_cos()];
-        let sign = if sequence.is_cyclic() {
-            S::one()
-        } else {
-            -S::one()
-        };
+        let sign: S = sequence.sign();
         // Before the third rotation, the first axis is cos θ e₁ + sin θ e₁ × e₂.
         let mut first = Vector3::zeros();
         first[i] = cos_theta;

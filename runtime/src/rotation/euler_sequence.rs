@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::scalar::Scalar;
+
 /// The axes of three successive rotations, each about an axis of the body in the orientation that the previous
 /// rotations have produced (intrinsic).
 ///
@@ -91,6 +93,15 @@ impl EulerSequence {
     pub(super) fn is_cyclic(self) -> bool {
         let [first, second, _] = self.axes();
         second == (first + 1) % 3
+    }
+
+    /// Returns 1 if these axes are right-handed, otherwise −1.
+    pub(super) fn sign<S: Scalar>(self) -> S {
+        if self.is_cyclic() {
+            S::one()
+        } else {
+            -S::one()
+        }
     }
 }
 

@@ -298,7 +298,7 @@ mod tests {
 
     use super::super::dense_output::DensePolynomial;
     use super::{FIFTH_ORDER_ERROR, MATRIX, NODES, THIRD_ORDER, WEIGHTS};
-    use crate::integrate::order_conditions::residual;
+    use crate::integrate::tests::order_conditions::residual;
 
     /// Bound on the rounding errors of the sums: the coefficients are up to 44, and a condition multiplies coefficients
     /// of several rows.

@@ -11,7 +11,7 @@ use crate::integrate::dense_output::DenseOutput;
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::passing::Clearance;
-use crate::integrate::projected::{Projected, check_start, corrected};
+use crate::integrate::projected::{Projected, check_start};
 use crate::integrate::runge_kutta::stage_state;
 use crate::integrate::stepper::{
     Advance, Statistics, Stepper, checked_derivative, checked_state, derivative_apart, remaining,
@@ -362,9 +362,6 @@ impl<X> Dop853Stepper<X> {
         let mut clock = self.clock;
         clock.advance(h);
         let t = S::from_f64(landing.unwrap_or(clock.time()));
-        let Some(projection) = dynamics.project(t, state.value()) else {
-            return Ok(state);
-        };
         let before = self.state.value();
         let step = Projected {
             dynamics,
@@ -373,15 +370,12 @@ impl<X> Dop853Stepper<X> {
             length: S::from_f64(h.abs()),
             lane: None,
         };
-        let (end, correction) = corrected(&state, &projection);
         let tolerance = self.method.tolerance.over(S::from_f64(time_scale));
-        let [before, after] = [before, end.value()].map(|x| dynamics.allowed_error(x, &tolerance));
-        let allowed = before.zip_map(&after, Scalar::max);
-        let found = (&projection, end.value());
-        let distance = step.check(found, &correction, &allowed, is_limited)?;
-        self.statistics
-            .note_projection(distance, projection.pivoted.largest());
-        Ok(end)
+        let allowed = |_: &X, end: &X| {
+            let [before, after] = [before, end].map(|x| dynamics.allowed_error(x, &tolerance));
+            before.zip_map(&after, Scalar::max)
+        };
+        step.end(state, allowed, is_limited, &mut self.statistics)
     }
 
     /// Accepts `state`, at the time `landing` if there is one, otherwise after a step `h` from now.

@@ -7,9 +7,7 @@ use core::ops::Deref;
 
 use crate::integrate::at::At;
 #[cfg(feature = "alloc")]
-use crate::integrate::dense_output::Interpolant;
-#[cfg(feature = "alloc")]
-use crate::integrate::dense_solution::DenseSolution;
+use crate::integrate::dense_solution::KeptMotion;
 #[cfg(feature = "alloc")]
 use crate::integrate::error::IntegrationError;
 use crate::integrate::event::MetConditions;
@@ -18,8 +16,6 @@ use crate::integrate::event::Occurrence;
 use crate::integrate::outcome::{Outcome, StopReason};
 use crate::integrate::partial::Partial;
 use crate::integrate::stepper::Statistics;
-#[cfg(feature = "alloc")]
-use crate::linalg::VectorSpace;
 use crate::number_format::Readable;
 use crate::scalar::Scalar;
 
@@ -172,50 +168,6 @@ pub trait KeptSamples<S, X> {
 impl<S, X> KeptSamples<S, X> for Vec<At<S, X>> {
     fn samples(&self) -> &[At<S, X>] {
         self
-    }
-}
-
-/// The type of what `save(Dense)` keeps.
-#[cfg(feature = "alloc")]
-#[diagnostic::on_unimplemented(
-    message = "the motion was not kept",
-    note = "write `.save(Dense)` before `.solve(…)`"
-)]
-pub trait KeptMotion<S, X> {
-    /// Returns the state at a time, after a jump if there is one.
-    fn state(&self, t: f64) -> Result<X, IntegrationError>;
-
-    /// Returns the state at a time, before a jump if there is one.
-    fn state_before(&self, t: f64) -> Result<X, IntegrationError>;
-
-    /// Returns the derivative at a time.
-    fn slope(&self, t: f64) -> Result<Option<X>, IntegrationError>;
-
-    /// Returns the times between which there is one polynomial.
-    fn ends_of_steps(&self) -> impl DoubleEndedIterator<Item = f64>;
-}
-
-#[cfg(feature = "alloc")]
-impl<S, X, P> KeptMotion<S, X> for DenseSolution<X, P, S>
-where
-    S: Scalar,
-    X: VectorSpace<S>,
-    P: Interpolant<S, X>,
-{
-    fn state(&self, t: f64) -> Result<X, IntegrationError> {
-        self.at(t)
-    }
-
-    fn state_before(&self, t: f64) -> Result<X, IntegrationError> {
-        self.before(t)
-    }
-
-    fn slope(&self, t: f64) -> Result<Option<X>, IntegrationError> {
-        self.derivative(t)
-    }
-
-    fn ends_of_steps(&self) -> impl DoubleEndedIterator<Item = f64> {
-        self.times()
     }
 }
 

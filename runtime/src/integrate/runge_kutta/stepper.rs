@@ -5,7 +5,7 @@ use crate::integrate::checkpoint::Resume;
 use crate::integrate::compensated::{Clock, Compensated};
 use crate::integrate::dynamics::Dynamics;
 use crate::integrate::error::IntegrationError;
-use crate::integrate::projected::{Projected, check_start, corrected};
+use crate::integrate::projected::{Projected, check_start};
 use crate::integrate::stepper::{
     Advance, Statistics, Stepper, checked_derivative, checked_state, remaining,
 };
@@ -20,11 +20,7 @@ use crate::scalar::Scalar;
 #[derive(Clone, Debug)]
 pub struct RungeKuttaStepper<X, const STAGES: usize> {
     method: RungeKutta<STAGES>,
-    clock: Clock,
-    state: Compensated<X>,
-    /// The time and the state at the beginning of the last step.
-    previous: (Clock, Compensated<X>),
-    statistics: Statistics,
+    memory: RungeKuttaMemory<X>,
 }
 
 /// The stored part of a [`RungeKuttaStepper`]: everything except its method.
@@ -33,6 +29,7 @@ pub struct RungeKuttaStepper<X, const STAGES: usize> {
 pub struct RungeKuttaMemory<X> {
     clock: Clock,
     state: Compensated<X>,
+    /// The time and the state at the beginning of the last step.
     previous: (Clock, Compensated<X>),
     statistics: Statistics,
 }
@@ -41,24 +38,13 @@ impl<S: Scalar, D: Dynamics<S> + ?Sized, const STAGES: usize> Resume<S, D> for R
     type Memory = RungeKuttaMemory<D::State>;
 
     fn memory(stepper: &Self::Stepper) -> Self::Memory {
-        let stepper = stepper.clone();
-        RungeKuttaMemory {
-            clock: stepper.clock,
-            state: stepper.state,
-            previous: stepper.previous,
-            statistics: stepper.statistics,
-        }
+        stepper.memory.clone()
     }
 
     fn recall(&self, _: &D, memory: Self::Memory) -> Result<Self::Stepper, IntegrationError> {
         self.check()?;
-        Ok(RungeKuttaStepper {
-            method: *self,
-            clock: memory.clock,
-            state: memory.state,
-            previous: memory.previous,
-            statistics: memory.statistics,
-        })
+        let method = *self;
+        Ok(RungeKuttaStepper { method, memory })
     }
 }
 
@@ -77,8 +63,7 @@ impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
         check_start(dynamics, t, &x, &error_of_size(FIXED_STEP_START))?;
         let clock = Clock::new(t);
         let state = Compensated::new(x);
-        Ok(Self {
-            method,
+        let memory = RungeKuttaMemory {
             clock,
             previous: (clock, state.clone()),
             state,
@@ -86,16 +71,17 @@ impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
                 evaluations: 1,
                 ..Statistics::default()
             },
-        })
+        };
+        Ok(Self { method, memory })
     }
 
     fn count_step(&mut self) {
-        self.statistics.steps += 1;
+        self.memory.statistics.steps += 1;
         self.count_evaluations();
     }
 
     fn count_evaluations(&mut self) {
-        self.statistics.evaluations += STAGES as u64;
+        self.memory.statistics.evaluations += STAGES as u64;
     }
 }
 
@@ -121,24 +107,16 @@ impl<X, const STAGES: usize> RungeKuttaStepper<X, STAGES> {
     where
         X: VectorSpace<S>,
     {
-        let t = S::from_f64(time);
-        let Some(projection) = dynamics.project(t, state.value()) else {
-            return Ok(state);
-        };
+        let Self { memory, .. } = self;
         let step = Projected {
             dynamics,
-            t,
-            before: self.state.value(),
-            length: S::from_f64((time - self.clock.time()).abs()),
+            t: S::from_f64(time),
+            before: memory.state.value(),
+            length: S::from_f64((time - memory.clock.time()).abs()),
             lane: None,
         };
-        let (end, correction) = corrected(&state, &projection);
-        let size = dynamics.allowed_error(state.value(), &error_of_size(1.0));
-        let found = (&projection, end.value());
-        let distance = step.check(found, &correction, &size, false)?;
-        self.statistics
-            .note_projection(distance, projection.pivoted.largest());
-        Ok(end)
+        let size = |state: &X, _: &X| dynamics.allowed_error(state, &error_of_size(1.0));
+        step.end(state, size, false, &mut memory.statistics)
     }
 }
 
@@ -148,19 +126,19 @@ impl<S: Scalar, X: VectorSpace<S>, const STAGES: usize> Stepper<S, X>
     const DENSE_OUTPUT: bool = false;
 
     fn time(&self) -> f64 {
-        self.clock.time()
+        self.memory.clock.time()
     }
 
     fn state(&self) -> &X {
-        self.state.value()
+        self.memory.state.value()
     }
 
     fn previous_time(&self) -> f64 {
-        self.previous.0.time()
+        self.memory.previous.0.time()
     }
 
     fn statistics(&self) -> Statistics {
-        self.statistics
+        self.memory.statistics
     }
 }
 
@@ -168,7 +146,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
     Advance<S, D> for RungeKuttaStepper<X, STAGES>
 {
     fn step(&mut self, dynamics: &D, target: f64) -> Result<(), IntegrationError> {
-        let Some(remaining) = remaining(&self.clock, target)? else {
+        let Some(remaining) = remaining(&self.memory.clock, target)? else {
             return Ok(());
         };
         // A quotient that is an integer up to rounding must not add a step. It is rounded up by `floor`, which programs
@@ -176,32 +154,32 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
         let quotient = remaining.abs() / self.method.step * (1.0 - fixed_steps::ROUNDING);
         let steps = (-libm::floor(-quotient)).max(1.0);
         let h = remaining / steps;
-        if steps > 1.0 && h.abs() <= f64::EPSILON * self.clock.time().abs() {
+        if steps > 1.0 && h.abs() <= f64::EPSILON * self.memory.clock.time().abs() {
             return Err(IntegrationError::StepTooSmall {
-                time: self.clock.time(),
+                time: self.memory.clock.time(),
                 step: h.abs(),
                 component: None,
                 relative_only: false,
             });
         }
-        let x = self.state.reduced(dynamics);
+        let (clock, x) = (&self.memory.clock, self.memory.state.reduced(dynamics));
         let (h, increment) = if self.method.passes_singularities {
-            (self.method).passing(dynamics, &self.clock, &x, (h, remaining))
+            self.method.passing(dynamics, clock, &x, (h, remaining))
         } else {
-            (h, self.method.increment(dynamics, &self.clock, &x, h))
+            (h, self.method.increment(dynamics, clock, &x, h))
         };
-        let mut clock = self.clock;
+        let mut clock = self.memory.clock;
         if h.abs() < remaining.abs() {
             clock.advance(h);
         } else {
             clock = Clock::new(target);
         }
-        let state = self.state.plus(increment);
+        let state = self.memory.state.plus(increment);
         checked_state(dynamics, clock.time(), state.value())?;
         let state = self.projected(dynamics, clock.time(), state)?;
-        let previous = core::mem::replace(&mut self.state, state);
-        self.previous = (self.clock, previous);
-        self.clock = clock;
+        let previous = core::mem::replace(&mut self.memory.state, state);
+        self.memory.previous = (self.memory.clock, previous);
+        self.memory.clock = clock;
         self.count_step();
         Ok(())
     }
@@ -209,7 +187,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
     /// Takes a step of the method from the previous time to `t`; this is as accurate as the step itself, unless a stage comes
     /// close to a singular configuration that the step passed.
     fn interpolate(&mut self, dynamics: &D, t: f64) -> X {
-        let (clock, previous) = &self.previous;
+        let (clock, previous) = &self.memory.previous;
         let h = clock.until(t);
         let from = previous.reduced(dynamics);
         let increment = self.method.increment(dynamics, clock, &from, h);
@@ -222,9 +200,9 @@ impl<S: Scalar, X: VectorSpace<S>, D: Dynamics<S, State = X> + ?Sized, const STA
     fn restart(&mut self, _: &D) {}
 
     fn restart_at(&mut self, dynamics: &D, t: f64, x: X) -> Result<(), IntegrationError> {
-        let statistics = self.statistics;
+        let statistics = self.memory.statistics;
         *self = Self::new(self.method, dynamics, t, x)?;
-        self.statistics = self.statistics.plus(statistics);
+        self.memory.statistics = self.memory.statistics.plus(statistics);
         Ok(())
     }
 }

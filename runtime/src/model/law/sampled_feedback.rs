@@ -24,13 +24,6 @@ pub struct SampledFeedback<F, const U: usize, const J: usize> {
 /// Its components are the inputs, the memory, then the number of samplings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "S: serde::Serialize",
-        deserialize = "S: serde::Deserialize<'de>"
-    ))
-)]
 pub struct Sampled<S: Scalar, const U: usize, const J: usize> {
     /// The inputs, held since the last sampling.
     pub inputs: SVector<S, U>,

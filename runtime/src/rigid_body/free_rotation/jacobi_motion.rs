@@ -5,7 +5,7 @@
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-use crate::elliptic::Modulus;
+use crate::elliptic::{Modulus, sign};
 use crate::integrate::SingleNumber;
 use crate::rigid_body::order::{is_less, length};
 use crate::rotation::{EulerAngles, EulerSequence, components, product};
@@ -63,13 +63,6 @@ impl<S: SingleNumber> JacobiMotion<S> {
             d12 / d23 * ratio * ratio,
             d13 * to_middle / (d23 * to_first * to_first),
         );
-        let sign = |value: S| {
-            if value.smallest() < 0.0 {
-                -S::one()
-            } else {
-                S::one()
-            }
-        };
         let [of_first, of_third] = [sign(omega.x), sign(omega.z)];
         let of_second = of_first * of_third * sign(i3 - i1);
         let amplitudes = [
@@ -137,13 +130,6 @@ impl<S: SingleNumber> JacobiMotion<S> {
         let [l1, l2, l3] = [i1 * a * cn, i2 * b * sn, i3 * c * dn];
         let theta = (l1 * l1 + l2 * l2).sqrt().atan2(l3);
         // The ratio of the amplitudes is known even where they vanish.
-        let sign = |value: S| {
-            if value.smallest() < 0.0 {
-                -S::one()
-            } else {
-                S::one()
-            }
-        };
         let across = sign(a) * (i1 / (i3 - i1).abs()).sqrt() * cn;
         let along = sign(b) * (i2 / (i3 - i2).abs()).sqrt() * sn;
         let psi = across.atan2(along);

@@ -1,8 +1,6 @@
 //! The errors of triangle meshes.
 
-use core::fmt;
-
-use crate::error_debug::debug_by_message;
+use crate::error_messages::error_messages;
 use crate::number_format::Readable;
 
 /// The reason why a triangle mesh does not bound a solid.
@@ -71,65 +69,29 @@ pub enum MeshError {
     },
 }
 
-impl fmt::Display for MeshError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NotFinite { vertex, value } => {
-                write!(f, "a coordinate of vertex {vertex} is {value}")
-            }
-            Self::NoVertex {
-                triangle,
-                index,
-                vertices,
-            } => write!(
-                f,
-                "triangle {triangle} has vertex {index}, but there are {vertices} vertices, from 0"
-            ),
-            Self::Open { from, to } => write!(
-                f,
-                "the surface is open: no second triangle is beside the edge between vertices {from} and {to}; vertices \
-                 at one place have to be one vertex"
-            ),
-            Self::InconsistentOrientation { from, to } => write!(
-                f,
-                "the triangles beside the edge between vertices {from} and {to} are seen from different sides: \
-                 interchange two vertices of one of them"
-            ),
-            Self::InsideOut { volume } => write!(
-                f,
-                "the surface is inside out, its volume is {}: vertices are in counterclockwise order seen from outside",
-                Readable(volume)
-            ),
-            Self::PartInsideOut {
-                part,
-                triangle,
-                volume,
-            } => write!(
-                f,
-                "part {part} of the surface, whose first triangle is {triangle}, is inside out, its volume is {}, and it is no \
-                 cavity of another part: interchange two vertices of each of its triangles",
-                Readable(volume)
-            ),
-            Self::OverlappingPart {
-                part,
-                triangle,
-                volume,
-            } => write!(
-                f,
-                "part {part} of the surface, whose first triangle is {triangle} and whose volume is {}, overlaps another part: \
-                 leave it out if it is there twice, join the parts if they intersect, or interchange two vertices of each of \
-                 its triangles if it is a cavity",
-                Readable(volume)
-            ),
-            Self::Flat { volume } => write!(
-                f,
-                "the surface encloses no volume but {} of rounding errors",
-                Readable(volume)
-            ),
-        }
-    }
+error_messages! { MeshError:
+    Self::NotFinite { vertex, value } => "a coordinate of vertex {vertex} is {value}";
+    Self::NoVertex { triangle, index, vertices } =>
+        "triangle {triangle} has vertex {index}, but there are {vertices} vertices, from 0";
+    Self::Open { from, to } =>
+        "the surface is open: no second triangle is beside the edge between vertices {from} and {to}; vertices \
+         at one place have to be one vertex";
+    Self::InconsistentOrientation { from, to } =>
+        "the triangles beside the edge between vertices {from} and {to} are seen from different sides: \
+         interchange two vertices of one of them";
+    Self::InsideOut { volume } =>
+        "the surface is inside out, its volume is {}: vertices are in counterclockwise order seen from outside",
+        Readable(volume);
+    Self::PartInsideOut { part, triangle, volume } =>
+        "part {part} of the surface, whose first triangle is {triangle}, is inside out, its volume is {}, and it is no \
+         cavity of another part: interchange two vertices of each of its triangles",
+        Readable(volume);
+    Self::OverlappingPart { part, triangle, volume } =>
+        "part {part} of the surface, whose first triangle is {triangle} and whose volume is {}, overlaps another part: \
+         leave it out if it is there twice, join the parts if they intersect, or interchange two vertices of each of \
+         its triangles if it is a cavity",
+        Readable(volume);
+    Self::Flat { volume } =>
+        "the surface encloses no volume but {} of rounding errors",
+        Readable(volume);
 }
-
-debug_by_message!(MeshError);
-
-impl core::error::Error for MeshError {}

@@ -6,7 +6,7 @@
 
 use std::vec::Vec;
 
-use super::runge_kutta::CLASSICAL_FOURTH_ORDER;
+use crate::integrate::runge_kutta::CLASSICAL_FOURTH_ORDER;
 
 /// A rooted tree: the subtrees at its root, by their indices in a list of all trees.
 struct Tree {
