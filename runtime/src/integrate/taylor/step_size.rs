@@ -50,6 +50,18 @@ pub(super) fn reached<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
     reached
 }
 
+/// Returns the binary logarithm of the ratio of the last two terms, of orders p − 1 and p, of a series that decreases
+/// geometrically from the size of a component to its allowed error at order p − 1: of ε^{1/(p − 1)} for a relative tolerance ε.
+///
+/// With the last term multiplied by the inverse of this ratio, both terms estimate the same step. Without it nearly every step
+/// follows from the term of order p − 1 alone, and is too long where that term passes zero.
+#[inline]
+pub(super) fn decrease(tolerance: Tolerance, order: usize) -> f64 {
+    let Tolerance { relative, absolute } = tolerance;
+    let part = if relative > 0.0 { relative } else { absolute };
+    log2(part.clamp(f64::MIN_POSITIVE, 1.0)) / number(order - 1)
+}
+
 /// 2⁻⁵⁰⁰.
 const MIN_UNIT: f64 = f64::from_bits((1023 - 500) << 52);
 
@@ -169,7 +181,8 @@ impl<S: Scalar, X: VectorSpace<S>, const HALF: usize> Norm<'_, S, X, HALF> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Proposal {
-    /// The step at which the last two terms meet the tolerance, in units (Jorba & Zou 2005, section 3.2). If they are
+    /// The step at which the last two terms meet the tolerance, in units (Jorba & Zou 2005, section 3.2), where the last
+    /// one is expected to be smaller than the one before. If they are
     /// zero, like every other term of an even motion, the terms before them are used, down to half the order. If these
     /// are zero, too, the motion may be a polynomial, like the motion of a stone, and the step is infinite; whether it
     /// is one is checked at the end of the step.
@@ -190,12 +203,17 @@ impl Proposal {
             weights,
             tolerance,
         };
+        let ErrorTolerance {
+            relative, absolute, ..
+        } = *tolerance;
+        let decrease = decrease(Tolerance { relative, absolute }, 2 * HALF);
         let mut logarithm = f64::INFINITY;
         for (position, term) in coefficients.higher().iter().rev().enumerate().take(HALF) {
             let norm = norm.of(term);
             if norm > 0.0 {
                 let order = number(2 * HALF - position);
-                logarithm = logarithm.min(-log2(norm) / order);
+                let least = if position == 0 { decrease } else { 0.0 };
+                logarithm = logarithm.min((least - log2(norm)) / order);
             }
             if position > 0 && logarithm < f64::INFINITY {
                 break;
@@ -255,7 +273,46 @@ pub(super) fn too_small(
 
 #[cfg(test)]
 mod tests {
-    use super::unit_near;
+    use nalgebra::SVector;
+
+    use super::{Proposal, unit_near};
+    use crate::integrate::taylor::TaylorCoefficients;
+    use crate::linalg::ErrorTolerance;
+
+    /// Returns the step for the terms ρ⁻ᵏ with a relative tolerance; the term of order 11 or 12 is zero if `without` is its order.
+    fn step(radius: f64, relative: f64, without: usize) -> f64 {
+        let mut series = TaylorCoefficients::<_, 6>::new(SVector::from([1.0_f64]));
+        for (i, term) in series.higher_mut().iter_mut().enumerate() {
+            let order = i32::try_from(i + 1).unwrap();
+            term[0] = if i + 1 == without {
+                0.0
+            } else {
+                radius.powi(-order)
+            };
+        }
+        let tolerance = ErrorTolerance {
+            relative,
+            absolute: 0.0,
+            rate: 0.0,
+        };
+        Proposal::of(&series, &SVector::from([1.0 / relative]), &tolerance).step
+    }
+
+    #[test]
+    fn both_terms_of_a_geometric_series_propose_one_step() {
+        for radius in [0.01, 1.0, 30.0] {
+            for relative in [1e-3_f64, 1e-9, 1e-16] {
+                let expected = radius * relative.powf(1.0 / 11.0);
+                for without in [0, 11, 12] {
+                    let found = step(radius, relative, without);
+                    assert!(
+                        (found - expected).abs() < 1e-6 * expected,
+                        "{found} {expected}"
+                    );
+                }
+            }
+        }
+    }
 
     /// Numbers of all sizes.
     fn numbers() -> impl Iterator<Item = f64> {

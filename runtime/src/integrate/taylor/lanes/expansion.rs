@@ -5,7 +5,7 @@ use crate::integrate::binary_logarithm::{are_normal, exp2_of_each, log2, log2_of
 use crate::integrate::error::IntegrationError;
 use crate::integrate::projected::allow_least;
 use crate::integrate::taylor::Series;
-use crate::integrate::taylor::step_size::reached;
+use crate::integrate::taylor::step_size::{decrease, reached};
 use crate::integrate::tolerance::{Tolerance, largest_ratios};
 use crate::limits::taylor::{FIRST_UNIT, UNIT_CHANGE, UNIT_CHANGES, VELOCITY_TIMES};
 use crate::linalg::{ErrorTolerance, LaneStates};
@@ -85,7 +85,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 
     /// Returns the steps at which the last two terms meet the tolerance, in units of time; 0 if the terms are not
-    /// finite. If they are zero, the terms before them are used, as in [`TaylorStepper`](super::TaylorStepper).
+    /// finite. The last one is expected to be smaller than the one before. If they are zero, the terms before them are used, as in [`TaylorStepper`](super::TaylorStepper).
     #[inline]
     fn proposed(&self, weights: &X) -> [f64; L] {
         if let [.., before, last] = self.coefficients.higher()
@@ -95,9 +95,10 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             let last = largest_ratios(last, weights).0;
             if are_normal(&before) & are_normal(&last) {
                 let (before, last) = (log2_of_each(before), log2_of_each(last));
+                let decrease = self.decrease();
                 let order = number(Self::ORDER);
                 return exp2_of_each(core::array::from_fn(|lane| {
-                    (-last[lane] / order).min(-before[lane] / (order - 1.0))
+                    ((decrease - last[lane]) / order).min(-before[lane] / (order - 1.0))
                 }));
             }
         }
@@ -108,17 +109,19 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     #[cold]
     fn proposed_by_some(&self, weights: &X) -> [f64; L] {
         let higher = self.coefficients.higher();
+        let decrease = self.decrease();
         let mut logarithm = [f64::INFINITY; L];
         for (position, coefficient) in higher.iter().rev().enumerate().take(HALF) {
             let ratios = largest_ratios(coefficient, weights).0;
             let order = number(Self::ORDER - position);
+            let least = if position == 0 { decrease } else { 0.0 };
             let mut found = true;
             for (logarithm, ratio) in logarithm.iter_mut().zip(ratios) {
                 let zero_until_now = position < 2 || *logarithm >= f64::INFINITY;
                 if ratio.is_nan() {
                     *logarithm = f64::NEG_INFINITY;
                 } else if ratio > 0.0 && zero_until_now {
-                    *logarithm = logarithm.min(-log2(ratio) / order);
+                    *logarithm = logarithm.min((least - log2(ratio)) / order);
                 }
                 found &= *logarithm < f64::INFINITY;
             }
@@ -127,6 +130,12 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             }
         }
         exp2_of_each(logarithm)
+    }
+
+    /// Returns the binary logarithm of the expected ratio of the last term to the one before.
+    #[inline]
+    fn decrease(&self) -> f64 {
+        decrease(self.method.tolerance::<Lanes<L>>(), Self::ORDER)
     }
 
     /// Returns the larger of the two terms of about half the order, over their tolerances.
