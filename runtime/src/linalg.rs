@@ -10,6 +10,7 @@ pub(crate) mod lane_select;
 pub(crate) mod pivoting;
 mod error_tolerance;
 mod vector_space;
+pub(crate) mod horner;
 mod lane_states;
 mod entries;
 

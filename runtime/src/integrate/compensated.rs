@@ -12,6 +12,7 @@ use crate::scalar::Scalar;
 /// After n steps the rounding error of a plain sum has grown in proportion to n (√n at best); the error of a
 /// compensated sum does not grow.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(target_feature = "avx", repr(align(64)))] // Lanes are loaded from whole cache lines.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Compensated<X> {
     value: X,

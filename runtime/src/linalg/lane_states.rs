@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::horner;
 use super::vector_space::VectorSpace;
 use crate::scalar::{Lanes, Scalar};
 
@@ -30,6 +31,25 @@ pub trait LaneStates<const L: usize>: VectorSpace<Lanes<L>> {
 
     /// Sets the state in a lane; does nothing if there is no such lane.
     fn set_lane(&mut self, lane: usize, state: &Self::Lane);
+
+    /// Returns x(τ) − x(0) and dx/dτ, for pairs of coefficients of odd and even order from order 1 on.
+    ///
+    /// States that are vectors compute one component after the other, whose sums stay in registers.
+    #[inline]
+    fn change_and_derivative<'a>(
+        &self,
+        pairs: impl DoubleEndedIterator<Item = [&'a Self; 2]> + Clone,
+        tau: Lanes<L>,
+    ) -> [Self; 2]
+    where
+        Self: 'a,
+    {
+        horner::change_and_derivative(pairs, tau, self.zeroed(), |x, tau, higher| {
+            let mut sum = x.clone();
+            sum.add_scaled(tau, higher);
+            sum
+        })
+    }
 }
 
 /// Implements `LaneStates` for a struct whose fields have lanes.
@@ -51,6 +71,24 @@ macro_rules! lanes_by_fields {
             #[inline]
             fn set_lane(&mut self, lane: usize, state: &Self::Lane) {
                 $(self.$field.set_lane(lane, &state.$field);)*
+            }
+
+            #[inline]
+            fn change_and_derivative<'a>(
+                &self,
+                pairs: impl DoubleEndedIterator<Item = [&'a Self; 2]> + Clone,
+                tau: Lanes<L>,
+            ) -> [Self; 2]
+            where
+                Self: 'a,
+            {
+                let mut found = [self.clone(), self.clone()];
+                $({
+                    let pairs = pairs.clone().map(|pair| pair.map(|states| &states.$field));
+                    let [change, derivative] = self.$field.change_and_derivative(pairs, tau);
+                    (found[0].$field, found[1].$field) = (change, derivative);
+                })*
+                found
             }
         }
     };
@@ -75,6 +113,22 @@ impl<const L: usize, const D: usize> LaneStates<L> for SVector<Lanes<L>, D> {
         for (component, number) in self.iter_mut().zip(state.iter()) {
             component.set(lane, *number);
         }
+    }
+
+    #[inline]
+    fn change_and_derivative<'a>(
+        &self,
+        pairs: impl DoubleEndedIterator<Item = [&'a Self; 2]> + Clone,
+        tau: Lanes<L>,
+    ) -> [Self; 2] {
+        let mut found = [*self; 2];
+        for i in 0..D {
+            let pairs = pairs.clone().map(|[odd, even]| [&odd[i], &even[i]]);
+            let zero = Lanes::from_f64(0.0);
+            let plus = |x: &Lanes<L>, tau: Lanes<L>, y: &Lanes<L>| tau.mul_add(*y, *x);
+            [found[0][i], found[1][i]] = horner::change_and_derivative(pairs, tau, zero, plus);
+        }
+        found
     }
 }
 
@@ -108,5 +162,22 @@ impl<const L: usize, A: LaneStates<L>, B: LaneStates<L>> LaneStates<L> for (A, B
     fn set_lane(&mut self, lane: usize, (first, second): &Self::Lane) {
         self.0.set_lane(lane, first);
         self.1.set_lane(lane, second);
+    }
+
+    #[inline]
+    fn change_and_derivative<'a>(
+        &self,
+        pairs: impl DoubleEndedIterator<Item = [&'a Self; 2]> + Clone,
+        tau: Lanes<L>,
+    ) -> [Self; 2]
+    where
+        Self: 'a,
+    {
+        let first = pairs.clone().map(|pair| pair.map(|x| &x.0));
+        let second = pairs.map(|pair| pair.map(|x| &x.1));
+        let [change, derivative] = self.0.change_and_derivative(first, tau);
+        let second = self.1.change_and_derivative(second, tau);
+        let [of_change, of_derivative] = second;
+        [(change, of_change), (derivative, of_derivative)]
     }
 }

@@ -167,6 +167,15 @@ impl<const L: usize> Neg for Lanes<L> {
     }
 }
 
+struct Magnitude;
+
+impl LaneOperation<1> for Magnitude {
+    #[inline(always)]
+    fn apply<const WIDTH: usize, V: SimdVector<WIDTH>>([x]: [V; 1]) -> V {
+        x.abs()
+    }
+}
+
 struct FusedProduct;
 
 impl LaneOperation<3> for FusedProduct {
@@ -197,7 +206,7 @@ macro_rules! lane_by_lane {
 
 impl<const L: usize> Scalar for Lanes<L> {
     lane_by_lane! {
-        tan asin acos atan sinh cosh tanh sech asinh acosh atanh exp ln logistic softplus log_cosh sqrt abs signum;
+        tan asin acos atan sinh cosh tanh sech asinh acosh atanh exp ln logistic softplus log_cosh sqrt signum;
         atan2 powf min max common_scale
     }
 
@@ -245,6 +254,14 @@ impl<const L: usize> Scalar for Lanes<L> {
         Self(in_vectors::<FusedProduct, 3, L>([
             &self.0, &factor.0, &summand.0,
         ]))
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        if IN_LOOPS {
+            return Self(self.0.map(f64::abs));
+        }
+        Self(in_vectors::<Magnitude, 1, L>([&self.0]))
     }
 
     #[inline]

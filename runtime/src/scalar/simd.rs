@@ -27,6 +27,9 @@ pub(crate) trait SimdVector<const WIDTH: usize>:
     fn from_bits(bits: Self::Bits) -> Self;
     fn to_bits(self) -> Self::Bits;
 
+    /// Returns the absolute values.
+    fn abs(self) -> Self;
+
     /// Repeats the lowest bit of every lane over all bits, which gives a bit mask.
     fn repeat_lowest(bits: Self::Bits) -> Self::Bits;
 
@@ -65,6 +68,11 @@ impl SimdVector<1> for f64 {
     #[inline]
     fn to_bits(self) -> u64 {
         self.to_bits()
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        self.abs()
     }
 
     #[inline]
@@ -111,6 +119,11 @@ macro_rules! vector {
             #[inline]
             fn to_bits(self) -> Self::Bits {
                 wide::bytemuck::cast(self)
+            }
+
+            #[inline(always)]
+            fn abs(self) -> Self {
+                self.abs()
             }
 
             #[inline]

@@ -1,10 +1,11 @@
 //! The Taylor polynomial of a motion.
 
-use crate::linalg::{LaneStates, VectorSpace};
-use crate::scalar::Scalar;
+use crate::linalg::{LaneStates, VectorSpace, horner};
+use crate::scalar::{Lanes, Scalar};
 
 /// The Taylor polynomial of order 2·`HALF` of a motion about a time t₀: x(t₀ + τ·unit) = Σ xₖ τᵏ.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(target_feature = "avx", repr(align(64)))] // Lanes are loaded from whole cache lines.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TaylorCoefficients<X, const HALF: usize> {
     initial: X,
@@ -200,31 +201,28 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         self.change_and_derivative(tau).1
     }
 
-    /// Returns x(τ) − x(0) and dx/dτ, by Horner's rule for a polynomial and its derivative: with
-    /// x(τ) − x(0) = τ A(τ²) + τ² B(τ²), dx/dτ = A + 2 τ B + 2 τ² (A′ + τ B′).
+    /// Returns x(τ) − x(0) and dx/dτ.
     #[inline]
     #[must_use]
     pub fn change_and_derivative<S: Scalar>(&self, tau: S) -> (X, X)
     where
         X: VectorSpace<S>,
     {
-        let square = tau * tau;
-        let mut pairs = self.pairs.iter().rev();
-        let [mut odd, mut even] = self.last_pair(pairs.next());
-        let mut slopes = [odd.zeroed(), even.zeroed()];
-        for [first, second] in pairs {
-            slopes = [
-                with_higher(&odd, square, &slopes[0]),
-                with_higher(&even, square, &slopes[1]),
-            ];
-            odd = with_higher(first, square, &odd);
-            even = with_higher(second, square, &even);
-        }
-        let change = with_higher(&odd, tau, &even).map(|component| component * tau);
-        let [of_odd, of_even] = slopes;
-        let slope = with_higher(&odd, tau + tau, &even);
-        let higher = with_higher(&of_odd, tau, &of_even);
-        (change, with_higher(&slope, square + square, &higher))
+        let pairs = self.pairs.iter().map(<[X; 2]>::each_ref);
+        let zero = self.initial.zeroed();
+        let [change, derivative] =
+            horner::change_and_derivative(pairs, tau, zero, |x, tau, y| with_higher(x, tau, y));
+        (change, derivative)
+    }
+
+    /// [`change_and_derivative`](Self::change_and_derivative) of states in lanes.
+    #[inline]
+    pub(super) fn change_and_derivative_in_lanes<const L: usize>(&self, tau: Lanes<L>) -> [X; 2]
+    where
+        X: LaneStates<L>,
+    {
+        let pairs = self.pairs.iter().map(<[X; 2]>::each_ref);
+        self.initial.change_and_derivative(pairs, tau)
     }
 
     /// Returns the coefficients of the highest orders, with which Horner's rule begins.
@@ -256,6 +254,10 @@ mod tests {
     use nalgebra::SVector;
 
     use super::{TaylorCoefficients, number};
+    use crate::linalg::LaneStates;
+    use crate::rigid_body::RotationState;
+    use crate::scalar::Lanes;
+    use crate::{CanonicalPhase, Phase};
 
     /// Asserts that the polynomial with the coefficients 1, 2, … agrees with its definition.
     fn check<const HALF: usize>() {
@@ -282,6 +284,42 @@ mod tests {
                 "{tau}"
             );
         }
+    }
+
+    /// Asserts that states in lanes have the polynomials of their components.
+    fn check_lanes<X: LaneStates<4>>(state: &X) {
+        let mut polynomial = TaylorCoefficients::<X, 6>::new(state.zeroed());
+        let mut number = 0.0;
+        for coefficient in polynomial.higher_mut() {
+            *coefficient = state.map(|_| {
+                number += 1.0;
+                Lanes::from_fn(|lane| f64::sin(number + 0.3 * super::number(lane)))
+            });
+        }
+        let tau = Lanes([-1.25, 0.0, 0.5, 1.5]);
+        let (change, derivative) = polynomial.change_and_derivative(tau);
+        let found = polynomial.change_and_derivative_in_lanes(tau);
+        for (found, expected) in found.iter().zip([change, derivative]) {
+            assert!(found.components().eq(expected.components()));
+        }
+    }
+
+    #[test]
+    fn polynomials_in_lanes_are_those_of_the_components() {
+        let zero = Lanes([0.0; 4]);
+        check_lanes(&SVector::from([zero; 3]));
+        check_lanes(&(SVector::from([zero; 2]), SVector::from([zero])));
+        let [q, v] = [SVector::from([zero; 2]); 2];
+        check_lanes(&Phase {
+            q,
+            v,
+            z: SVector::from([zero]),
+        });
+        check_lanes(&CanonicalPhase::new(q, v));
+        check_lanes(&RotationState {
+            quaternion: SVector::from([zero; 4]),
+            angular_velocity: SVector::from([zero; 3]),
+        });
     }
 
     #[test]

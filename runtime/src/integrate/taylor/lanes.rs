@@ -324,7 +324,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     fn at(&self, times: &[f64; L]) -> Reached<X, L> {
         let [high, low] = difference(Lanes(*times), Lanes(self.time));
         let tau = (high + low) / Lanes(self.unit);
-        let (change, slope) = self.coefficients.change_and_derivative(tau);
+        let [change, slope] = self.coefficients.change_and_derivative_in_lanes(tau);
         let state = self.state.plus(change);
         Reached { tau, state, slope }
     }

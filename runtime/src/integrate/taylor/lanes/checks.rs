@@ -318,6 +318,10 @@ fn exceeds<X: LaneStates<L>, const L: usize>(
         over + over.abs()
     });
     let excess = excess.fold(Lanes::from_f64(0.0), |sum, excess| sum + excess);
+    // In most cases there is none, which the sum of all lanes shows.
+    if excess.0.iter().sum::<f64>() <= 0.0 {
+        return [false; L];
+    }
     let exceeds = excess.0.map(|excess| excess.is_nan() || excess > 0.0);
     both(&exceeds, asked)
 }
