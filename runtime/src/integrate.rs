@@ -77,7 +77,11 @@ pub use taylor::{
     BranchVisitor, Series, SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant,
     TaylorStepper,
 };
-pub(crate) use taylor::{Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions};
+pub(crate) use taylor::{
+    Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions, UnrolledConvolutions,
+};
+#[doc(hidden)]
+pub use taylor::{FactorPairs, PairSums};
 pub use typical_sizes::{SetTypicalSizes, TypicalSizes, WithSizes};
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use quote::quote;
 
 use super::emitter::Emitter;
 use super::parameters::{marked_if_unused, mentions};
-use super::taylor_series::indices_of;
+use super::taylor_series::factor_pairs;
 use crate::plan::{EventSeries, Interface, ParameterSource, ValueSeries};
 use crate::syntax::declaration::Declaration;
 use crate::syntax::names::{constant_name, hygienic_ident, unraw};
@@ -147,8 +147,10 @@ impl Emitter<'_> {
             let (statements, values) = writer.compute(&series.values);
             let (more, invariants) = writer.compute(&series.invariants);
             let [(of_terms, terms), (of_factors, factors)] = self.recurrence(&series.program);
-            let pairs: Vec<_> = series.program.convolutions.iter().map(indices_of).collect();
-            let (count_of_pairs, count_of_factors) = (pairs.len(), series.program.factors());
+            let (convolutions, count_of_factors) =
+                (&series.program.convolutions, series.program.factors());
+            let count_of_pairs = convolutions.len();
+            let pairs = factor_pairs(root, convolutions, count_of_pairs);
             let (count, events) = (invariants.len(), values.len());
             quote! {
                 #statements
@@ -157,7 +159,7 @@ impl Emitter<'_> {
                 let invariants: [#scalar; #count] = [#(#invariants),*];
                 #root::__private::event_series::<
                     _, #n, #events, #count_of_factors, #count_of_pairs, HALF, _,
-                >(unit, motion, values, &[#(#pairs),*], |term| {
+                >(unit, motion, values, { #pairs }, |term| {
                     #next_inputs
                     #of_terms
                     let terms = [#(#terms),*];

@@ -14,6 +14,7 @@ use super::printed_names::printed_names;
 use super::writer::{Writer, joined};
 use crate::limits::MAX_SWITCHING_FUNCTION_LENGTH;
 use crate::plan::{AccelerationOutputs, BranchSeries, ParameterSource, Rates, TaylorMethod};
+use crate::syntax::root::Root;
 
 /// The `f64` in a vector register of 256 bits.
 const REGISTER: usize = 4;
@@ -136,7 +137,7 @@ impl Emitter<'_> {
             let (pairs, lanes) = in_blocks(&method.program.convolutions);
             let count_of_pairs = pairs.len();
             let arrange = arrangement(&pairs, factors);
-            let pairs = pairs.into_iter().map(indices_of);
+            let pairs = factor_pairs(root, &method.program.convolutions, count_of_pairs);
             let count = invariants.len();
             let next_inputs = self.next_inputs();
             let is_solution = matches!(method.rates, Rates::Accelerations(_));
@@ -152,7 +153,7 @@ impl Emitter<'_> {
                 #more
                 let invariants: [#scalar; #count] = [#(#invariants),*];
                 #root::__private::#expansion::<_, #n, #of_variables #factors, #count_of_pairs, #lanes, HALF>(
-                    state, unit, accelerations, coefficients, &[#(#pairs),*], #arrange, |term| { #next_inputs #term },
+                    state, unit, accelerations, coefficients, { #pairs }, #arrange, |term| { #next_inputs #term },
                 );
             }
         })
@@ -226,8 +227,26 @@ fn arrangement(pairs: &[&Convolution], factors: usize) -> TokenStream {
     quote!(|&[#(#names),*]| [[#(#first),*], [#(#second),*]])
 }
 
-/// The indices of the factors of a convolution.
-pub(super) fn indices_of(convolution: &Convolution) -> TokenStream {
-    let (first, second) = (convolution.0, convolution.1);
-    quote!([#first, #second])
+/// A value of a type with the factors of the pairs of convolutions, for so many places.
+pub(super) fn factor_pairs(
+    root: &Root,
+    convolutions: &[Convolution],
+    places: usize,
+) -> TokenStream {
+    let sums = convolutions.iter().enumerate().map(|(place, pair)| {
+        let (x, y) = (pair.0, pair.1);
+        quote!(sums.of(#place, #x, #y))
+    });
+    let none = (convolutions.len()..places).map(|_| quote!(sums.none()));
+    let all = sums.chain(none);
+    quote! {
+        struct Pairs;
+        impl #root::__private::FactorPairs<#places> for Pairs {
+            #[inline(always)]
+            fn each<S>(sums: &mut impl #root::__private::PairSums<S>) -> [S; #places] {
+                [#(#all),*]
+            }
+        }
+        Pairs
+    }
 }

@@ -147,6 +147,10 @@ pub(crate) const MIN_STEP: f64 = super::dormand_prince::MIN_STEP;
 /// many. Above it, each factor is stored once.
 pub(crate) const MAX_PAIRED_CONVOLUTIONS: usize = 1 << 19;
 
+/// The limit of pairs of factors whose sums are straight-line code instead of a loop. With more of them the code is no faster, and
+/// takes three times as long to compile.
+pub(crate) const MAX_UNROLLED_CONVOLUTIONS: usize = 24;
+
 /// Half of the order from which on convolutions of few pairs keep sums of several orders. By judgement: four at a time.
 pub(crate) const MIN_CONVOLUTIONS: usize = 4;
 

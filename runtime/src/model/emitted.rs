@@ -21,6 +21,7 @@ mod on_scalar;
 mod series;
 
 pub use super::members_in_lanes::SharesLanes;
+pub use crate::integrate::{FactorPairs, PairSums};
 pub use on_scalar::{Kept, OnScalar};
 
 pub use series::{

@@ -10,9 +10,24 @@ use crate::scalar::Scalar;
 /// Convolutions, order by order, as each order is known only after the previous one (relaxed multiplication: J. van der
 /// Hoeven, *Relax, but Don't be Too Lazy*, Journal of Symbolic Computation **34** (2002) 479–542).
 pub(crate) trait OnlineConvolutions<S, const FACTORS: usize, const PAIRS: usize> {
-    /// Returns the sums of the next order, given the terms of the present order, which is 1 at first, and the indices
-    /// of the factors in each pair. The sums of order 1 are empty.
-    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) -> [S; PAIRS];
+    /// Returns the sums of the next order, given the terms of the present one, which is 1 at first.
+    fn advance<P: FactorPairs<PAIRS>>(&mut self, factors: &[S; FACTORS]) -> [S; PAIRS];
+}
+
+/// The pairs of factors whose products are summed, as code instead of a table: where the code is inlined, each row of terms has a
+/// constant address.
+pub trait FactorPairs<const PAIRS: usize> {
+    /// Returns the values of `sums` at all pairs.
+    fn each<S>(sums: &mut impl PairSums<S>) -> [S; PAIRS];
+}
+
+/// A function of pairs of factors.
+pub trait PairSums<S> {
+    /// Returns the value at a pair, given its place and the indices of its factors.
+    fn of(&mut self, place: usize, x: usize, y: usize) -> S;
+
+    /// Returns the value for a place without a pair.
+    fn none(&self) -> S;
 }
 
 /// The number of orders that are summed together: each loaded term is used in this number of products, and the sums
@@ -29,32 +44,31 @@ pub(crate) struct Convolutions<S, const FACTORS: usize, const PAIRS: usize, cons
     terms: [[[S; 2]; HALF]; FACTORS],
     /// The known parts of the sums of orders n + 1 to n + 4, where n is the multiple of 4 below the present order.
     sums: [[S; ORDERS]; PAIRS],
+    /// The indices of the factors of each pair.
+    pairs: [Option<[usize; 2]>; PAIRS],
     order: usize,
 }
 
 impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     Convolutions<S, FACTORS, PAIRS, HALF>
 {
-    /// Creates the convolutions of order 1, which are empty sums.
+    /// Creates the convolutions of these pairs of order 1, which are empty sums.
     #[inline]
-    pub(crate) fn new() -> Self {
+    pub(crate) fn of<P: FactorPairs<PAIRS>>(_: &P) -> Self {
         Self {
             terms: [[[S::zero(); 2]; HALF]; FACTORS],
             sums: [[S::zero(); ORDERS]; PAIRS],
+            pairs: P::each(&mut Indices),
             order: 1,
         }
     }
 
     /// Updates the sums of each pair from the terms that are known.
     #[inline]
-    fn each(
-        &mut self,
-        pairs: &[[usize; 2]; PAIRS],
-        known: usize,
-        change: impl Fn(&mut [S; ORDERS], &[S], &[S]),
-    ) {
+    fn each(&mut self, known: usize, change: impl Fn(&mut [S; ORDERS], &[S], &[S])) {
         let known = known.min(2 * HALF);
-        for (sums, pair) in self.sums.iter_mut().zip(pairs).take(different(pairs)) {
+        let pairs = self.pairs.iter().flatten();
+        for (sums, pair) in self.sums.iter_mut().zip(pairs) {
             let [x, y] = pair.map(|factor| &self.terms[factor].as_flattened()[..known]);
             change(sums, x, y);
         }
@@ -65,7 +79,7 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     OnlineConvolutions<S, FACTORS, PAIRS> for Convolutions<S, FACTORS, PAIRS, HALF>
 {
     #[inline]
-    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) -> [S; PAIRS] {
+    fn advance<P: FactorPairs<PAIRS>>(&mut self, factors: &[S; FACTORS]) -> [S; PAIRS] {
         let known = self.order;
         for (terms, factor) in self.terms.iter_mut().zip(factors) {
             if let Some(term) = terms.as_flattened_mut().get_mut(known - 1) {
@@ -75,23 +89,23 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
         self.order += 1;
         let place = known % ORDERS;
         match place {
-            0 => self.each(pairs, known, |sums, x, y| *sums = products(x, y)),
-            1 if known < ORDERS => self.each(pairs, 1, |sums, x, y| {
+            0 => self.each(known, |sums, x, y| *sums = products(x, y)),
+            1 if known < ORDERS => self.each(1, |sums, x, y| {
                 sums[1] = of_few::<S, 1>(x, y);
             }),
-            2 if known < ORDERS => self.each(pairs, 2, |sums, x, y| {
+            2 if known < ORDERS => self.each(2, |sums, x, y| {
                 sums[2] = of_few::<S, 2>(x, y);
             }),
-            3 if known < ORDERS => self.each(pairs, 3, |sums, x, y| {
+            3 if known < ORDERS => self.each(3, |sums, x, y| {
                 sums[3] = of_few::<S, 3>(x, y);
             }),
-            1 => self.each(pairs, known, |sums, x, y| {
+            1 => self.each(known, |sums, x, y| {
                 sums[1] = with_last::<S, 1>(x, y, sums[1]);
             }),
-            2 => self.each(pairs, known, |sums, x, y| {
+            2 => self.each(known, |sums, x, y| {
                 sums[2] = with_last::<S, 2>(x, y, sums[2]);
             }),
-            _ => self.each(pairs, known, |sums, x, y| {
+            _ => self.each(known, |sums, x, y| {
                 sums[3] = with_last::<S, 3>(x, y, sums[3]);
             }),
         }
@@ -122,33 +136,44 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
     OnlineConvolutions<S, FACTORS, PAIRS> for FewConvolutions<S, FACTORS, HALF>
 {
     #[inline]
-    fn advance(&mut self, factors: &[S; FACTORS], pairs: &[[usize; 2]; PAIRS]) -> [S; PAIRS] {
+    fn advance<P: FactorPairs<PAIRS>>(&mut self, factors: &[S; FACTORS]) -> [S; PAIRS] {
         let known = self.order;
         let terms = self.terms.as_flattened_mut();
         if let Some(term) = terms.get_mut(known - 1) {
             *term = *factors;
         }
         self.order += 1;
-        let terms = &terms[..known.min(terms.len())];
-        let mut sums = [S::zero(); PAIRS];
-        for (x, y) in terms.iter().zip(terms.iter().rev()) {
-            for (sum, [i, j]) in sums.iter_mut().zip(pairs) {
-                *sum = x[*i].mul_add(y[*j], *sum);
-            }
-        }
-        sums
+        P::each(&mut AllProducts(&terms[..known.min(terms.len())]))
     }
 }
 
-/// Returns the number of pairs before the repetitions of one that fill the last block. It is not stored, so that the
-/// compiler knows it.
-#[inline]
-fn different<const PAIRS: usize>(pairs: &[[usize; 2]; PAIRS]) -> usize {
-    let mut count = PAIRS;
-    while count > 1 && pairs[count - 1] == pairs[count - 2] {
-        count -= 1;
+/// The sums of all products of known terms.
+struct AllProducts<'a, S, const FACTORS: usize>(&'a [[S; FACTORS]]);
+
+impl<S: Scalar, const FACTORS: usize> PairSums<S> for AllProducts<'_, S, FACTORS> {
+    #[inline(always)]
+    fn of(&mut self, _: usize, x: usize, y: usize) -> S {
+        let products = self.0.iter().zip(self.0.iter().rev());
+        products.fold(S::zero(), |sum, (of_x, of_y)| of_x[x].mul_add(of_y[y], sum))
     }
-    count
+
+    #[inline(always)]
+    fn none(&self) -> S {
+        S::zero()
+    }
+}
+
+/// The indices of the factors of each pair.
+struct Indices;
+
+impl PairSums<Option<[usize; 2]>> for Indices {
+    fn of(&mut self, _: usize, x: usize, y: usize) -> Option<[usize; 2]> {
+        Some([x, y])
+    }
+
+    fn none(&self) -> Option<[usize; 2]> {
+        None
+    }
 }
 
 /// Returns the [`convolution`] of the first `COUNT` terms.

@@ -4,7 +4,7 @@
 // long.
 #![allow(clippy::inline_always)]
 
-use super::convolutions::{ORDERS, OnlineConvolutions};
+use super::convolutions::{FactorPairs, ORDERS, OnlineConvolutions};
 use crate::scalar::Scalar;
 
 /// The convolutions Σ₀﹤ᵢ﹤ₖ xᵢ yₖ₋ᵢ of pairs of factors, order by order.
@@ -124,7 +124,7 @@ where
     A: Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
 {
     #[inline(always)]
-    fn advance(&mut self, factors: &[S; FACTORS], _: &[[usize; 2]; PAIRS]) -> [S; PAIRS] {
+    fn advance<P: FactorPairs<PAIRS>>(&mut self, factors: &[S; FACTORS]) -> [S; PAIRS] {
         let terms = &(self.arrange)(factors);
         match self.order % ORDERS {
             _ if self.order < ORDERS => {
@@ -289,7 +289,9 @@ fn with_last<S: Scalar, const LANES: usize, const LAST: usize>(
 #[cfg(test)]
 mod tests {
     use super::PairedConvolutions;
-    use crate::integrate::taylor::{Convolutions, OnlineConvolutions};
+    use crate::integrate::taylor::{
+        Convolutions, FactorPairs, OnlineConvolutions, PairSums, UnrolledConvolutions,
+    };
 
     /// Small integers, so that sums are exact in any order.
     fn factor(index: usize, order: usize) -> f64 {
@@ -298,6 +300,15 @@ mod tests {
 
     fn pairs_of<const PAIRS: usize>() -> [[usize; 2]; PAIRS] {
         core::array::from_fn(|i| [i % 5, (2 * i + i / 5) % 5])
+    }
+
+    struct Pairs;
+
+    impl<const PAIRS: usize> FactorPairs<PAIRS> for Pairs {
+        fn each<S>(sums: &mut impl PairSums<S>) -> [S; PAIRS] {
+            let pairs = pairs_of::<PAIRS>();
+            core::array::from_fn(|place| sums.of(place, pairs[place][0], pairs[place][1]))
+        }
     }
 
     /// Asserts that the sums of all orders agree with the definition.
@@ -317,7 +328,7 @@ mod tests {
                 "order {order} of {HALF}: {sums:?}"
             );
             let factors = core::array::from_fn(|index| factor(index, order));
-            sums = convolutions.advance(&factors, &pairs);
+            sums = convolutions.advance::<Pairs>(&factors);
         }
     }
 
@@ -333,7 +344,8 @@ mod tests {
         check::<PAIRS, HALF>(PairedConvolutions::<f64, PAIRS, LANES, HALF, _>::new(
             arrange,
         ));
-        check::<PAIRS, HALF>(Convolutions::<f64, 5, PAIRS, HALF>::new());
+        check::<PAIRS, HALF>(UnrolledConvolutions::<f64, 5, PAIRS, HALF>::new());
+        check::<PAIRS, HALF>(Convolutions::<f64, 5, PAIRS, HALF>::of(&Pairs));
     }
 
     #[test]
@@ -349,22 +361,35 @@ mod tests {
 
     const REPEATED: [[usize; 2]; 4] = [[0, 1], [1, 1], [2, 3], [2, 3]];
 
-    /// Returns the sums of three pairs, the last of which is repeated, up to order 12.
+    struct ThreePairs;
+
+    impl FactorPairs<4> for ThreePairs {
+        fn each<S>(sums: &mut impl PairSums<S>) -> [S; 4] {
+            [
+                sums.of(0, 0, 1),
+                sums.of(1, 1, 1),
+                sums.of(2, 2, 3),
+                sums.none(),
+            ]
+        }
+    }
+
+    /// Returns the sums of three pairs, in the last of four places the last one again or none, up to order 12.
     fn with_repeated(mut convolutions: impl OnlineConvolutions<f64, 5, 4>) -> [[f64; 3]; 11] {
         core::array::from_fn(|i| {
             let factors = core::array::from_fn(|index| factor(index, i + 1));
-            let [first, second, third, _] = convolutions.advance(&factors, &REPEATED);
+            let [first, second, third, _] = convolutions.advance::<ThreePairs>(&factors);
             [first, second, third]
         })
     }
 
     #[test]
-    fn repeated_pairs_change_nothing() {
+    fn places_without_a_pair_change_nothing() {
         assert_eq!(
             with_repeated(PairedConvolutions::<f64, 4, 4, 6, _>::new(arranged(
                 REPEATED
             ))),
-            with_repeated(Convolutions::<f64, 5, 4, 6>::new())
+            with_repeated(Convolutions::<f64, 5, 4, 6>::of(&ThreePairs))
         );
     }
 }

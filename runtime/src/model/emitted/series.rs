@@ -3,10 +3,10 @@
 use nalgebra::SVector;
 
 use crate::integrate::{
-    BranchVisitor, Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions,
-    TaylorCoefficients,
+    BranchVisitor, Convolutions, FactorPairs, FewConvolutions, OnlineConvolutions,
+    PairedConvolutions, TaylorCoefficients, UnrolledConvolutions,
 };
-use crate::limits::taylor::{MAX_PAIRED_CONVOLUTIONS, MIN_CONVOLUTIONS};
+use crate::limits::taylor::{MAX_PAIRED_CONVOLUTIONS, MAX_UNROLLED_CONVOLUTIONS, MIN_CONVOLUTIONS};
 use crate::model::{Events, Phase, State};
 use crate::scalar::Scalar;
 
@@ -69,7 +69,7 @@ pub fn taylor_series<
     unit: S,
     accelerations: SVector<S, N>,
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
-    pairs: &[[usize; 2]; PAIRS],
+    pairs: impl FactorPairs<PAIRS>,
     arrange: impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
     mut term: impl FnMut(&Term<S, N, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
 ) {
@@ -104,7 +104,7 @@ pub fn taylor_series_in_quasi_velocities<
     unit: S,
     rates: SVector<S, W>,
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
-    pairs: &[[usize; 2]; PAIRS],
+    pairs: impl FactorPairs<PAIRS>,
     arrange: impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
     term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
 ) {
@@ -132,7 +132,7 @@ fn expand<
     (state, unit, rates): (&State<S, N>, S, SVector<S, W>),
     coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
     (pairs, arrange): (
-        &[[usize; 2]; PAIRS],
+        impl FactorPairs<PAIRS>,
         impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
     ),
     velocities: impl Fn(SVector<S, W>) -> Option<SVector<S, N>>,
@@ -144,8 +144,11 @@ fn expand<
     if const { pair_by_pair::<S, PAIRS, HALF>() } {
         let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF, _>::new(arrange);
         orders_of(unit, first, higher, pairs, convolutions, velocities, term);
+    } else if PAIRS <= MAX_UNROLLED_CONVOLUTIONS {
+        let convolutions = UnrolledConvolutions::<S, FACTORS, PAIRS, HALF>::new();
+        orders_of(unit, first, higher, pairs, convolutions, velocities, term);
     } else {
-        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
+        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::of(&pairs);
         orders_of(unit, first, higher, pairs, convolutions, velocities, term);
     }
 }
@@ -161,6 +164,7 @@ const fn pair_by_pair<S, const PAIRS: usize, const HALF: usize>() -> bool {
 #[inline]
 fn orders_of<
     S: Scalar,
+    P: FactorPairs<PAIRS>,
     const N: usize,
     const W: usize,
     const FACTORS: usize,
@@ -169,7 +173,7 @@ fn orders_of<
     unit: S,
     first: (SVector<S, N>, SVector<S, W>),
     higher: &mut [Phase<S, N>],
-    pairs: &[[usize; 2]; PAIRS],
+    _: P,
     mut convolutions: impl OnlineConvolutions<S, FACTORS, PAIRS>,
     velocities_of: impl Fn(SVector<S, W>) -> Option<SVector<S, N>>,
     mut term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
@@ -208,7 +212,7 @@ fn orders_of<
             *last = Phase::new(q, velocities);
             return;
         }
-        sums = convolutions.advance(&factors, pairs);
+        sums = convolutions.advance::<P>(&factors);
     }
 }
 
@@ -229,14 +233,14 @@ pub fn event_series<
     unit: S,
     motion: &TaylorCoefficients<Phase<S, N>, OF_MOTION>,
     values: [S; EVENTS],
-    pairs: &[[usize; 2]; PAIRS],
+    pairs: impl FactorPairs<PAIRS>,
     term: impl FnMut(&Term<S, N, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
 ) -> TaylorCoefficients<[S; EVENTS], HALF> {
     if HALF < MIN_CONVOLUTIONS {
         let convolutions = FewConvolutions::<S, FACTORS, HALF>::new();
         series_by(convolutions, unit, motion, values, pairs, term)
     } else {
-        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::new();
+        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::of(&pairs);
         series_by(convolutions, unit, motion, values, pairs, term)
     }
 }
@@ -245,6 +249,7 @@ pub fn event_series<
 #[inline]
 fn series_by<
     S: Scalar,
+    P: FactorPairs<PAIRS>,
     const N: usize,
     const EVENTS: usize,
     const FACTORS: usize,
@@ -256,7 +261,7 @@ fn series_by<
     unit: S,
     motion: &TaylorCoefficients<Phase<S, N>, OF_MOTION>,
     values: [S; EVENTS],
-    pairs: &[[usize; 2]; PAIRS],
+    _: P,
     mut term: impl FnMut(&Term<S, N, N, PAIRS>) -> ([S; EVENTS], [S; FACTORS]),
 ) -> TaylorCoefficients<[S; EVENTS], HALF> {
     let mut series = TaylorCoefficients::new(values);
@@ -265,7 +270,7 @@ fn series_by<
     let mut t = unit;
     for (coefficient, of_motion) in series.higher_mut().iter_mut().zip(motion.higher()) {
         let sums = match &factors {
-            Some(factors) => convolutions.advance(factors, pairs),
+            Some(factors) => convolutions.advance::<P>(factors),
             None => [S::zero(); PAIRS],
         };
         order += S::one();
