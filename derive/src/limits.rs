@@ -96,6 +96,10 @@ impl MethodLimits {
 /// few lines. More would make longer statements of the same operations.
 pub(crate) const DEEPEST_NESTING: usize = 6;
 
+/// About how many characters a part of a statement takes: two parts, and what joins them, fit in a line. The golden expansions set it.
+/// More would make longer statements of the same operations.
+pub(crate) const MAX_PART_WIDTH: usize = 48;
+
 /// How deep an expression of the declaration is printed as it stands. Each level takes a frame of the stack; a sum of more terms
 /// is too long to read. A printer with a stack of its own would lift it.
 pub(crate) const DEEPEST_PRINTED: usize = 100;

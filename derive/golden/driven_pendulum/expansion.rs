@@ -120,14 +120,9 @@ for DrivenPendulum {
         let theta_dot: __S = state.x.v[0];
         let l: __S = prepared[2];
         let [m, g, ..] = *prepared;
-        let x0 = m
-            * (l
-                * g
-                    .mul_add(
-                        theta.cos(),
-                        __S::from_f64(0.5) * (l * (theta_dot * theta_dot)),
-                    ));
-        x0
+        let x0 = g
+            .mul_add(theta.cos(), __S::from_f64(0.5) * (l * (theta_dot * theta_dot)));
+        m * (l * x0)
     }
     fn energy(
         &self,
@@ -139,14 +134,9 @@ for DrivenPendulum {
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
-        let x0 = m
-            * (l
-                * (-g)
-                    .mul_add(
-                        theta.cos(),
-                        __S::from_f64(0.5) * (l * (theta_dot * theta_dot)),
-                    ));
-        x0
+        let x0 = (-g)
+            .mul_add(theta.cos(), __S::from_f64(0.5) * (l * (theta_dot * theta_dot)));
+        m * (l * x0)
     }
     fn momenta(
         &self,
@@ -220,9 +210,8 @@ for DrivenPendulum {
         let friction: __S = prepared[3];
         let [_, _, _, _, c0, c1, ..] = *prepared;
         let torque: __S = inputs[0];
-        ::lagrangian::__private::vector([
-            (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
-        ])
+        let x0 = (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque));
+        ::lagrangian::__private::vector([x0 * c1])
     }
     fn inverse_dynamics(
         &self,
@@ -237,10 +226,8 @@ for DrivenPendulum {
         let [_, _, _, _, _, _, c2, c3] = *prepared;
         let theta_ddot: __S = accelerations[0];
         let torque: __S = inputs[0];
-        ::lagrangian::__private::vector([
-            friction.mul_add(theta_dot, theta_ddot.mul_add(c3, theta.sin() * c2))
-                - torque,
-        ])
+        let x0 = theta_ddot.mul_add(c3, theta.sin() * c2);
+        ::lagrangian::__private::vector([friction.mul_add(theta_dot, x0) - torque])
     }
     fn relative_pivots(
         &self,
@@ -281,11 +268,13 @@ for DrivenPendulum {
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let torque: __S = inputs[0];
-        let x0 = __S::from_f64(1.0) / l;
-        let x1 = x0 * (__S::from_f64(1.0) / m * x0);
+        let x0 = (-(m * g * l))
+            .mul_add(sin_theta, (-friction).mul_add(theta_dot, torque));
+        let x1 = __S::from_f64(1.0) / l;
+        let x2 = x1 * (__S::from_f64(1.0) / m * x1);
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::matrix([[-(g * cos_theta / l)]]),
-            velocity: ::lagrangian::__private::matrix([[-(friction * x1)]]),
+            velocity: ::lagrangian::__private::matrix([[-(friction * x2)]]),
             time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
         }
     }
@@ -367,10 +356,10 @@ for DrivenPendulum {
         let theta_ddot: __S = accelerations[0];
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let y = -(l * cos_theta);
+        let x0 = (-sin_theta).mul_add(theta_dot * theta_dot, cos_theta * theta_ddot);
         DrivenPendulumOutputs {
             height: y,
-            acceleration: l
-                * (-sin_theta).mul_add(theta_dot * theta_dot, cos_theta * theta_ddot),
+            acceleration: l * x0,
         }
     }
 }

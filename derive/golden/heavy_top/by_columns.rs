@@ -149,13 +149,8 @@ for HeavyTop {
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x1 = (-(m * g * l))
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
-        x1
+        let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
     }
     fn energy(
         &self,
@@ -178,13 +173,8 @@ for HeavyTop {
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x1 = (m * g * l)
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
-        x1
+        let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
     }
     fn momenta(
         &self,
@@ -249,26 +239,16 @@ for HeavyTop {
         let x7 = psi_dot.mul_add(w2, x0 * x4);
         let x8 = i1 * sin_psi;
         let w3 = psi_dot + x4;
-        let x9 = sin_theta
-            * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
-        let x10 = i3 * x1;
-        let x11 = (-(i1 * cos_psi))
-            .mul_add(
-                x7,
-                w3
-                    .mul_add(
-                        w1.mul_add(x8, w2 * x6) - x10,
-                        (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
-                    ),
-            );
+        let x9 = (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4)));
+        let x10 = sin_theta * (-x7).mul_add(x8, x9);
+        let x11 = (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x10);
+        let x12 = i3 * x1;
+        let x13 = (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5);
+        let x14 = w3.mul_add(w1.mul_add(x8, w2 * x6) - x12, x13);
         ::lagrangian::__private::vector([
-            (-(i1 * w1))
-                .mul_add(
-                    cos_psi.mul_add(x3, x0 * cos_theta),
-                    (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
-                ),
-            x11,
-            w1.mul_add(w2 * (i1 - i2), theta_dot * x10),
+            (-(i1 * w1)).mul_add(cos_psi.mul_add(x3, x0 * cos_theta), x11),
+            (-(i1 * cos_psi)).mul_add(x7, x14),
+            w1.mul_add(w2 * (i1 - i2), theta_dot * x12),
         ])
     }
     type Prepared = [__S; 13usize];
@@ -316,23 +296,17 @@ for HeavyTop {
         let x2 = phi_dot * sin_theta;
         let w1 = sin_psi.mul_add(x2, x1);
         let w3 = psi_dot + x0;
-        let x3 = (-x1)
-            .mul_add(
-                x0,
-                psi_dot.mul_add(w1, -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0)),
-            );
-        let x4 = theta_dot * sin_psi;
-        let w2 = cos_psi.mul_add(x2, -x4);
-        let x5 = (-psi_dot)
-            .mul_add(
-                w2,
-                (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
-            );
-        let x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
+        let x3 = (sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
+        let x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, -x3));
+        let x5 = theta_dot * sin_psi;
+        let w2 = cos_psi.mul_add(x2, -x5);
+        let x6 = (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3);
+        let x7 = (-psi_dot).mul_add(w2, (-x5).mul_add(x0, x6));
+        let x8 = -sin_psi.mul_add(x7, cos_psi * x4) * (__S::from_f64(1.0) / sin_theta);
         ::lagrangian::__private::vector([
-            -x6,
-            (-sin_psi).mul_add(x3, cos_psi * x5),
-            cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
+            -x8,
+            (-sin_psi).mul_add(x4, cos_psi * x7),
+            cos_theta.mul_add(x8, (w1 * w2).mul_add(c4, theta_dot * x2)),
         ])
     }
     fn inverse_dynamics(
@@ -358,30 +332,22 @@ for HeavyTop {
         let x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
         let w1 = sin_psi.mul_add(x1, x2);
         let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
-        let x6 = i3 * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
+        let x6 = (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
+        let x7 = i3 * x6;
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
-        let x8 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
-        let x9 = i2 * cos_psi;
-        let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
-        let x11 = i1 * sin_psi;
-        let x12 = (-sin_theta)
-            .mul_add(
-                c5,
-                w3
-                    .mul_add(
-                        (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
-                        i1 * cos_psi * x10,
-                    ),
-            );
+        let x8 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
+        let x9 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x8, phi_dot * x4));
+        let x10 = i2 * cos_psi;
+        let x11 = sin_psi.mul_add(x8, phi_dot.mul_add(x5, theta_ddot * cos_psi));
+        let x12 = i1 * sin_psi;
+        let x13 = (-(i3 * theta_dot)).mul_add(w3, x11.mul_add(x12, x9 * x10));
+        let x14 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
+        let x15 = (-w1).mul_add(x12, (-w2).mul_add(x10, i3 * x1));
+        let x16 = (-sin_theta).mul_add(c5, w3.mul_add(x15, i1 * cos_psi * x11));
         ::lagrangian::__private::vector([
-            sin_theta
-                .mul_add(
-                    (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
-                    cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
-                ),
-            (-(i2 * sin_psi)).mul_add(x8, x12),
-            w1.mul_add(w2 * c6, x6),
+            sin_theta.mul_add(x13, cos_theta.mul_add(x7, x14)),
+            (-(i2 * sin_psi)).mul_add(x9, x16),
+            w1.mul_add(w2 * c6, x7),
         ])
     }
     fn relative_pivots(
@@ -481,7 +447,8 @@ for HeavyTop {
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
+        let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1)
     }
     fn potential_energy(
         &self,

@@ -145,13 +145,8 @@ for HeavyTop {
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x1 = (-(m * g * l))
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
-        x1
+        let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
     }
     fn energy(
         &self,
@@ -174,13 +169,8 @@ for HeavyTop {
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x1 = (m * g * l)
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
-        x1
+        let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
     }
     fn momenta(
         &self,
@@ -257,26 +247,16 @@ for HeavyTop {
         let x7 = psi_dot.mul_add(w2, x0 * x4);
         let x8 = i1 * sin_psi;
         let w3 = psi_dot + x4;
-        let x9 = sin_theta
-            * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
-        let x10 = i3 * x1;
-        let x11 = (-(i1 * cos_psi))
-            .mul_add(
-                x7,
-                w3
-                    .mul_add(
-                        w1.mul_add(x8, w2 * x6) - x10,
-                        (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
-                    ),
-            );
+        let x9 = (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4)));
+        let x10 = sin_theta * (-x7).mul_add(x8, x9);
+        let x11 = (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x10);
+        let x12 = i3 * x1;
+        let x13 = (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5);
+        let x14 = w3.mul_add(w1.mul_add(x8, w2 * x6) - x12, x13);
         ::lagrangian::__private::vector([
-            (-(i1 * w1))
-                .mul_add(
-                    cos_psi.mul_add(x3, x0 * cos_theta),
-                    (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
-                ),
-            x11,
-            w1.mul_add(w2 * (i1 - i2), theta_dot * x10),
+            (-(i1 * w1)).mul_add(cos_psi.mul_add(x3, x0 * cos_theta), x11),
+            (-(i1 * cos_psi)).mul_add(x7, x14),
+            w1.mul_add(w2 * (i1 - i2), theta_dot * x12),
         ])
     }
     type Prepared = [__S; 13usize];
@@ -324,23 +304,17 @@ for HeavyTop {
         let x2 = phi_dot * sin_theta;
         let w1 = sin_psi.mul_add(x2, x1);
         let w3 = psi_dot + x0;
-        let x3 = (-x1)
-            .mul_add(
-                x0,
-                psi_dot.mul_add(w1, -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0)),
-            );
-        let x4 = theta_dot * sin_psi;
-        let w2 = cos_psi.mul_add(x2, -x4);
-        let x5 = (-psi_dot)
-            .mul_add(
-                w2,
-                (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
-            );
-        let x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
+        let x3 = (sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
+        let x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, -x3));
+        let x5 = theta_dot * sin_psi;
+        let w2 = cos_psi.mul_add(x2, -x5);
+        let x6 = (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3);
+        let x7 = (-psi_dot).mul_add(w2, (-x5).mul_add(x0, x6));
+        let x8 = -sin_psi.mul_add(x7, cos_psi * x4) * (__S::from_f64(1.0) / sin_theta);
         ::lagrangian::__private::vector([
-            -x6,
-            (-sin_psi).mul_add(x3, cos_psi * x5),
-            cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
+            -x8,
+            (-sin_psi).mul_add(x4, cos_psi * x7),
+            cos_theta.mul_add(x8, (w1 * w2).mul_add(c4, theta_dot * x2)),
         ])
     }
     fn inverse_dynamics(
@@ -366,30 +340,22 @@ for HeavyTop {
         let x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
         let w1 = sin_psi.mul_add(x1, x2);
         let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
-        let x6 = i3 * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
+        let x6 = (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
+        let x7 = i3 * x6;
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
-        let x8 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
-        let x9 = i2 * cos_psi;
-        let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
-        let x11 = i1 * sin_psi;
-        let x12 = (-sin_theta)
-            .mul_add(
-                c5,
-                w3
-                    .mul_add(
-                        (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
-                        i1 * cos_psi * x10,
-                    ),
-            );
+        let x8 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
+        let x9 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x8, phi_dot * x4));
+        let x10 = i2 * cos_psi;
+        let x11 = sin_psi.mul_add(x8, phi_dot.mul_add(x5, theta_ddot * cos_psi));
+        let x12 = i1 * sin_psi;
+        let x13 = (-(i3 * theta_dot)).mul_add(w3, x11.mul_add(x12, x9 * x10));
+        let x14 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
+        let x15 = (-w1).mul_add(x12, (-w2).mul_add(x10, i3 * x1));
+        let x16 = (-sin_theta).mul_add(c5, w3.mul_add(x15, i1 * cos_psi * x11));
         ::lagrangian::__private::vector([
-            sin_theta
-                .mul_add(
-                    (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
-                    cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
-                ),
-            (-(i2 * sin_psi)).mul_add(x8, x12),
-            w1.mul_add(w2 * c6, x6),
+            sin_theta.mul_add(x13, cos_theta.mul_add(x7, x14)),
+            (-(i2 * sin_psi)).mul_add(x9, x16),
+            w1.mul_add(w2 * c6, x7),
         ])
     }
     fn relative_pivots(
@@ -482,69 +448,67 @@ for HeavyTop {
             x23.mul_add(x27, (w1 * w2 * x25).mul_add(x26, sin_theta * x10)),
         ]);
         let [phi_ddot, theta_ddot, ..] = accelerations.data.0[0];
-        let x28 = x8
-            * (-x20).mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
-        let x29 = phi_dot.mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9)
-            - x28;
-        let x30 = x19
-            * phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
-        let x31 = (-phi_ddot)
-            .mul_add(x20, phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x30));
-        let x32 = x24 * (-sin_psi).mul_add(x31, cos_psi * x29);
-        let x33 = x25.mul_add(x26 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
-        let x34 = x8
-            .mul_add(-x0.mul_add(x17, x18), theta_ddot.mul_add(cos_psi, phi_ddot * x2))
-            + x21;
-        let x35 = -x34;
-        let x36 = (-phi_ddot)
-            .mul_add(x15, x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11);
-        let x37 = (-sin_psi).mul_add(x36, cos_psi * x35);
-        let x38 = x0 * x8;
-        let x39 = (-(-w1.mul_add(cos_theta, w3 * x2)))
-            .mul_add(x38, (-psi_dot).mul_add(x2, theta_dot * x9));
-        let x40 = x13 * x19;
-        let x41 = (-psi_dot)
-            .mul_add(
-                x15,
-                (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x40),
-            );
-        let x42 = (-sin_psi).mul_add(x41, cos_psi * x39);
-        let x43 = psi_dot - x4;
-        let x44 = (-(sin_psi * sin_psi))
-            .mul_add(w3.mul_add(x40, x43), cos_psi * cos_psi * w3.mul_add(x38, -x43));
-        let x45 = w1.mul_add(x38, -w1);
-        let x46 = -w2.mul_add(x40, w2);
-        let x47 = (-sin_psi).mul_add(x46, cos_psi * x45);
+        let x28 = (-x20)
+            .mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
+        let x29 = x8 * x28;
+        let x30 = phi_dot.mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9);
+        let x31 = x30 - x29;
+        let x32 = phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
+        let x33 = x19 * x32;
+        let x34 = phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x33);
+        let x35 = (-phi_ddot).mul_add(x20, x34);
+        let x36 = x24 * (-sin_psi).mul_add(x35, cos_psi * x31);
+        let x37 = x25.mul_add(x26 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
+        let x38 = x8
+            .mul_add(-x0.mul_add(x17, x18), theta_ddot.mul_add(cos_psi, phi_ddot * x2));
+        let x39 = x38 + x21;
+        let x40 = -x39;
+        let x41 = x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi);
+        let x42 = (-phi_ddot).mul_add(x15, x41 + x11);
+        let x43 = (-sin_psi).mul_add(x42, cos_psi * x40);
+        let x44 = x0 * x8;
+        let x45 = (-(-w1.mul_add(cos_theta, w3 * x2)))
+            .mul_add(x44, (-psi_dot).mul_add(x2, theta_dot * x9));
+        let x46 = x13 * x19;
+        let x47 = (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x46);
+        let x48 = (-psi_dot).mul_add(x15, x47);
+        let x49 = (-sin_psi).mul_add(x48, cos_psi * x45);
+        let x50 = psi_dot - x4;
+        let x51 = (-(sin_psi * sin_psi))
+            .mul_add(w3.mul_add(x46, x50), cos_psi * cos_psi * w3.mul_add(x44, -x50));
+        let x52 = w1.mul_add(x44, -w1);
+        let x53 = -w2.mul_add(x46, w2);
+        let x54 = (-sin_psi).mul_add(x53, cos_psi * x52);
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::matrix([
                 [__S::from_f64(0.0), __S::from_f64(0.0), __S::from_f64(0.0)],
                 [
-                    -x32,
-                    cos_psi.mul_add(x31, sin_psi * x29),
-                    cos_theta.mul_add(phi_dot.mul_add(x33, x32), phi_ddot * sin_theta),
+                    -x36,
+                    cos_psi.mul_add(x35, sin_psi * x31),
+                    cos_theta.mul_add(phi_dot.mul_add(x37, x36), phi_ddot * sin_theta),
                 ],
                 [
-                    -(x24 * x37),
-                    cos_psi.mul_add(x36, sin_psi * x35),
-                    x25.mul_add(x26 * (-w1).mul_add(w1, w2 * w2), x37 * x27),
+                    -(x24 * x43),
+                    cos_psi.mul_add(x42, sin_psi * x40),
+                    x25.mul_add(x26 * (-w1).mul_add(w1, w2 * w2), x43 * x27),
                 ],
             ]),
             velocity: ::lagrangian::__private::matrix([
                 [
-                    -(x24 * x42),
-                    cos_psi.mul_add(x41, sin_psi * x39),
-                    sin_theta.mul_add(x33, x42 * x27),
+                    -(x24 * x49),
+                    cos_psi.mul_add(x48, sin_psi * x45),
+                    sin_theta.mul_add(x37, x49 * x27),
                 ],
                 [
-                    -(x24 * x44),
-                    -(sin_psi * cos_psi * w3 * -(x38 + x40)),
+                    -(x24 * x51),
+                    -(sin_psi * cos_psi * w3 * -(x44 + x46)),
                     x25
                         .mul_add(
                             x26 * (-sin_psi).mul_add(w1, cos_psi * w2),
-                            x44.mul_add(x27, phi_dot * sin_theta),
+                            x51.mul_add(x27, phi_dot * sin_theta),
                         ),
                 ],
-                [-(x24 * x47), cos_psi.mul_add(x46, sin_psi * x45), x47 * x27],
+                [-(x24 * x54), cos_psi.mul_add(x53, sin_psi * x52), x54 * x27],
             ]),
             time: ::lagrangian::__private::vector([
                 __S::from_f64(0.0),
@@ -575,7 +539,8 @@ for HeavyTop {
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
+        let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1)
     }
     fn potential_energy(
         &self,

@@ -147,13 +147,8 @@ for HeavyTop {
         w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        x1 = (-(m * g * l))
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
-        x1
+        x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
     }
     fn energy(
         &self,
@@ -178,13 +173,8 @@ for HeavyTop {
         w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        x1 = (m * g * l)
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
-        x1
+        x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
     }
     fn momenta(
         &self,
@@ -246,49 +236,104 @@ for HeavyTop {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
-        psi_dot, i1, i2, i3, m, g, l, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3, x9,
-        x10, x11]: [__S; 30usize];
-        [_, theta, psi] = state.x.q.data.0[0];
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        [i1, i2, i3, m, g, l, ..] = *prepared;
-        x0 = theta_dot * sin_psi;
-        x1 = phi_dot * sin_theta;
-        w2 = cos_psi.mul_add(x1, -x0);
-        x2 = theta_dot * cos_psi;
-        x3 = psi_dot * sin_theta;
-        w1 = sin_psi.mul_add(x1, x2);
-        x4 = phi_dot * cos_theta;
-        x5 = (-psi_dot).mul_add(w1, x2 * x4);
-        x6 = i2 * cos_psi;
-        x7 = psi_dot.mul_add(w2, x0 * x4);
-        x8 = i1 * sin_psi;
-        w3 = psi_dot + x4;
-        x9 = sin_theta
-            * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
-        x10 = i3 * x1;
-        x11 = (-(i1 * cos_psi))
-            .mul_add(
-                x7,
-                w3
-                    .mul_add(
-                        w1.mul_add(x8, w2 * x6) - x10,
-                        (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
-                    ),
-            );
-        ::lagrangian::__private::vector([
-            (-(i1 * w1))
-                .mul_add(
-                    cos_psi.mul_add(x3, x0 * cos_theta),
-                    (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
-                ),
-            x11,
-            w1.mul_add(w2 * (i1 - i2), theta_dot * x10),
-        ])
+        let mut values: [__S; 19usize] = [__S::from_f64(0.0); 19usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [0usize, 1usize, 2usize, 3usize, 4usize],
+            [state.x.q[1], state.x.q[2], state.x.v[0], state.x.v[1], state.x.v[2]],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 19usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4],
+                );
+                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+                    psi,
+                    theta,
+                ]);
+                let x0 = theta_dot * sin_psi;
+                let x1 = phi_dot * sin_theta;
+                let w2 = cos_psi.mul_add(x1, -x0);
+                let x2 = theta_dot * cos_psi;
+                let x3 = psi_dot * sin_theta;
+                let w1 = sin_psi.mul_add(x1, x2);
+                let x4 = phi_dot * cos_theta;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15],
+                    [sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values: &mut [__S; 19usize],
+                prepared: &[__S; 13usize],
+            ) {
+                let [i1, i2, i3]: [__S; 3usize] = ::lagrangian::__private::gather(
+                    &prepared[..],
+                    [0, 1, 2],
+                );
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, w2, x2, x3, w1, x4,
+                theta_dot, psi_dot]: [__S; 12usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [5, 6, 9, 7, 8, 11, 12, 13, 14, 15, 3, 4],
+                );
+                let x5 = (-psi_dot).mul_add(w1, x2 * x4);
+                let x6 = i2 * cos_psi;
+                let x7 = psi_dot.mul_add(w2, x0 * x4);
+                let x8 = i1 * sin_psi;
+                let w3 = psi_dot + x4;
+                let x9 = (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4)));
+                let x10 = sin_theta * (-x7).mul_add(x8, x9);
+                let x11 = (-(i2 * w2))
+                    .mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x10);
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [2, 1, 0, 16, 17, 18],
+                    [x5, x6, x7, x8, w3, x11],
+                );
+            }
+            piece(&mut values, prepared);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values: &mut [__S; 19usize],
+                prepared: &[__S; 13usize],
+            ) {
+                let [i1, i2, i3, m, g, l]: [__S; 6usize] = ::lagrangian::__private::gather(
+                    &prepared[..],
+                    [0, 1, 2, 3, 4, 5],
+                );
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, w2, x3, w1, x5, x6,
+                x7, x8, w3, x11, theta_dot]: [__S; 16usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [5, 6, 9, 7, 8, 10, 11, 13, 14, 2, 1, 0, 16, 17, 18, 3],
+                );
+                let x12 = (-(i1 * w1)).mul_add(cos_psi.mul_add(x3, x0 * cos_theta), x11);
+                let x13 = i3 * x1;
+                let x14 = (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5);
+                let x15 = w3.mul_add(w1.mul_add(x8, w2 * x6) - x13, x14);
+                let x16 = (-(i1 * cos_psi)).mul_add(x7, x15);
+                let x17 = w1.mul_add(w2 * (i1 - i2), theta_dot * x13);
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [15, 12, 4],
+                    [x12, x16, x17],
+                );
+            }
+            piece(&mut values, prepared);
+        }
+        let [x12, x16, x17]: [__S; 3usize] = ::lagrangian::__private::gather(
+            &values[..],
+            [15, 12, 4],
+        );
+        ::lagrangian::__private::vector([x12, x16, x17])
     }
     type Prepared = [__S; 13usize];
     fn prepare(&self) -> [__S; 13usize] {
@@ -324,8 +369,8 @@ for HeavyTop {
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
-        psi_dot, c0, c1, c2, c3, c4, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
-        ]: [__S; 24usize];
+        psi_dot, c0, c1, c2, c3, c4, x0, x1, x2, w1, w3, x3, x4, x5, w2, x6, x7, x8,
+        ]: [__S; 26usize];
         [_, theta, psi] = state.x.q.data.0[0];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
@@ -338,23 +383,17 @@ for HeavyTop {
         x2 = phi_dot * sin_theta;
         w1 = sin_psi.mul_add(x2, x1);
         w3 = psi_dot + x0;
-        x3 = (-x1)
-            .mul_add(
-                x0,
-                psi_dot.mul_add(w1, -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0)),
-            );
-        x4 = theta_dot * sin_psi;
-        w2 = cos_psi.mul_add(x2, -x4);
-        x5 = (-psi_dot)
-            .mul_add(
-                w2,
-                (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
-            );
-        x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
+        x3 = (sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
+        x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, -x3));
+        x5 = theta_dot * sin_psi;
+        w2 = cos_psi.mul_add(x2, -x5);
+        x6 = (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3);
+        x7 = (-psi_dot).mul_add(w2, (-x5).mul_add(x0, x6));
+        x8 = -sin_psi.mul_add(x7, cos_psi * x4) * (__S::from_f64(1.0) / sin_theta);
         ::lagrangian::__private::vector([
-            -x6,
-            (-sin_psi).mul_add(x3, cos_psi * x5),
-            cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
+            -x8,
+            (-sin_psi).mul_add(x4, cos_psi * x7),
+            cos_theta.mul_add(x8, (w1 * w2).mul_add(c4, theta_dot * x2)),
         ])
     }
     fn inverse_dynamics(
@@ -364,7 +403,7 @@ for HeavyTop {
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let mut values: [__S; 23usize] = [__S::from_f64(0.0); 23usize];
+        let mut values: [__S; 22usize] = [__S::from_f64(0.0); 22usize];
         ::lagrangian::__private::scatter(
             &mut values[..],
             [0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize],
@@ -381,7 +420,7 @@ for HeavyTop {
         );
         {
             #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 23usize]) {
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 22usize]) {
                 let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values[..],
                     [0, 1, 2, 3, 4],
@@ -408,12 +447,12 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values: &mut [__S; 23usize],
+                values: &mut [__S; 22usize],
                 prepared: &[__S; 13usize],
             ) {
-                let [i1, i2, i3]: [__S; 3usize] = ::lagrangian::__private::gather(
+                let [i2, i3]: [__S; 2usize] = ::lagrangian::__private::gather(
                     &prepared[..],
-                    [0, 1, 2],
+                    [1, 2],
                 );
                 let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, x3, x4, phi_dot,
                 theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot]: [__S; 14usize] = ::lagrangian::__private::gather(
@@ -421,19 +460,18 @@ for HeavyTop {
                     [8, 9, 12, 10, 11, 13, 15, 16, 2, 3, 4, 5, 6, 7],
                 );
                 let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
-                let x6 = i3
-                    * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
+                let x6 = (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
+                let x7 = i3 * x6;
                 let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-                let x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
-                let x8 = (-theta_ddot)
-                    .mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
-                let x9 = i2 * cos_psi;
-                let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
-                let x11 = i1 * sin_psi;
+                let x8 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
+                let x9 = (-theta_ddot)
+                    .mul_add(sin_psi, cos_psi.mul_add(x8, phi_dot * x4));
+                let x10 = i2 * cos_psi;
+                let x11 = sin_psi.mul_add(x8, phi_dot.mul_add(x5, theta_ddot * cos_psi));
                 ::lagrangian::__private::scatter(
                     &mut values[..],
-                    [1, 0, 18, 19, 20, 21, 22],
-                    [x5, x6, w3, x8, x9, x10, x11],
+                    [1, 0, 18, 19, 20, 21],
+                    [x5, x7, w3, x9, x10, x11],
                 );
             }
             piece(&mut values, prepared);
@@ -441,47 +479,39 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values: &mut [__S; 23usize],
+                values: &mut [__S; 22usize],
                 prepared: &[__S; 13usize],
             ) {
                 let [i1, i2, i3, c5, c6]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &prepared[..],
                     [0, 1, 2, 11, 12],
                 );
-                let [sin_psi, cos_psi, sin_theta, cos_theta, x1, w2, x4, w1, x5, x6, w3,
-                x8, x9, x10, x11, theta_dot]: [__S; 16usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, sin_theta, cos_theta, x1, w2, x4, w1, x5, x7, w3,
+                x9, x10, x11, theta_dot]: [__S; 15usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [8, 9, 10, 11, 13, 14, 16, 17, 1, 0, 18, 19, 20, 21, 22, 3],
+                    [8, 9, 10, 11, 13, 14, 16, 17, 1, 0, 18, 19, 20, 21, 3],
                 );
-                let x12 = sin_theta
-                    .mul_add(
-                        (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
-                        cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
-                    );
-                let x13 = (-sin_theta)
-                    .mul_add(
-                        c5,
-                        w3
-                            .mul_add(
-                                (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
-                                i1 * cos_psi * x10,
-                            ),
-                    );
-                let x14 = (-(i2 * sin_psi)).mul_add(x8, x13);
-                let x15 = w1.mul_add(w2 * c6, x6);
+                let x12 = i1 * sin_psi;
+                let x13 = (-(i3 * theta_dot)).mul_add(w3, x11.mul_add(x12, x9 * x10));
+                let x14 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
+                let x15 = sin_theta.mul_add(x13, cos_theta.mul_add(x7, x14));
+                let x16 = (-w1).mul_add(x12, (-w2).mul_add(x10, i3 * x1));
+                let x17 = (-sin_theta).mul_add(c5, w3.mul_add(x16, i1 * cos_psi * x11));
+                let x18 = (-(i2 * sin_psi)).mul_add(x9, x17);
+                let x19 = w1.mul_add(w2 * c6, x7);
                 ::lagrangian::__private::scatter(
                     &mut values[..],
                     [15, 12, 7],
-                    [x12, x14, x15],
+                    [x15, x18, x19],
                 );
             }
             piece(&mut values, prepared);
         }
-        let [x12, x14, x15]: [__S; 3usize] = ::lagrangian::__private::gather(
+        let [x15, x18, x19]: [__S; 3usize] = ::lagrangian::__private::gather(
             &values[..],
             [15, 12, 7],
         );
-        ::lagrangian::__private::vector([x12, x14, x15])
+        ::lagrangian::__private::vector([x15, x18, x19])
     }
     fn relative_pivots(
         &self,
@@ -668,7 +698,7 @@ for HeavyTop {
             [33, 34, 27],
         );
         let accelerations = ::lagrangian::__private::vector([x25, x26, x30]);
-        let mut values_: [__S; 19usize] = [__S::from_f64(0.0); 19usize];
+        let mut values_: [__S; 20usize] = [__S::from_f64(0.0); 20usize];
         ::lagrangian::__private::scatter(
             &mut values_[..],
             [0usize, 1usize, 2usize, 3usize, 4usize],
@@ -683,86 +713,67 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 19usize],
+                values_: &mut [__S; 20usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, x0, sin_theta, x2, w1, w3, x6, x8, x9, x13, x15,
-                w2, x19, x20, x24, x27, x28]: [__S; 18usize] = ::lagrangian::__private::gather(
+                let [x0, sin_theta, x2, w1, w3, x6, x8, x9, x13, x15, w2, x19, x20,
+                ]: [__S; 13usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 15, 13, 17, 19, 21, 0, 23, 24, 18, 10, 8, 30, 3, 32, 35, 9],
+                    [15, 13, 17, 19, 21, 0, 23, 24, 18, 10, 8, 30, 3],
                 );
                 let [phi_dot, theta_dot, psi_dot, phi_ddot]: [__S; 4usize] = ::lagrangian::__private::gather(
                     &values_[..],
                     [0, 1, 2, 3],
                 );
-                let x31 = x8
-                    * (-x20)
-                        .mul_add(
-                            x6,
-                            phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)),
-                        );
-                let x32 = phi_dot
-                    .mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9)
-                    - x31;
-                let x33 = x19
-                    * phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
-                let x34 = (-phi_ddot)
-                    .mul_add(
-                        x20,
-                        phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x33),
-                    );
-                let x35 = x24 * (-sin_psi).mul_add(x34, cos_psi * x32);
-                let x36 = -x35;
-                let x37 = cos_psi.mul_add(x34, sin_psi * x32);
-                let x38 = x27
-                    .mul_add(x28 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
-                ::lagrangian::__private::scatter(
-                    &mut values_[..],
-                    [5, 6, 7, 8],
-                    [x35, x36, x37, x38],
-                );
+                let x31 = (-x20)
+                    .mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
+                let x32 = x8 * x31;
+                let x33 = phi_dot
+                    .mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9);
+                let x34 = x33 - x32;
+                let x35 = phi_dot
+                    .mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
+                let x36 = x19 * x35;
+                let x37 = phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x36);
+                let x38 = (-phi_ddot).mul_add(x20, x37);
+                ::lagrangian::__private::scatter(&mut values_[..], [5, 6], [x34, x38]);
             }
             piece(&mut values_, &values);
         }
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 19usize],
+                values_: &mut [__S; 20usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x2, w1, x5, x7, x8, x11,
-                x13, x15, w2, x17, x18, x19, x21, x24, x27, x28, x29]: [__S; 22usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x2, w1, x8, w2, x17,
+                x18, x21, x24, x27, x28]: [__S; 15usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [
-                        11, 12, 15, 13, 14, 17, 19, 1, 22, 23, 26, 18, 10, 8, 28, 29, 30,
-                        2, 32, 35, 9, 16,
-                    ],
+                    [11, 12, 15, 13, 14, 17, 19, 23, 8, 28, 29, 2, 32, 35, 9],
                 );
-                let [x35, x38, phi_dot, phi_ddot, theta_ddot]: [__S; 5usize] = ::lagrangian::__private::gather(
+                let [x34, x38, phi_dot, theta_dot, phi_ddot, theta_ddot,
+                ]: [__S; 6usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [5, 8, 0, 3, 4],
+                    [5, 6, 0, 1, 3, 4],
                 );
-                let x39 = cos_theta
-                    .mul_add(phi_dot.mul_add(x38, x35), phi_ddot * sin_theta);
-                let x40 = x8
+                let x39 = x24 * (-sin_psi).mul_add(x38, cos_psi * x34);
+                let x40 = -x39;
+                let x41 = cos_psi.mul_add(x38, sin_psi * x34);
+                let x42 = x27
+                    .mul_add(x28 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
+                let x43 = cos_theta
+                    .mul_add(phi_dot.mul_add(x42, x39), phi_ddot * sin_theta);
+                let x44 = x8
                     .mul_add(
                         -x0.mul_add(x17, x18),
                         theta_ddot.mul_add(cos_psi, phi_ddot * x2),
-                    ) + x21;
-                let x41 = -x40;
-                let x42 = (-phi_ddot)
-                    .mul_add(
-                        x15,
-                        x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11,
                     );
-                let x43 = (-sin_psi).mul_add(x42, cos_psi * x41);
-                let x44 = -(x24 * x43);
-                let x45 = cos_psi.mul_add(x42, sin_psi * x41);
-                let x46 = x27.mul_add(x28 * (-w1).mul_add(w1, w2 * w2), x43 * x29);
+                let x45 = x44 + x21;
+                let x46 = -x45;
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
-                    [9, 10, 11, 12],
-                    [x39, x44, x45, x46],
+                    [7, 8, 9, 10, 11],
+                    [x40, x41, x42, x43, x46],
                 );
             }
             piece(&mut values_, &values);
@@ -770,35 +781,34 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 19usize],
+                values_: &mut [__S; 20usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x2, w1, w3, x8, x9, x13,
-                x15, w2, x19, x20, x24, x29]: [__S; 17usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, x0, cos_theta, x2, w1, w3, x5, x7, x8, x9, x11,
+                x13, x15, w2, x19, x24, x27, x28, x29]: [__S; 20usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 15, 13, 14, 17, 19, 21, 23, 24, 18, 10, 8, 30, 3, 32, 16],
+                    [
+                        11, 12, 15, 14, 17, 19, 21, 1, 22, 23, 24, 26, 18, 10, 8, 30, 32,
+                        35, 9, 16,
+                    ],
                 );
-                let [x38, theta_dot, psi_dot]: [__S; 3usize] = ::lagrangian::__private::gather(
+                let [x46, theta_dot, psi_dot, phi_ddot, theta_ddot]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [8, 1, 2],
+                    [11, 1, 2, 3, 4],
                 );
-                let x47 = x0 * x8;
-                let x48 = (-(-w1.mul_add(cos_theta, w3 * x2)))
-                    .mul_add(x47, (-psi_dot).mul_add(x2, theta_dot * x9));
-                let x49 = x13 * x19;
-                let x50 = (-psi_dot)
-                    .mul_add(
-                        x15,
-                        (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x49),
-                    );
-                let x51 = (-sin_psi).mul_add(x50, cos_psi * x48);
-                let x52 = -(x24 * x51);
-                let x53 = cos_psi.mul_add(x50, sin_psi * x48);
-                let x54 = sin_theta.mul_add(x38, x51 * x29);
+                let x47 = x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi);
+                let x48 = (-phi_ddot).mul_add(x15, x47 + x11);
+                let x49 = (-sin_psi).mul_add(x48, cos_psi * x46);
+                let x50 = -(x24 * x49);
+                let x51 = cos_psi.mul_add(x48, sin_psi * x46);
+                let x52 = x27.mul_add(x28 * (-w1).mul_add(w1, w2 * w2), x49 * x29);
+                let x53 = x0 * x8;
+                let x54 = (-(-w1.mul_add(cos_theta, w3 * x2)))
+                    .mul_add(x53, (-psi_dot).mul_add(x2, theta_dot * x9));
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
-                    [5, 4, 3, 13, 14],
-                    [x47, x49, x52, x53, x54],
+                    [6, 5, 12, 13, 14],
+                    [x50, x51, x52, x53, x54],
                 );
             }
             piece(&mut values_, &values);
@@ -806,38 +816,70 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 19usize],
+                values_: &mut [__S; 20usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, sin_theta, w1, x4, w3, w2, x24, x27, x28, x29,
-                ]: [__S; 11usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, sin_theta, cos_theta, x4, w3, x13, x15, w2, x19,
+                x20, x24, x29]: [__S; 13usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 13, 19, 20, 21, 8, 32, 35, 9, 16],
+                    [11, 12, 13, 14, 20, 21, 18, 10, 8, 30, 3, 32, 16],
                 );
-                let [x47, x49, phi_dot, psi_dot]: [__S; 4usize] = ::lagrangian::__private::gather(
+                let [x42, x54, theta_dot, psi_dot]: [__S; 4usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [5, 4, 0, 2],
+                    [9, 14, 1, 2],
                 );
-                let x55 = psi_dot - x4;
-                let x56 = (-(sin_psi * sin_psi))
+                let x55 = x13 * x19;
+                let x56 = (-theta_dot)
+                    .mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x55);
+                let x57 = (-psi_dot).mul_add(x15, x56);
+                let x58 = (-sin_psi).mul_add(x57, cos_psi * x54);
+                let x59 = -(x24 * x58);
+                let x60 = cos_psi.mul_add(x57, sin_psi * x54);
+                let x61 = sin_theta.mul_add(x42, x58 * x29);
+                let x62 = psi_dot - x4;
+                ::lagrangian::__private::scatter(
+                    &mut values_[..],
+                    [11, 4, 3, 15, 16],
+                    [x55, x59, x60, x61, x62],
+                );
+            }
+            piece(&mut values_, &values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values_: &mut [__S; 20usize],
+                values: &[__S; 36usize],
+            ) {
+                let [sin_psi, cos_psi, sin_theta, w1, w3, w2, x24, x27, x28, x29,
+                ]: [__S; 10usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 13, 19, 21, 8, 32, 35, 9, 16],
+                );
+                let [x53, x55, x62, phi_dot]: [__S; 4usize] = ::lagrangian::__private::gather(
+                    &values_[..],
+                    [13, 11, 16, 0],
+                );
+                let x63 = (-(sin_psi * sin_psi))
                     .mul_add(
-                        w3.mul_add(x49, x55),
-                        cos_psi * cos_psi * w3.mul_add(x47, -x55),
+                        w3.mul_add(x55, x62),
+                        cos_psi * cos_psi * w3.mul_add(x53, -x62),
                     );
-                let x57 = -(x24 * x56);
-                let x58 = -(sin_psi * cos_psi * w3 * -(x47 + x49));
-                let x59 = x27
+                let x64 = -(x24 * x63);
+                let x65 = -(sin_psi * cos_psi * w3 * -(x53 + x55));
+                let x66 = x27
                     .mul_add(
                         x28 * (-sin_psi).mul_add(w1, cos_psi * w2),
-                        x56.mul_add(x29, phi_dot * sin_theta),
+                        x63.mul_add(x29, phi_dot * sin_theta),
                     );
-                let x60 = w1.mul_add(x47, -w1);
-                let x61 = -w2.mul_add(x49, w2);
-                let x62 = (-sin_psi).mul_add(x61, cos_psi * x60);
+                let x67 = w1.mul_add(x53, -w1);
+                let x68 = -w2.mul_add(x55, w2);
+                let x69 = (-sin_psi).mul_add(x68, cos_psi * x67);
+                let x70 = -(x24 * x69);
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
-                    [8, 1, 15, 16, 17, 18],
-                    [x57, x58, x59, x60, x61, x62],
+                    [14, 9, 2, 1, 17, 18, 19],
+                    [x64, x65, x66, x67, x68, x69, x70],
                 );
             }
             piece(&mut values_, &values);
@@ -845,43 +887,38 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 19usize],
+                values_: &mut [__S; 20usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, x24, x29]: [__S; 4usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, x29]: [__S; 3usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 32, 16],
+                    [11, 12, 16],
                 );
-                let [x60, x61, x62]: [__S; 3usize] = ::lagrangian::__private::gather(
+                let [x67, x68, x69]: [__S; 3usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [16, 17, 18],
+                    [1, 17, 18],
                 );
-                let x63 = -(x24 * x62);
-                let x64 = cos_psi.mul_add(x61, sin_psi * x60);
-                let x65 = x62 * x29;
-                ::lagrangian::__private::scatter(
-                    &mut values_[..],
-                    [4, 5, 2],
-                    [x63, x64, x65],
-                );
+                let x71 = cos_psi.mul_add(x68, sin_psi * x67);
+                let x72 = x69 * x29;
+                ::lagrangian::__private::scatter(&mut values_[..], [16, 11], [x71, x72]);
             }
             piece(&mut values_, &values);
         }
-        let [x36, x37, x39, x44, x45, x46, x52, x53, x54, x57, x58, x59, x63, x64, x65,
+        let [x40, x41, x43, x50, x51, x52, x59, x60, x61, x64, x65, x66, x70, x71, x72,
         ]: [__S; 15usize] = ::lagrangian::__private::gather(
             &values_[..],
-            [6, 7, 9, 10, 11, 12, 3, 13, 14, 8, 1, 15, 4, 5, 2],
+            [7, 8, 10, 6, 5, 12, 4, 3, 15, 14, 9, 2, 19, 16, 11],
         );
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::matrix([
                 [__S::from_f64(0.0), __S::from_f64(0.0), __S::from_f64(0.0)],
-                [x36, x37, x39],
-                [x44, x45, x46],
+                [x40, x41, x43],
+                [x50, x51, x52],
             ]),
             velocity: ::lagrangian::__private::matrix([
-                [x52, x53, x54],
-                [x57, x58, x59],
-                [x63, x64, x65],
+                [x59, x60, x61],
+                [x64, x65, x66],
+                [x70, x71, x72],
             ]),
             time: ::lagrangian::__private::vector([
                 __S::from_f64(0.0),
@@ -900,7 +937,7 @@ for HeavyTop {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> __S {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
-        psi_dot, i1, i2, i3, x0, w2, w1, w3]: [__S; 16usize];
+        psi_dot, i1, i2, i3, x0, w2, w1, w3, x1]: [__S; 17usize];
         [_, theta, psi] = state.x.q.data.0[0];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
@@ -914,7 +951,8 @@ for HeavyTop {
         w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
+        x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1)
     }
     fn potential_energy(
         &self,

@@ -105,7 +105,8 @@ for Slider {
         let [m, k, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        __S::from_f64(0.5) * (-k).mul_add(x * x, m * (x_dot * x_dot))
+        let x0 = (-k).mul_add(x * x, m * (x_dot * x_dot));
+        __S::from_f64(0.5) * x0
     }
     fn energy(
         &self,
@@ -116,7 +117,8 @@ for Slider {
         let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
-        __S::from_f64(0.5) * k.mul_add(x * x, m * (x_dot * x_dot))
+        let x0 = k.mul_add(x * x, m * (x_dot * x_dot));
+        __S::from_f64(0.5) * x0
     }
     fn momenta(
         &self,
@@ -144,17 +146,11 @@ for Slider {
         let [_, _, weight, width, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
+        let x0 = self.__value_of_friction::<__S>(x_dot / width, weight);
         let k: __S = prepared[1];
-        let x0 = -k
-            .mul_add(
-                x,
-                __S::ratio(1.0, 10.0)
-                    .mul_add(
-                        weight * self.__value_of_side::<__S>(x),
-                        self.__value_of_friction::<__S>(x_dot / width, weight),
-                    ),
-            );
-        ::lagrangian::__private::vector([x0])
+        let x1 = __S::ratio(1.0, 10.0)
+            .mul_add(weight * self.__value_of_side::<__S>(x), x0);
+        ::lagrangian::__private::vector([-k.mul_add(x, x1)])
     }
     fn generalized_forces(
         &self,
@@ -165,13 +161,10 @@ for Slider {
         let x_dot: __S = state.x.v[0];
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
-        ::lagrangian::__private::vector([
-            -__S::ratio(1.0, 10.0)
-                .mul_add(
-                    weight * self.__value_of_side::<__S>(x),
-                    self.__value_of_friction::<__S>(x_dot / width, weight),
-                ),
-        ])
+        let x0 = self.__value_of_friction::<__S>(x_dot / width, weight);
+        let x1 = __S::ratio(1.0, 10.0)
+            .mul_add(weight * self.__value_of_side::<__S>(x), x0);
+        ::lagrangian::__private::vector([-x1])
     }
     type Prepared = [__S; 8usize];
     fn prepare(&self) -> [__S; 8usize] {
@@ -200,13 +193,10 @@ for Slider {
         let [_, _, weight, _, c0, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
+        let x0 = self.__value_of_friction::<__S>(x_dot * c0, weight);
         let [_, _, _, _, _, c1, c2, ..] = *prepared;
-        let x0 = -(__S::from_f64(10.0)
-            .mul_add(
-                self.__value_of_friction::<__S>(x_dot * c0, weight),
-                x.mul_add(c1, weight * self.__value_of_side::<__S>(x)),
-            ) * c2);
-        ::lagrangian::__private::vector([x0])
+        let x1 = x.mul_add(c1, weight * self.__value_of_side::<__S>(x));
+        ::lagrangian::__private::vector([-(__S::from_f64(10.0).mul_add(x0, x1) * c2)])
     }
     fn inverse_dynamics(
         &self,
@@ -218,24 +208,11 @@ for Slider {
         let [_, _, weight, _, c0, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
+        let x0 = self.__value_of_friction::<__S>(x_dot * c0, weight);
         let [m, k, _, _, _, _, _, c3] = *prepared;
         let x_ddot: __S = accelerations[0];
-        ::lagrangian::__private::vector([
-            m
-                .mul_add(
-                    x_ddot,
-                    k
-                        .mul_add(
-                            x,
-                            self
-                                .__value_of_side::<__S>(x)
-                                .mul_add(
-                                    c3,
-                                    self.__value_of_friction::<__S>(x_dot * c0, weight),
-                                ),
-                        ),
-                ),
-        ])
+        let x1 = self.__value_of_side::<__S>(x).mul_add(c3, x0);
+        ::lagrangian::__private::vector([m.mul_add(x_ddot, k.mul_add(x, x1))])
     }
     fn relative_pivots(
         &self,
@@ -274,18 +251,16 @@ for Slider {
         let x1 = x_dot * x0;
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
-        let x2 = __S::from_f64(1.0) / m;
-        let x3 = __S::ratio(1.0, 10.0)
-            * (__S::from_f64(10.0)
-                .mul_add(
-                    k.mul_add(x, self.__value_of_friction::<__S>(x1, weight)),
-                    weight * self.__value_of_side::<__S>(x),
-                ) * x2);
-        let x4 = x1.sech();
+        let x2 = k.mul_add(x, self.__value_of_friction::<__S>(x1, weight));
+        let x3 = __S::from_f64(10.0)
+            .mul_add(x2, weight * self.__value_of_side::<__S>(x));
+        let x4 = __S::from_f64(1.0) / m;
+        let x5 = __S::ratio(1.0, 10.0) * (x3 * x4);
+        let x6 = x1.sech();
         ::lagrangian::Linearization {
-            position: ::lagrangian::__private::matrix([[-(k * x2)]]),
+            position: ::lagrangian::__private::matrix([[-(k * x4)]]),
             velocity: ::lagrangian::__private::matrix([
-                [-(weight * x0 * x2 * (x4 * x4))],
+                [-(weight * x0 * x4 * (x6 * x6))],
             ]),
             time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
         }

@@ -1,11 +1,17 @@
 //! Which values of a program are variables.
+//!
+//! They decide which products are fused with sums: those that are inlined. What is a variable only because it would be too long is
+//! no product, so that the same is fused, however long lines are.
 
 use lagrangian_symbolic::{Expression, Instruction, Operand, Operation, Program};
 
-use crate::limits::DEEPEST_NESTING;
+use crate::limits::{DEEPEST_NESTING, MAX_PART_WIDTH};
+
+/// About how many characters the name of a variable takes.
+const NAME_WIDTH: usize = 4;
 
 /// The values that are variables: those that are used more than once, that have a name, or that would be
-/// nested too deeply. The others are inlined.
+/// nested too deeply or be too long for a part of a statement. The others are inlined.
 pub(in crate::emit) struct Variables {
     named: Vec<bool>,
     /// Which values a group behind their own reads.
@@ -23,17 +29,36 @@ impl Variables {
         let (uses, read_later) = count_uses(program);
         let mut variables = vec![true; uses.len()];
         let mut depths = vec![0; uses.len()];
-        for instruction in program.instructions() {
-            if matches!(instruction.operation, Operation::SineAndCosine(_)) {
-                continue;
-            }
-            let value = instruction.value;
-            let operands = instruction.operation.operands().filter_map(Operand::value);
-            let depth = 1 + operands.map(|operand| depths[operand]).max().unwrap_or(0);
-            let once = uses[value] == 1;
-            if once && depth < DEEPEST_NESTING && !is_defined(instruction.expression) {
-                variables[value] = false;
-                depths[value] = depth;
+        let mut widths = vec![NAME_WIDTH; uses.len()];
+        for group in &program.groups {
+            for Instruction {
+                value,
+                operation,
+                expression,
+            } in &group.instructions
+            {
+                if matches!(operation, Operation::SineAndCosine(_)) {
+                    continue;
+                }
+                let operands = operation.operands().filter_map(Operand::value);
+                let depth = 1 + operands.map(|operand| depths[operand]).max().unwrap_or(0);
+                let width = width(operation, &widths);
+                let once = uses[*value] == 1 && !is_defined(*expression);
+                let is_shallow = depth < DEEPEST_NESTING;
+                if once && is_shallow {
+                    depths[*value] = depth;
+                }
+                let fits = || width <= MAX_PART_WIDTH || is_product(operation);
+                let is_returned = || group.outputs.contains(&Operand::Value(*value));
+                let is_inlined = if group.is_long() {
+                    is_shallow
+                } else {
+                    (is_shallow && fits()) || is_returned()
+                };
+                if once && is_inlined {
+                    variables[*value] = false;
+                    widths[*value] = width;
+                }
             }
         }
         for group in program.groups.iter().filter(|group| group.is_long()) {
@@ -79,6 +104,25 @@ impl Variables {
     pub(super) fn count(&self) -> usize {
         self.named.iter().filter(|variable| **variable).count()
     }
+}
+
+fn is_product(operation: &Operation) -> bool {
+    matches!(operation, Operation::Multiply(..))
+}
+
+/// About how many characters an operation takes, where values take so many.
+fn width(operation: &Operation, widths: &[usize]) -> usize {
+    let operands = operation.operands().map(|operand| match operand {
+        Operand::Value(value) => widths[*value],
+        Operand::Symbol(_) => 2 * NAME_WIDTH,
+        _ => "__S::from_f64(0.5)".len(),
+    });
+    let written = match operation {
+        Operation::Multiply(..) | Operation::Negate(_) => " * ",
+        Operation::Application(..) => "self.__value_of_function::<__S>()",
+        _ => ".add(, )",
+    };
+    operands.sum::<usize>() + written.len()
 }
 
 /// Makes variables of the values that would otherwise be computed behind what stands between them and their use.
