@@ -74,26 +74,16 @@ impl DrivenPendulum {
     ]);
     #[doc(hidden)]
     fn __mentions(&self) {
-        let x = ();
-        let y = ();
-        let _ = (
-            &self.m,
-            x,
-            y,
-            &self.m,
-            &self.g,
-            y,
-            &self.friction,
-            Self::THETA,
-            &self.l,
-            Self::THETA,
-            &self.l,
-            Self::THETA,
-            y,
-            x,
-            &self.torque,
-            Self::THETA,
-        );
+        let [x, y] = [(); 2usize];
+        let _ = (&self.m, x, y);
+        let _ = (&self.m, &self.g, y);
+        let _ = (&self.friction, Self::THETA);
+        let _ = (&self.l, Self::THETA);
+        let _ = (&self.l, Self::THETA);
+        let _ = (y,);
+        let _ = (x,);
+        let _ = (&self.torque,);
+        let _ = (Self::THETA,);
     }
 }
 #[automatically_derived]

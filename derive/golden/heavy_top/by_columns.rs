@@ -87,34 +87,12 @@ impl HeavyTop {
     ]);
     #[doc(hidden)]
     fn __mentions(&self) {
-        let w1 = ();
-        let w2 = ();
-        let w3 = ();
-        let _ = (
-            &self.i1,
-            w1,
-            &self.i2,
-            w2,
-            &self.i3,
-            w3,
-            &self.m,
-            &self.g,
-            &self.l,
-            Self::THETA,
-            Self::PHI,
-            Self::THETA,
-            Self::PSI,
-            Self::THETA,
-            Self::PSI,
-            Self::PHI,
-            Self::THETA,
-            Self::PSI,
-            Self::THETA,
-            Self::PSI,
-            Self::PHI,
-            Self::THETA,
-            Self::PSI,
-        );
+        let [w1, w2, w3] = [(); 3usize];
+        let _ = (&self.i1, w1, &self.i2, w2, &self.i3, w3);
+        let _ = (&self.m, &self.g, &self.l, Self::THETA);
+        let _ = (Self::PHI, Self::THETA, Self::PSI, Self::THETA, Self::PSI);
+        let _ = (Self::PHI, Self::THETA, Self::PSI, Self::THETA, Self::PSI);
+        let _ = (Self::PHI, Self::THETA, Self::PSI);
     }
 }
 #[automatically_derived]

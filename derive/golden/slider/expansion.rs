@@ -60,13 +60,10 @@ impl Slider {
     ]);
     #[doc(hidden)]
     fn __mentions(&self) {
-        let friction = ();
-        let side = ();
+        let [friction, side] = [(); 2usize];
+        let _ = (&self.m, Self::X);
+        let _ = (&self.k, Self::X);
         let _ = (
-            &self.m,
-            Self::X,
-            &self.k,
-            Self::X,
             friction,
             Self::X,
             &self.width,
@@ -74,10 +71,10 @@ impl Slider {
             &self.weight,
             side,
             Self::X,
-            Self::X,
-            |v: (), load: ()| (v, load, v, load, v, load, friction, v),
-            |x: ()| (x, x),
         );
+        let _ = (Self::X,);
+        let _ = |v: (), load: ()| (v, load, v, load, v, load, friction, v);
+        let _ = |x: ()| (x, x);
     }
 }
 #[automatically_derived]
