@@ -91,8 +91,6 @@ impl ::lagrangian::GeneralizedCoordinates<1usize> for DrivenPendulum {
     const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
     const ANGLES: [bool; 1usize] = [true];
     const PERIODS: [u32; 1usize] = [1];
-    const IGNORABLE: [bool; 1usize] = [false];
-    const SINGULARITIES: [&'static [usize]; 1usize] = [&[]];
     const STAYS_REGULAR: bool = true;
 }
 #[automatically_derived]

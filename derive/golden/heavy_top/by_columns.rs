@@ -445,15 +445,4 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::ConstantsOfMotion<3usize, 2usize, 
 for HeavyTop {
     const CONSTANTS_OF_MOTION: [&'static str; 2usize] = Self::CONSTANTS_OF_MOTION;
     const IGNORABLE_COORDINATES: &'static [usize] = Self::IGNORABLE_COORDINATES;
-    const CONSERVES_ENERGY: bool = Self::CONSERVES_ENERGY;
-    fn constants_of_motion(
-        &self,
-        state: &::lagrangian::State<__S, 3usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 2usize> {
-        let momenta = ::lagrangian::Lagrangian::<3usize, __S>::momenta(self, state);
-        ::lagrangian::__private::vector([
-            momenta[0],
-            ::lagrangian::Lagrangian::<3usize, __S>::energy(self, state),
-        ])
-    }
 }

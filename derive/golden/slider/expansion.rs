@@ -80,10 +80,6 @@ impl Slider {
 #[automatically_derived]
 impl ::lagrangian::GeneralizedCoordinates<1usize> for Slider {
     const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
-    const ANGLES: [bool; 1usize] = [false];
-    const PERIODS: [u32; 1usize] = [0];
-    const IGNORABLE: [bool; 1usize] = [false];
-    const SINGULARITIES: [&'static [usize]; 1usize] = [&[]];
     const STAYS_REGULAR: bool = true;
 }
 #[automatically_derived]

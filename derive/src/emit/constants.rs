@@ -84,24 +84,42 @@ impl Emitter<'_> {
             let coordinates = coordinates.iter().map(|i| Literal::u32_unsuffixed(*i));
             quote!(&[#(#coordinates),*])
         });
-        let stays_regular = self.methods.stays_regular;
-        let stays_regular = stays_regular.then(|| {
-            quote!(
-                const STAYS_REGULAR: bool = true;
-            )
-        });
-        let poles = (!self.poles.is_empty()).then(|| {
-            let poles = self.poles.iter().map(|i| Literal::u32_unsuffixed(*i));
-            quote!(const POLES: &'static [usize] = &[#(#poles),*];)
-        });
+        let poles = self.poles.iter().map(|i| Literal::u32_unsuffixed(*i));
+        // The trait has the others.
+        let constants = [
+            (
+                angles.contains(&true),
+                quote!(ANGLES: [bool; #n] = [#(#angles),*]),
+            ),
+            (
+                structure.periods.iter().any(|turns| *turns > 0),
+                quote!(PERIODS: [u32; #n] = [#(#periods),*]),
+            ),
+            (
+                ignorable.contains(&true),
+                quote!(IGNORABLE: [bool; #n] = [#(#ignorable),*]),
+            ),
+            (
+                structure
+                    .singularities
+                    .iter()
+                    .any(|found| !found.is_empty()),
+                quote!(SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*]),
+            ),
+            (
+                self.methods.stays_regular,
+                quote!(STAYS_REGULAR: bool = true),
+            ),
+            (
+                !self.poles.is_empty(),
+                quote!(POLES: &'static [usize] = &[#(#poles),*]),
+            ),
+        ];
+        let constants = constants.into_iter();
+        let constants = constants.filter_map(|(differs, constant)| differs.then_some(constant));
         let items = quote! {
             const COORDINATES: [&'static str; #n] = Self::COORDINATES;
-            const ANGLES: [bool; #n] = [#(#angles),*];
-            const PERIODS: [u32; #n] = [#(#periods),*];
-            const IGNORABLE: [bool; #n] = [#(#ignorable),*];
-            const SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*];
-            #stays_regular
-            #poles
+            #(const #constants;)*
         };
         let interface = quote!(#root::GeneralizedCoordinates<#n>);
         let generics = &self.declaration.generics;
