@@ -111,10 +111,10 @@ for DrivenPendulum {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let l: __S = prepared[2];
+        let x0 = l * (theta_dot * theta_dot);
         let [m, g, ..] = *prepared;
-        let x0 = g
-            .mul_add(theta.cos(), __S::from_f64(0.5) * (l * (theta_dot * theta_dot)));
-        m * (l * x0)
+        let x1 = g.mul_add(theta.cos(), __S::from_f64(0.5) * x0);
+        m * (l * x1)
     }
     fn energy(
         &self,
@@ -124,11 +124,11 @@ for DrivenPendulum {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let l: __S = ::lagrangian::__private::parameter(self.l);
+        let x0 = l * (theta_dot * theta_dot);
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
-        let x0 = (-g)
-            .mul_add(theta.cos(), __S::from_f64(0.5) * (l * (theta_dot * theta_dot)));
-        m * (l * x0)
+        let x1 = (-g).mul_add(theta.cos(), __S::from_f64(0.5) * x0);
+        m * (l * x1)
     }
     fn momenta(
         &self,
@@ -163,9 +163,8 @@ for DrivenPendulum {
         let friction: __S = prepared[3];
         let [m, g, l, ..] = *prepared;
         let torque: __S = inputs[0];
-        ::lagrangian::__private::vector([
-            (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
-        ])
+        let x0 = (-friction).mul_add(theta_dot, torque);
+        ::lagrangian::__private::vector([(-(m * g * l)).mul_add(theta.sin(), x0)])
     }
     fn generalized_forces(
         &self,
@@ -233,10 +232,7 @@ for DrivenPendulum {
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let [m, _, l, ..] = *prepared;
         let x0 = m * (l * l);
-        ::lagrangian::__private::by_coordinate(
-            [::lagrangian::__private::relative_pivot(x0, x0.abs())],
-            [&[0]],
-        )
+        ::lagrangian::__private::by_coordinate([x0], [x0.abs()], [], [&[0]])
     }
 }
 #[automatically_derived]
@@ -303,7 +299,8 @@ for DrivenPendulum {
         let theta_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        __S::from_f64(0.5) * (m * (l * l) * (theta_dot * theta_dot))
+        let x0 = m * (l * l) * (theta_dot * theta_dot);
+        __S::from_f64(0.5) * x0
     }
     fn potential_energy(
         &self,
@@ -393,10 +390,10 @@ for DrivenPendulum {
         let theta_ddot: __S = accelerations[0];
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let y = -(l * cos_theta);
-        let x0 = (-sin_theta).mul_add(theta_dot * theta_dot, cos_theta * theta_ddot);
         DrivenPendulumOutputs {
             height: y,
-            acceleration: l * x0,
+            acceleration: l
+                * (-sin_theta).mul_add(theta_dot * theta_dot, cos_theta * theta_ddot),
         }
     }
 }

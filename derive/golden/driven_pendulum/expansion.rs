@@ -107,10 +107,10 @@ for DrivenPendulum {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let l: __S = prepared[2];
+        let x0 = l * (theta_dot * theta_dot);
         let [m, g, ..] = *prepared;
-        let x0 = g
-            .mul_add(theta.cos(), __S::from_f64(0.5) * (l * (theta_dot * theta_dot)));
-        m * (l * x0)
+        let x1 = g.mul_add(theta.cos(), __S::from_f64(0.5) * x0);
+        m * (l * x1)
     }
     fn energy(
         &self,
@@ -120,11 +120,11 @@ for DrivenPendulum {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let l: __S = ::lagrangian::__private::parameter(self.l);
+        let x0 = l * (theta_dot * theta_dot);
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
-        let x0 = (-g)
-            .mul_add(theta.cos(), __S::from_f64(0.5) * (l * (theta_dot * theta_dot)));
-        m * (l * x0)
+        let x1 = (-g).mul_add(theta.cos(), __S::from_f64(0.5) * x0);
+        m * (l * x1)
     }
     fn momenta(
         &self,
@@ -154,9 +154,8 @@ for DrivenPendulum {
         let friction: __S = prepared[3];
         let [m, g, l, ..] = *prepared;
         let torque: __S = inputs[0];
-        ::lagrangian::__private::vector([
-            (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
-        ])
+        let x0 = (-friction).mul_add(theta_dot, torque);
+        ::lagrangian::__private::vector([(-(m * g * l)).mul_add(theta.sin(), x0)])
     }
     fn generalized_forces(
         &self,
@@ -224,10 +223,7 @@ for DrivenPendulum {
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let [m, _, l, ..] = *prepared;
         let x0 = m * (l * l);
-        ::lagrangian::__private::by_coordinate(
-            [::lagrangian::__private::relative_pivot(x0, x0.abs())],
-            [&[0]],
-        )
+        ::lagrangian::__private::by_coordinate([x0], [x0.abs()], [], [&[0]])
     }
 }
 #[automatically_derived]
@@ -256,14 +252,13 @@ for DrivenPendulum {
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let torque: __S = inputs[0];
-        let x0 = (-(m * g * l))
-            .mul_add(sin_theta, (-friction).mul_add(theta_dot, torque));
+        let x0 = (-friction).mul_add(theta_dot, torque);
         let x1 = __S::from_f64(1.0) / l;
         let x2 = x1 * (__S::from_f64(1.0) / m * x1);
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::matrix([[-(g * cos_theta / l)]]),
             velocity: ::lagrangian::__private::matrix([[-(friction * x2)]]),
-            time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
+            time: ::lagrangian::__private::SVector::zeros(),
         }
     }
 }
@@ -278,7 +273,8 @@ for DrivenPendulum {
         let theta_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        __S::from_f64(0.5) * (m * (l * l) * (theta_dot * theta_dot))
+        let x0 = m * (l * l) * (theta_dot * theta_dot);
+        __S::from_f64(0.5) * x0
     }
     fn potential_energy(
         &self,
@@ -344,10 +340,10 @@ for DrivenPendulum {
         let theta_ddot: __S = accelerations[0];
         let l: __S = ::lagrangian::__private::parameter(self.l);
         let y = -(l * cos_theta);
-        let x0 = (-sin_theta).mul_add(theta_dot * theta_dot, cos_theta * theta_ddot);
         DrivenPendulumOutputs {
             height: y,
-            acceleration: l * x0,
+            acceleration: l
+                * (-sin_theta).mul_add(theta_dot * theta_dot, cos_theta * theta_ddot),
         }
     }
 }

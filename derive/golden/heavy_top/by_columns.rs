@@ -128,7 +128,8 @@ for HeavyTop {
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
         let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
-        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
+        let x2 = i3.mul_add(w3 * w3, x1);
+        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * x2)
     }
     fn energy(
         &self,
@@ -152,7 +153,8 @@ for HeavyTop {
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
         let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
-        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
+        let x2 = i3.mul_add(w3 * w3, x1);
+        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * x2)
     }
     fn momenta(
         &self,
@@ -274,8 +276,8 @@ for HeavyTop {
         let x2 = phi_dot * sin_theta;
         let w1 = sin_psi.mul_add(x2, x1);
         let w3 = psi_dot + x0;
-        let x3 = (sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
-        let x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, -x3));
+        let x3 = -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
+        let x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, x3));
         let x5 = theta_dot * sin_psi;
         let w2 = cos_psi.mul_add(x2, -x5);
         let x6 = (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3);
@@ -310,22 +312,21 @@ for HeavyTop {
         let x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
         let w1 = sin_psi.mul_add(x1, x2);
         let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
-        let x6 = (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
-        let x7 = i3 * x6;
+        let x6 = i3 * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x8 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
-        let x9 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x8, phi_dot * x4));
-        let x10 = i2 * cos_psi;
-        let x11 = sin_psi.mul_add(x8, phi_dot.mul_add(x5, theta_ddot * cos_psi));
-        let x12 = i1 * sin_psi;
-        let x13 = (-(i3 * theta_dot)).mul_add(w3, x11.mul_add(x12, x9 * x10));
-        let x14 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
-        let x15 = (-w1).mul_add(x12, (-w2).mul_add(x10, i3 * x1));
-        let x16 = (-sin_theta).mul_add(c5, w3.mul_add(x15, i1 * cos_psi * x11));
+        let x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
+        let x8 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
+        let x9 = i2 * cos_psi;
+        let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
+        let x11 = i1 * sin_psi;
+        let x12 = (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9));
+        let x13 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
+        let x14 = (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1));
+        let x15 = (-sin_theta).mul_add(c5, w3.mul_add(x14, i1 * cos_psi * x10));
         ::lagrangian::__private::vector([
-            sin_theta.mul_add(x13, cos_theta.mul_add(x7, x14)),
-            (-(i2 * sin_psi)).mul_add(x9, x16),
-            w1.mul_add(w2 * c6, x7),
+            sin_theta.mul_add(x12, cos_theta.mul_add(x6, x13)),
+            (-(i2 * sin_psi)).mul_add(x8, x15),
+            w1.mul_add(w2 * c6, x6),
         ])
     }
     fn relative_pivots(
@@ -336,18 +337,11 @@ for HeavyTop {
         let [i1, i2, i3, ..] = *prepared;
         let theta: __S = state.x.q[1];
         let (sin_theta, cos_theta) = theta.sin_cos();
+        let x0 = __S::from_f64(1.0).min(theta.abs());
         ::lagrangian::__private::by_coordinate(
-            [
-                ::lagrangian::__private::relative_pivot(
-                    -sin_theta,
-                    cos_theta
-                        .abs()
-                        .mul_add(__S::from_f64(1.0).min(theta.abs()), sin_theta.abs()),
-                ),
-                ::lagrangian::__private::relative_pivot(i2, i2.abs()),
-                ::lagrangian::__private::relative_pivot(i1, i1.abs()),
-                ::lagrangian::__private::relative_pivot(i3, i3.abs()),
-            ],
+            [-sin_theta, i2, i1, i3],
+            [cos_theta.abs().mul_add(x0, sin_theta.abs()), i2.abs(), i1.abs(), i3.abs()],
+            [],
             [&[0, 1, 2], &[0, 1, 2], &[3]],
         )
     }

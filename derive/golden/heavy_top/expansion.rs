@@ -124,7 +124,8 @@ for HeavyTop {
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
         let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
-        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
+        let x2 = i3.mul_add(w3 * w3, x1);
+        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * x2)
     }
     fn energy(
         &self,
@@ -148,7 +149,8 @@ for HeavyTop {
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
         let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
-        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
+        let x2 = i3.mul_add(w3 * w3, x1);
+        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * x2)
     }
     fn momenta(
         &self,
@@ -189,14 +191,11 @@ for HeavyTop {
         let x0 = i3 * cos_theta;
         let x1 = cos_psi * cos_psi;
         let x2 = sin_psi * sin_psi;
-        let x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
+        let x3 = sin_theta * i1.mul_add(x2, i2 * x1);
+        let x4 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
         ::lagrangian::__private::matrix([
-            [
-                sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
-                x3,
-                x0,
-            ],
-            [x3, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
+            [sin_theta.mul_add(x3, cos_theta * x0), x4, x0],
+            [x4, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
             [x0, __S::from_f64(0.0), i3],
         ])
     }
@@ -282,8 +281,8 @@ for HeavyTop {
         let x2 = phi_dot * sin_theta;
         let w1 = sin_psi.mul_add(x2, x1);
         let w3 = psi_dot + x0;
-        let x3 = (sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
-        let x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, -x3));
+        let x3 = -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
+        let x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, x3));
         let x5 = theta_dot * sin_psi;
         let w2 = cos_psi.mul_add(x2, -x5);
         let x6 = (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3);
@@ -318,22 +317,21 @@ for HeavyTop {
         let x4 = (-sin_psi).mul_add(x3, x2 * cos_theta);
         let w1 = sin_psi.mul_add(x1, x2);
         let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
-        let x6 = (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
-        let x7 = i3 * x6;
+        let x6 = i3 * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x8 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
-        let x9 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x8, phi_dot * x4));
-        let x10 = i2 * cos_psi;
-        let x11 = sin_psi.mul_add(x8, phi_dot.mul_add(x5, theta_ddot * cos_psi));
-        let x12 = i1 * sin_psi;
-        let x13 = (-(i3 * theta_dot)).mul_add(w3, x11.mul_add(x12, x9 * x10));
-        let x14 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
-        let x15 = (-w1).mul_add(x12, (-w2).mul_add(x10, i3 * x1));
-        let x16 = (-sin_theta).mul_add(c5, w3.mul_add(x15, i1 * cos_psi * x11));
+        let x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
+        let x8 = (-theta_ddot).mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
+        let x9 = i2 * cos_psi;
+        let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
+        let x11 = i1 * sin_psi;
+        let x12 = (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9));
+        let x13 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
+        let x14 = (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1));
+        let x15 = (-sin_theta).mul_add(c5, w3.mul_add(x14, i1 * cos_psi * x10));
         ::lagrangian::__private::vector([
-            sin_theta.mul_add(x13, cos_theta.mul_add(x7, x14)),
-            (-(i2 * sin_psi)).mul_add(x9, x16),
-            w1.mul_add(w2 * c6, x7),
+            sin_theta.mul_add(x12, cos_theta.mul_add(x6, x13)),
+            (-(i2 * sin_psi)).mul_add(x8, x15),
+            w1.mul_add(w2 * c6, x6),
         ])
     }
     fn relative_pivots(
@@ -344,18 +342,11 @@ for HeavyTop {
         let [i1, i2, i3, ..] = *prepared;
         let theta: __S = state.x.q[1];
         let (sin_theta, cos_theta) = theta.sin_cos();
+        let x0 = __S::from_f64(1.0).min(theta.abs());
         ::lagrangian::__private::by_coordinate(
-            [
-                ::lagrangian::__private::relative_pivot(
-                    -sin_theta,
-                    cos_theta
-                        .abs()
-                        .mul_add(__S::from_f64(1.0).min(theta.abs()), sin_theta.abs()),
-                ),
-                ::lagrangian::__private::relative_pivot(i2, i2.abs()),
-                ::lagrangian::__private::relative_pivot(i1, i1.abs()),
-                ::lagrangian::__private::relative_pivot(i3, i3.abs()),
-            ],
+            [-sin_theta, i2, i1, i3],
+            [cos_theta.abs().mul_add(x0, sin_theta.abs()), i2.abs(), i1.abs(), i3.abs()],
+            [],
             [&[0, 1, 2], &[0, 1, 2], &[3]],
         )
     }
@@ -429,34 +420,35 @@ for HeavyTop {
         let x28 = (-x20)
             .mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
         let x29 = x8 * x28;
-        let x30 = phi_dot.mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9);
-        let x31 = x30 - x29;
+        let x30 = -psi_dot.mul_add(x20, theta_dot * x15);
+        let x31 = phi_dot.mul_add(x30, phi_ddot * x9) - x29;
         let x32 = phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
         let x33 = x19 * x32;
         let x34 = phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x33);
         let x35 = (-phi_ddot).mul_add(x20, x34);
         let x36 = x24 * (-sin_psi).mul_add(x35, cos_psi * x31);
         let x37 = x25.mul_add(x26 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
-        let x38 = x8
-            .mul_add(-x0.mul_add(x17, x18), theta_ddot.mul_add(cos_psi, phi_ddot * x2));
-        let x39 = x38 + x21;
+        let x38 = theta_ddot.mul_add(cos_psi, phi_ddot * x2);
+        let x39 = x8.mul_add(-x0.mul_add(x17, x18), x38) + x21;
         let x40 = -x39;
-        let x41 = x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi);
-        let x42 = (-phi_ddot).mul_add(x15, x41 + x11);
+        let x41 = x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11;
+        let x42 = (-phi_ddot).mul_add(x15, x41);
         let x43 = (-sin_psi).mul_add(x42, cos_psi * x40);
         let x44 = x0 * x8;
-        let x45 = (-(-w1.mul_add(cos_theta, w3 * x2)))
-            .mul_add(x44, (-psi_dot).mul_add(x2, theta_dot * x9));
-        let x46 = x13 * x19;
-        let x47 = (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x46);
-        let x48 = (-psi_dot).mul_add(x15, x47);
-        let x49 = (-sin_psi).mul_add(x48, cos_psi * x45);
-        let x50 = psi_dot - x4;
-        let x51 = (-(sin_psi * sin_psi))
-            .mul_add(w3.mul_add(x46, x50), cos_psi * cos_psi * w3.mul_add(x44, -x50));
-        let x52 = w1.mul_add(x44, -w1);
-        let x53 = -w2.mul_add(x46, w2);
-        let x54 = (-sin_psi).mul_add(x53, cos_psi * x52);
+        let x45 = (-psi_dot).mul_add(x2, theta_dot * x9);
+        let x46 = (-(-w1.mul_add(cos_theta, w3 * x2))).mul_add(x44, x45);
+        let x47 = x13 * x19;
+        let x48 = (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x47);
+        let x49 = (-psi_dot).mul_add(x15, x48);
+        let x50 = (-sin_psi).mul_add(x49, cos_psi * x46);
+        let x51 = psi_dot - x4;
+        let x52 = w3.mul_add(x47, x51);
+        let x53 = (-(sin_psi * sin_psi))
+            .mul_add(x52, cos_psi * cos_psi * w3.mul_add(x44, -x51));
+        let x54 = x26 * (-sin_psi).mul_add(w1, cos_psi * w2);
+        let x55 = w1.mul_add(x44, -w1);
+        let x56 = -w2.mul_add(x47, w2);
+        let x57 = (-sin_psi).mul_add(x56, cos_psi * x55);
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::matrix([
                 [__S::from_f64(0.0), __S::from_f64(0.0), __S::from_f64(0.0)],
@@ -473,26 +465,18 @@ for HeavyTop {
             ]),
             velocity: ::lagrangian::__private::matrix([
                 [
-                    -(x24 * x49),
-                    cos_psi.mul_add(x48, sin_psi * x45),
-                    sin_theta.mul_add(x37, x49 * x27),
+                    -(x24 * x50),
+                    cos_psi.mul_add(x49, sin_psi * x46),
+                    sin_theta.mul_add(x37, x50 * x27),
                 ],
                 [
-                    -(x24 * x51),
-                    -(sin_psi * cos_psi * w3 * -(x44 + x46)),
-                    x25
-                        .mul_add(
-                            x26 * (-sin_psi).mul_add(w1, cos_psi * w2),
-                            x51.mul_add(x27, phi_dot * sin_theta),
-                        ),
+                    -(x24 * x53),
+                    -(sin_psi * cos_psi * w3 * -(x44 + x47)),
+                    x25.mul_add(x54, x53.mul_add(x27, phi_dot * sin_theta)),
                 ],
-                [-(x24 * x54), cos_psi.mul_add(x53, sin_psi * x52), x54 * x27],
+                [-(x24 * x57), cos_psi.mul_add(x56, sin_psi * x55), x57 * x27],
             ]),
-            time: ::lagrangian::__private::vector([
-                __S::from_f64(0.0),
-                __S::from_f64(0.0),
-                __S::from_f64(0.0),
-            ]),
+            time: ::lagrangian::__private::SVector::zeros(),
         }
     }
 }

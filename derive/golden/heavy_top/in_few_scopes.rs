@@ -113,7 +113,7 @@ for HeavyTop {
         prepared: &[__S; 13usize],
     ) -> __S {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
-        psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1]: [__S; 20usize];
+        psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1, x2]: [__S; 21usize];
         [_, theta, psi] = state.x.q.data.0[0];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
@@ -126,7 +126,8 @@ for HeavyTop {
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         w3 = phi_dot.mul_add(cos_theta, psi_dot);
         x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
-        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
+        x2 = i3.mul_add(w3 * w3, x1);
+        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * x2)
     }
     fn energy(
         &self,
@@ -134,7 +135,7 @@ for HeavyTop {
         _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
     ) -> __S {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
-        psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1]: [__S; 20usize];
+        psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1, x2]: [__S; 21usize];
         [_, theta, psi] = state.x.q.data.0[0];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
@@ -152,7 +153,8 @@ for HeavyTop {
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         w3 = phi_dot.mul_add(cos_theta, psi_dot);
         x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
-        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1))
+        x2 = i3.mul_add(w3 * w3, x1);
+        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * x2)
     }
     fn momenta(
         &self,
@@ -187,7 +189,7 @@ for HeavyTop {
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
         let [theta, psi, sin_theta, cos_theta, sin_psi, cos_psi, i1, i2, i3, x0, x1, x2,
-        x3]: [__S; 13usize];
+        x3, x4]: [__S; 14usize];
         [_, theta, psi] = state.x.q.data.0[0];
         ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
@@ -197,14 +199,11 @@ for HeavyTop {
         x0 = i3 * cos_theta;
         x1 = cos_psi * cos_psi;
         x2 = sin_psi * sin_psi;
-        x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
+        x3 = sin_theta * i1.mul_add(x2, i2 * x1);
+        x4 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
         ::lagrangian::__private::matrix([
-            [
-                sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
-                x3,
-                x0,
-            ],
-            [x3, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
+            [sin_theta.mul_add(x3, cos_theta * x0), x4, x0],
+            [x4, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
             [x0, __S::from_f64(0.0), i3],
         ])
     }
@@ -361,8 +360,8 @@ for HeavyTop {
         x2 = phi_dot * sin_theta;
         w1 = sin_psi.mul_add(x2, x1);
         w3 = psi_dot + x0;
-        x3 = (sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
-        x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, -x3));
+        x3 = -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
+        x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, x3));
         x5 = theta_dot * sin_psi;
         w2 = cos_psi.mul_add(x2, -x5);
         x6 = (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3);
@@ -381,7 +380,7 @@ for HeavyTop {
         accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
         prepared: &[__S; 13usize],
     ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let mut values: [__S; 22usize] = [__S::from_f64(0.0); 22usize];
+        let mut values: [__S; 23usize] = [__S::from_f64(0.0); 23usize];
         ::lagrangian::__private::scatter(
             &mut values[..],
             [0usize, 1usize, 2usize, 3usize, 4usize, 5usize, 6usize, 7usize],
@@ -398,7 +397,7 @@ for HeavyTop {
         );
         {
             #[inline(never)]
-            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 22usize]) {
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 23usize]) {
                 let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values[..],
                     [0, 1, 2, 3, 4],
@@ -425,12 +424,12 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values: &mut [__S; 22usize],
+                values: &mut [__S; 23usize],
                 prepared: &[__S; 13usize],
             ) {
-                let [i2, i3]: [__S; 2usize] = ::lagrangian::__private::gather(
+                let [i1, i2, i3]: [__S; 3usize] = ::lagrangian::__private::gather(
                     &prepared[..],
-                    [1, 2],
+                    [0, 1, 2],
                 );
                 let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, x3, x4, phi_dot,
                 theta_dot, psi_dot, phi_ddot, theta_ddot, psi_ddot]: [__S; 14usize] = ::lagrangian::__private::gather(
@@ -438,18 +437,19 @@ for HeavyTop {
                     [8, 9, 12, 10, 11, 13, 15, 16, 2, 3, 4, 5, 6, 7],
                 );
                 let x5 = cos_psi.mul_add(x3, x0 * cos_theta);
-                let x6 = (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
-                let x7 = i3 * x6;
+                let x6 = i3
+                    * (-theta_dot).mul_add(x1, phi_ddot.mul_add(cos_theta, psi_ddot));
                 let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-                let x8 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
-                let x9 = (-theta_ddot)
-                    .mul_add(sin_psi, cos_psi.mul_add(x8, phi_dot * x4));
-                let x10 = i2 * cos_psi;
-                let x11 = sin_psi.mul_add(x8, phi_dot.mul_add(x5, theta_ddot * cos_psi));
+                let x7 = (-theta_dot).mul_add(psi_dot, phi_ddot * sin_theta);
+                let x8 = (-theta_ddot)
+                    .mul_add(sin_psi, cos_psi.mul_add(x7, phi_dot * x4));
+                let x9 = i2 * cos_psi;
+                let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
+                let x11 = i1 * sin_psi;
                 ::lagrangian::__private::scatter(
                     &mut values[..],
-                    [1, 0, 18, 19, 20, 21],
-                    [x5, x7, w3, x9, x10, x11],
+                    [1, 0, 18, 19, 20, 21, 22],
+                    [x5, x6, w3, x8, x9, x10, x11],
                 );
             }
             piece(&mut values, prepared);
@@ -457,39 +457,38 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values: &mut [__S; 22usize],
+                values: &mut [__S; 23usize],
                 prepared: &[__S; 13usize],
             ) {
                 let [i1, i2, i3, c5, c6]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &prepared[..],
                     [0, 1, 2, 11, 12],
                 );
-                let [sin_psi, cos_psi, sin_theta, cos_theta, x1, w2, x4, w1, x5, x7, w3,
-                x9, x10, x11, theta_dot]: [__S; 15usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, sin_theta, cos_theta, x1, w2, x4, w1, x5, x6, w3,
+                x8, x9, x10, x11, theta_dot]: [__S; 16usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [8, 9, 10, 11, 13, 14, 16, 17, 1, 0, 18, 19, 20, 21, 3],
+                    [8, 9, 10, 11, 13, 14, 16, 17, 1, 0, 18, 19, 20, 21, 22, 3],
                 );
-                let x12 = i1 * sin_psi;
-                let x13 = (-(i3 * theta_dot)).mul_add(w3, x11.mul_add(x12, x9 * x10));
-                let x14 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
-                let x15 = sin_theta.mul_add(x13, cos_theta.mul_add(x7, x14));
-                let x16 = (-w1).mul_add(x12, (-w2).mul_add(x10, i3 * x1));
-                let x17 = (-sin_theta).mul_add(c5, w3.mul_add(x16, i1 * cos_psi * x11));
-                let x18 = (-(i2 * sin_psi)).mul_add(x9, x17);
-                let x19 = w1.mul_add(w2 * c6, x7);
+                let x12 = (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9));
+                let x13 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
+                let x14 = sin_theta.mul_add(x12, cos_theta.mul_add(x6, x13));
+                let x15 = (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1));
+                let x16 = (-sin_theta).mul_add(c5, w3.mul_add(x15, i1 * cos_psi * x10));
+                let x17 = (-(i2 * sin_psi)).mul_add(x8, x16);
+                let x18 = w1.mul_add(w2 * c6, x6);
                 ::lagrangian::__private::scatter(
                     &mut values[..],
                     [15, 12, 7],
-                    [x15, x18, x19],
+                    [x14, x17, x18],
                 );
             }
             piece(&mut values, prepared);
         }
-        let [x15, x18, x19]: [__S; 3usize] = ::lagrangian::__private::gather(
+        let [x14, x17, x18]: [__S; 3usize] = ::lagrangian::__private::gather(
             &values[..],
             [15, 12, 7],
         );
-        ::lagrangian::__private::vector([x15, x18, x19])
+        ::lagrangian::__private::vector([x14, x17, x18])
     }
     fn relative_pivots(
         &self,
@@ -499,18 +498,11 @@ for HeavyTop {
         let [i1, i2, i3, ..] = *prepared;
         let theta: __S = state.x.q[1];
         let (sin_theta, cos_theta) = theta.sin_cos();
+        let x0 = __S::from_f64(1.0).min(theta.abs());
         ::lagrangian::__private::by_coordinate(
-            [
-                ::lagrangian::__private::relative_pivot(
-                    -sin_theta,
-                    cos_theta
-                        .abs()
-                        .mul_add(__S::from_f64(1.0).min(theta.abs()), sin_theta.abs()),
-                ),
-                ::lagrangian::__private::relative_pivot(i2, i2.abs()),
-                ::lagrangian::__private::relative_pivot(i1, i1.abs()),
-                ::lagrangian::__private::relative_pivot(i3, i3.abs()),
-            ],
+            [-sin_theta, i2, i1, i3],
+            [cos_theta.abs().mul_add(x0, sin_theta.abs()), i2.abs(), i1.abs(), i3.abs()],
+            [],
             [&[0, 1, 2], &[0, 1, 2], &[3]],
         )
     }
@@ -676,7 +668,7 @@ for HeavyTop {
             [33, 34, 27],
         );
         let accelerations = ::lagrangian::__private::vector([x25, x26, x30]);
-        let mut values_: [__S; 20usize] = [__S::from_f64(0.0); 20usize];
+        let mut values_: [__S; 17usize] = [__S::from_f64(0.0); 17usize];
         ::lagrangian::__private::scatter(
             &mut values_[..],
             [0usize, 1usize, 2usize, 3usize, 4usize],
@@ -691,7 +683,7 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 20usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
                 let [x0, sin_theta, x2, w1, w3, x6, x8, x9, x13, x15, w2, x19, x20,
@@ -706,9 +698,8 @@ for HeavyTop {
                 let x31 = (-x20)
                     .mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
                 let x32 = x8 * x31;
-                let x33 = phi_dot
-                    .mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9);
-                let x34 = x33 - x32;
+                let x33 = -psi_dot.mul_add(x20, theta_dot * x15);
+                let x34 = phi_dot.mul_add(x33, phi_ddot * x9) - x32;
                 let x35 = phi_dot
                     .mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
                 let x36 = x19 * x35;
@@ -721,7 +712,7 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 20usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
                 let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x2, w1, x8, w2, x17,
@@ -741,12 +732,8 @@ for HeavyTop {
                     .mul_add(x28 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
                 let x43 = cos_theta
                     .mul_add(phi_dot.mul_add(x42, x39), phi_ddot * sin_theta);
-                let x44 = x8
-                    .mul_add(
-                        -x0.mul_add(x17, x18),
-                        theta_ddot.mul_add(cos_psi, phi_ddot * x2),
-                    );
-                let x45 = x44 + x21;
+                let x44 = theta_ddot.mul_add(cos_psi, phi_ddot * x2);
+                let x45 = x8.mul_add(-x0.mul_add(x17, x18), x44) + x21;
                 let x46 = -x45;
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
@@ -759,30 +746,26 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 20usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, x0, cos_theta, x2, w1, w3, x5, x7, x8, x9, x11,
-                x13, x15, w2, x19, x24, x27, x28, x29]: [__S; 20usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, x0, x2, w1, x5, x7, x8, x9, x11, x13, x15, w2,
+                x19, x24, x27, x28, x29]: [__S; 18usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [
-                        11, 12, 15, 14, 17, 19, 21, 1, 22, 23, 24, 26, 18, 10, 8, 30, 32,
-                        35, 9, 16,
-                    ],
+                    [11, 12, 15, 17, 19, 1, 22, 23, 24, 26, 18, 10, 8, 30, 32, 35, 9, 16],
                 );
                 let [x46, theta_dot, psi_dot, phi_ddot, theta_ddot]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values_[..],
                     [11, 1, 2, 3, 4],
                 );
-                let x47 = x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi);
-                let x48 = (-phi_ddot).mul_add(x15, x47 + x11);
+                let x47 = x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11;
+                let x48 = (-phi_ddot).mul_add(x15, x47);
                 let x49 = (-sin_psi).mul_add(x48, cos_psi * x46);
                 let x50 = -(x24 * x49);
                 let x51 = cos_psi.mul_add(x48, sin_psi * x46);
                 let x52 = x27.mul_add(x28 * (-w1).mul_add(w1, w2 * w2), x49 * x29);
                 let x53 = x0 * x8;
-                let x54 = (-(-w1.mul_add(cos_theta, w3 * x2)))
-                    .mul_add(x53, (-psi_dot).mul_add(x2, theta_dot * x9));
+                let x54 = (-psi_dot).mul_add(x2, theta_dot * x9);
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
                     [6, 5, 12, 13, 14],
@@ -794,31 +777,31 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 20usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, sin_theta, cos_theta, x4, w3, x13, x15, w2, x19,
-                x20, x24, x29]: [__S; 13usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, sin_theta, cos_theta, x2, w1, w3, x13, x15, w2,
+                x19, x20, x24, x29]: [__S; 14usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 13, 14, 20, 21, 18, 10, 8, 30, 3, 32, 16],
+                    [11, 12, 13, 14, 17, 19, 21, 18, 10, 8, 30, 3, 32, 16],
                 );
-                let [x42, x54, theta_dot, psi_dot]: [__S; 4usize] = ::lagrangian::__private::gather(
+                let [x42, x53, x54, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [9, 14, 1, 2],
+                    [9, 13, 14, 1, 2],
                 );
-                let x55 = x13 * x19;
-                let x56 = (-theta_dot)
-                    .mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x55);
-                let x57 = (-psi_dot).mul_add(x15, x56);
-                let x58 = (-sin_psi).mul_add(x57, cos_psi * x54);
-                let x59 = -(x24 * x58);
-                let x60 = cos_psi.mul_add(x57, sin_psi * x54);
-                let x61 = sin_theta.mul_add(x42, x58 * x29);
-                let x62 = psi_dot - x4;
+                let x55 = (-(-w1.mul_add(cos_theta, w3 * x2))).mul_add(x53, x54);
+                let x56 = x13 * x19;
+                let x57 = (-theta_dot)
+                    .mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x56);
+                let x58 = (-psi_dot).mul_add(x15, x57);
+                let x59 = (-sin_psi).mul_add(x58, cos_psi * x55);
+                let x60 = -(x24 * x59);
+                let x61 = cos_psi.mul_add(x58, sin_psi * x55);
+                let x62 = sin_theta.mul_add(x42, x59 * x29);
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
-                    [11, 4, 3, 15, 16],
-                    [x55, x59, x60, x61, x62],
+                    [11, 4, 3, 15],
+                    [x56, x60, x61, x62],
                 );
             }
             piece(&mut values_, &values);
@@ -826,38 +809,31 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 20usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, sin_theta, w1, w3, w2, x24, x27, x28, x29,
-                ]: [__S; 10usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, sin_theta, w1, x4, w3, w2, x24, x27, x28, x29,
+                ]: [__S; 11usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 13, 19, 21, 8, 32, 35, 9, 16],
+                    [11, 12, 13, 19, 20, 21, 8, 32, 35, 9, 16],
                 );
-                let [x53, x55, x62, phi_dot]: [__S; 4usize] = ::lagrangian::__private::gather(
+                let [x53, x56, phi_dot, psi_dot]: [__S; 4usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [13, 11, 16, 0],
+                    [13, 11, 0, 2],
                 );
-                let x63 = (-(sin_psi * sin_psi))
-                    .mul_add(
-                        w3.mul_add(x55, x62),
-                        cos_psi * cos_psi * w3.mul_add(x53, -x62),
-                    );
-                let x64 = -(x24 * x63);
-                let x65 = -(sin_psi * cos_psi * w3 * -(x53 + x55));
-                let x66 = x27
-                    .mul_add(
-                        x28 * (-sin_psi).mul_add(w1, cos_psi * w2),
-                        x63.mul_add(x29, phi_dot * sin_theta),
-                    );
-                let x67 = w1.mul_add(x53, -w1);
-                let x68 = -w2.mul_add(x55, w2);
-                let x69 = (-sin_psi).mul_add(x68, cos_psi * x67);
-                let x70 = -(x24 * x69);
+                let x63 = psi_dot - x4;
+                let x64 = w3.mul_add(x56, x63);
+                let x65 = (-(sin_psi * sin_psi))
+                    .mul_add(x64, cos_psi * cos_psi * w3.mul_add(x53, -x63));
+                let x66 = -(x24 * x65);
+                let x67 = -(sin_psi * cos_psi * w3 * -(x53 + x56));
+                let x68 = x28 * (-sin_psi).mul_add(w1, cos_psi * w2);
+                let x69 = x27.mul_add(x68, x65.mul_add(x29, phi_dot * sin_theta));
+                let x70 = w1.mul_add(x53, -w1);
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
-                    [14, 9, 2, 1, 17, 18, 19],
-                    [x64, x65, x66, x67, x68, x69, x70],
+                    [14, 9, 1, 16],
+                    [x66, x67, x69, x70],
                 );
             }
             piece(&mut values_, &values);
@@ -865,27 +841,34 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 20usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, x29]: [__S; 3usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, w2, x24, x29]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 16],
+                    [11, 12, 8, 32, 16],
                 );
-                let [x67, x68, x69]: [__S; 3usize] = ::lagrangian::__private::gather(
+                let [x56, x70]: [__S; 2usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [1, 17, 18],
+                    [11, 16],
                 );
-                let x71 = cos_psi.mul_add(x68, sin_psi * x67);
-                let x72 = x69 * x29;
-                ::lagrangian::__private::scatter(&mut values_[..], [16, 11], [x71, x72]);
+                let x71 = -w2.mul_add(x56, w2);
+                let x72 = (-sin_psi).mul_add(x71, cos_psi * x70);
+                let x73 = -(x24 * x72);
+                let x74 = cos_psi.mul_add(x71, sin_psi * x70);
+                let x75 = x72 * x29;
+                ::lagrangian::__private::scatter(
+                    &mut values_[..],
+                    [13, 2, 0],
+                    [x73, x74, x75],
+                );
             }
             piece(&mut values_, &values);
         }
-        let [x40, x41, x43, x50, x51, x52, x59, x60, x61, x64, x65, x66, x70, x71, x72,
+        let [x40, x41, x43, x50, x51, x52, x60, x61, x62, x66, x67, x69, x73, x74, x75,
         ]: [__S; 15usize] = ::lagrangian::__private::gather(
             &values_[..],
-            [7, 8, 10, 6, 5, 12, 4, 3, 15, 14, 9, 2, 19, 16, 11],
+            [7, 8, 10, 6, 5, 12, 4, 3, 15, 14, 9, 1, 13, 2, 0],
         );
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::matrix([
@@ -894,15 +877,11 @@ for HeavyTop {
                 [x50, x51, x52],
             ]),
             velocity: ::lagrangian::__private::matrix([
-                [x59, x60, x61],
-                [x64, x65, x66],
-                [x70, x71, x72],
+                [x60, x61, x62],
+                [x66, x67, x69],
+                [x73, x74, x75],
             ]),
-            time: ::lagrangian::__private::vector([
-                __S::from_f64(0.0),
-                __S::from_f64(0.0),
-                __S::from_f64(0.0),
-            ]),
+            time: ::lagrangian::__private::SVector::zeros(),
         }
     }
 }

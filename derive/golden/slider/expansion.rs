@@ -141,9 +141,10 @@ for Slider {
         let x_dot: __S = state.x.v[0];
         let x0 = self.__value_of_friction::<__S>(x_dot / width, weight);
         let k: __S = prepared[1];
-        let x1 = __S::ratio(1.0, 10.0)
-            .mul_add(weight * self.__value_of_side::<__S>(x), x0);
-        ::lagrangian::__private::vector([-k.mul_add(x, x1)])
+        let x1 = weight * self.__value_of_side::<__S>(x);
+        ::lagrangian::__private::vector([
+            -k.mul_add(x, __S::ratio(1.0, 10.0).mul_add(x1, x0)),
+        ])
     }
     fn generalized_forces(
         &self,
@@ -155,9 +156,8 @@ for Slider {
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
         let x0 = self.__value_of_friction::<__S>(x_dot / width, weight);
-        let x1 = __S::ratio(1.0, 10.0)
-            .mul_add(weight * self.__value_of_side::<__S>(x), x0);
-        ::lagrangian::__private::vector([-x1])
+        let x1 = weight * self.__value_of_side::<__S>(x);
+        ::lagrangian::__private::vector([-__S::ratio(1.0, 10.0).mul_add(x1, x0)])
     }
     type Prepared = [__S; 8usize];
     fn prepare(&self) -> [__S; 8usize] {
@@ -187,9 +187,10 @@ for Slider {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let x0 = self.__value_of_friction::<__S>(x_dot * c0, weight);
+        let x1 = self.__value_of_side::<__S>(x);
         let [_, _, _, _, _, c1, c2, ..] = *prepared;
-        let x1 = x.mul_add(c1, weight * self.__value_of_side::<__S>(x));
-        ::lagrangian::__private::vector([-(__S::from_f64(10.0).mul_add(x0, x1) * c2)])
+        let x2 = x.mul_add(c1, weight * x1);
+        ::lagrangian::__private::vector([-(__S::from_f64(10.0).mul_add(x0, x2) * c2)])
     }
     fn inverse_dynamics(
         &self,
@@ -213,10 +214,7 @@ for Slider {
         prepared: &[__S; 8usize],
     ) -> ::lagrangian::__private::SVector<__S, 1usize> {
         let m: __S = prepared[0];
-        ::lagrangian::__private::by_coordinate(
-            [::lagrangian::__private::relative_pivot(m, m.abs())],
-            [&[0]],
-        )
+        ::lagrangian::__private::by_coordinate([m], [m.abs()], [], [&[0]])
     }
 }
 #[automatically_derived]
@@ -242,20 +240,21 @@ for Slider {
         let width: __S = ::lagrangian::__private::parameter(self.width);
         let x0 = __S::from_f64(1.0) / width;
         let x1 = x_dot * x0;
+        let x2 = self.__value_of_friction::<__S>(x1, weight);
+        let x3 = self.__value_of_side::<__S>(x);
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
-        let x2 = k.mul_add(x, self.__value_of_friction::<__S>(x1, weight));
-        let x3 = __S::from_f64(10.0)
-            .mul_add(x2, weight * self.__value_of_side::<__S>(x));
-        let x4 = __S::from_f64(1.0) / m;
-        let x5 = __S::ratio(1.0, 10.0) * (x3 * x4);
-        let x6 = x1.sech();
+        let x4 = k.mul_add(x, x2);
+        let x5 = __S::from_f64(1.0) / m;
+        let x6 = __S::from_f64(10.0).mul_add(x4, weight * x3) * x5;
+        let x7 = __S::ratio(1.0, 10.0) * x6;
+        let x8 = x1.sech();
         ::lagrangian::Linearization {
-            position: ::lagrangian::__private::matrix([[-(k * x4)]]),
+            position: ::lagrangian::__private::matrix([[-(k * x5)]]),
             velocity: ::lagrangian::__private::matrix([
-                [-(weight * x0 * x4 * (x6 * x6))],
+                [-(weight * x0 * x5 * (x8 * x8))],
             ]),
-            time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
+            time: ::lagrangian::__private::SVector::zeros(),
         }
     }
 }
