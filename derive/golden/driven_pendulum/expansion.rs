@@ -57,16 +57,12 @@ impl DrivenPendulum {
     pub const LATEX: &'static str = "\\begin{align*}\nq &= \\theta\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m l^{2} \\dot{\\theta}^{2} \\\\\nV &= -m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\theta} &= m l^{2} \\dot{\\theta}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= \\mathrm{torque}\\,\\dot{\\theta} - \\mathrm{friction}\\,\\dot{\\theta}^{2}\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm l^{2} \\ddot{\\theta} + m g l \\sin \\theta &= \\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{\\theta} &= \\frac{\\frac{\\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}}{m l} - g \\sin \\theta}{l}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
-        [1, 6, 0, 0, 1, 0],
-        [1, 6, 0, 0, 1, 0],
-        [0, 3, 0, 0, 0, 0],
-        [0, 2, 0, 0, 0, 0],
-        [2, 4, 0, 0, 1, 0],
-        [1, 1, 0, 0, 0, 0],
-        [0, 7, 1, 0, 0, 0],
-        [2, 3, 0, 0, 1, 0],
-        [3, 3, 0, 0, 1, 0],
-        [4, 9, 3, 0, 1, 0],
+        [1, 1, 0, 0, 2, 1, 0, 2, 3, 4],
+        [6, 6, 3, 2, 4, 1, 7, 3, 3, 9],
+        [0, 0, 0, 0, 0, 0, 1, 0, 0, 3],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [1, 1, 0, 0, 1, 0, 0, 1, 1, 1],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     ]);
     #[doc(hidden)]
     fn __mentions(&self) {
@@ -83,26 +79,26 @@ impl DrivenPendulum {
     }
 }
 #[automatically_derived]
-impl ::lagrangian::GeneralizedCoordinates<1usize> for DrivenPendulum {
-    const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
-    const ANGLES: [bool; 1usize] = [true];
-    const PERIODS: [u32; 1usize] = [1];
+impl ::lagrangian::GeneralizedCoordinates<1> for DrivenPendulum {
+    const COORDINATES: [&'static str; 1] = Self::COORDINATES;
+    const ANGLES: [bool; 1] = [true];
+    const PERIODS: [u32; 1] = [1];
     const STAYS_REGULAR: bool = true;
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1, __S>
 for DrivenPendulum {
-    type Inputs = ::lagrangian::__private::SVector<__S, 1usize>;
-    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 1usize> {
+    type Inputs = ::lagrangian::__private::SVector<__S, 1>;
+    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 1> {
         ::lagrangian::__private::vector([
             ::lagrangian::__private::parameter(self.torque),
         ])
     }
     fn lagrangian(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 8usize],
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1>,
+        prepared: &[__S; 8],
     ) -> __S {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
@@ -114,8 +110,8 @@ for DrivenPendulum {
     }
     fn energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1>,
     ) -> __S {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
@@ -128,27 +124,27 @@ for DrivenPendulum {
     }
     fn momenta(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [m, _, l, ..] = *prepared;
         let theta_dot: __S = state.x.v[0];
         ::lagrangian::__private::vector([m * (l * l) * theta_dot])
     }
     fn mass_matrix(
         &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        _state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SMatrix<__S, 1, 1> {
         let [m, _, l, ..] = *prepared;
         ::lagrangian::__private::matrix([[m * (l * l)]])
     }
     fn forcing(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let friction: __S = prepared[3];
@@ -159,16 +155,16 @@ for DrivenPendulum {
     }
     fn generalized_forces(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let theta_dot: __S = state.x.v[0];
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([(-friction).mul_add(theta_dot, torque)])
     }
-    type Prepared = [__S; 8usize];
-    fn prepare(&self) -> [__S; 8usize] {
+    type Prepared = [__S; 8];
+    fn prepare(&self) -> [__S; 8] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
@@ -188,10 +184,10 @@ for DrivenPendulum {
     #[inline(always)]
     fn accelerations(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let friction: __S = prepared[3];
@@ -202,11 +198,11 @@ for DrivenPendulum {
     }
     fn inverse_dynamics(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+        accelerations: &::lagrangian::__private::SVector<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let friction: __S = prepared[3];
@@ -218,17 +214,16 @@ for DrivenPendulum {
     }
     fn relative_pivots(
         &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        _state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [m, _, l, ..] = *prepared;
         let x0 = m * (l * l);
         ::lagrangian::__private::by_coordinate([x0], [x0.abs()], [], [&[0]])
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S>
-for DrivenPendulum {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1, __S> for DrivenPendulum {
     type Model = Self;
     fn model(&self) -> &Self {
         self
@@ -237,13 +232,13 @@ for DrivenPendulum {
 #[automatically_derived]
 impl ::lagrangian::__private::SharesLanes for DrivenPendulum {}
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1, __S>
 for DrivenPendulum {
     fn linearize(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::Linearization<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+    ) -> ::lagrangian::Linearization<__S, 1> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
@@ -263,12 +258,12 @@ for DrivenPendulum {
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1, __S>
 for DrivenPendulum {
     fn kinetic_energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1>,
     ) -> __S {
         let theta_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
@@ -278,8 +273,8 @@ for DrivenPendulum {
     }
     fn potential_energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1>,
     ) -> __S {
         let theta: __S = state.x.q[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
@@ -289,14 +284,14 @@ for DrivenPendulum {
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Inputs<1usize, 1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Inputs<1, 1, __S>
 for DrivenPendulum {
     const INPUTS: [&'static str; 1usize] = Self::INPUTS;
     fn input_jacobian(
         &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        _state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1>,
+    ) -> ::lagrangian::__private::SMatrix<__S, 1, 1> {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
         ::lagrangian::__private::matrix([[__S::from_f64(1.0) / (m * (l * l))]])
@@ -317,22 +312,22 @@ pub struct DrivenPendulumOutputs<__S> {
     pub acceleration: __S,
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Outputs<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Outputs<1, __S>
 for DrivenPendulum {
     type Outputs = DrivenPendulumOutputs<__S>;
     fn outputs(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
     ) -> Self::Outputs {
         let accelerations = ::lagrangian::quantities::Quantities::<
-            1usize,
+            1,
             __S,
         >::accelerations(
             self,
             state,
             inputs,
-            &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
+            &::lagrangian::quantities::Quantities::<1, __S>::prepare(self),
         );
         let theta: __S = state.x.q[0];
         let (sin_theta, cos_theta) = theta.sin_cos();

@@ -70,16 +70,12 @@ impl HeavyTop {
     pub const LATEX: &'static str = "\\begin{align*}\nq &= (\\varphi, \\theta, \\psi)\n\\end{align*}\n\\begin{align*}\nw_{1} &= \\dot{\\varphi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi \\\\\nw_{2} &= \\dot{\\varphi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi \\\\\nw_{3} &= \\dot{\\varphi} \\cos \\theta + \\dot{\\psi}\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} I_{1} w_{1}^{2} + \\frac{1}{2} I_{2} w_{2}^{2} + \\frac{1}{2} I_{3} w_{3}^{2} \\\\\nV &= m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\varphi} &= \\left(I_{1} w_{1} \\sin \\psi + I_{2} w_{2} \\cos \\psi\\right) \\sin \\theta + I_{3} w_{3} \\cos \\theta \\\\\np_{\\theta} &= I_{1} w_{1} \\cos \\psi - I_{2} w_{2} \\sin \\psi \\\\\np_{\\psi} &= I_{3} w_{3}\n\\end{align*}\n$p_{\\varphi}$ is constant.\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V\n\\end{align*}\n$h$ is constant.\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\n&\\left(\\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi\\right) \\sin^{2} \\theta + I_{3} \\cos^{2} \\theta\\right) \\ddot{\\varphi} + \\left(I_{1} - I_{2}\\right) \\ddot{\\theta} \\sin \\theta \\sin \\psi \\cos \\psi + I_{3} \\ddot{\\psi} \\cos \\theta \\\\\n&\\quad + 2 \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi} \\dot{\\theta} \\sin \\theta \\cos \\theta + 2 \\left(I_{1} - I_{2}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin^{2} \\theta \\sin \\psi \\cos \\psi \\\\\n&\\quad + \\left(I_{1} - I_{2}\\right) \\dot{\\theta}^{2} \\cos \\theta \\sin \\psi \\cos \\psi - \\left(\\left(I_{1} - I_{2}\\right) \\sin^{2} \\psi + \\left(I_{2} - I_{1}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\theta = 0 \\\\\n&\\left(I_{1} - I_{2}\\right) \\ddot{\\varphi} \\sin \\theta \\sin \\psi \\cos \\psi + \\left(I_{1} \\cos^{2} \\psi + I_{2} \\sin^{2} \\psi\\right) \\ddot{\\theta} \\\\\n&\\quad - \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi}^{2} \\sin \\theta \\cos \\theta \\\\\n&\\quad + \\left(\\left(I_{2} - I_{1}\\right) \\sin^{2} \\psi + \\left(I_{1} - I_{2}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin \\theta + 2 \\left(I_{2} - I_{1}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\psi \\cos \\psi \\\\\n&\\quad - m g l \\sin \\theta = 0 \\\\\n&I_{3} \\ddot{\\varphi} \\cos \\theta + I_{3} \\ddot{\\psi} + \\left(I_{2} - I_{1}\\right) w_{1} w_{2} - I_{3} \\dot{\\varphi} \\dot{\\theta} \\sin \\theta = 0\n\\end{align*}\nBoltzmann--Hamel equations, Euler's (3.5)--(3.7) for a rigid body, and kinematics:\n\\begin{align*}\nI_{1} \\dot{w}_{1} &= \\left(I_{2} - I_{3}\\right) w_{2} w_{3} + m g l \\sin \\theta \\cos \\psi \\\\\nI_{2} \\dot{w}_{2} &= \\left(I_{3} - I_{1}\\right) w_{1} w_{3} - m g l \\sin \\theta \\sin \\psi \\\\\nI_{3} \\dot{w}_{3} &= \\left(I_{1} - I_{2}\\right) w_{1} w_{2} \\\\\n\\dot{\\varphi} &= \\frac{w_{1} \\sin \\psi + w_{2} \\cos \\psi}{\\sin \\theta} \\\\\n\\dot{\\theta} &= w_{1} \\cos \\psi - w_{2} \\sin \\psi \\\\\n\\dot{\\psi} &= w_{3} - \\frac{\\left(w_{1} \\sin \\psi + w_{2} \\cos \\psi\\right) \\cos \\theta}{\\sin \\theta}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
-        [6, 16, 0, 0, 2, 0],
-        [6, 16, 0, 0, 2, 0],
-        [6, 15, 0, 0, 2, 0],
-        [4, 13, 0, 0, 2, 0],
-        [19, 40, 0, 0, 2, 0],
-        [0, 0, 0, 0, 0, 0],
-        [4, 3, 5, 0, 0, 0],
-        [16, 27, 1, 0, 2, 0],
-        [23, 45, 0, 0, 2, 0],
-        [83, 130, 4, 0, 2, 0],
+        [6, 6, 6, 4, 19, 0, 4, 16, 23, 83],
+        [16, 16, 15, 13, 40, 0, 3, 27, 45, 130],
+        [0, 0, 0, 0, 0, 0, 5, 1, 0, 4],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [2, 2, 2, 2, 2, 0, 0, 2, 2, 2],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     ]);
     #[doc(hidden)]
     fn __mentions(&self) {
@@ -92,25 +88,25 @@ impl HeavyTop {
     }
 }
 #[automatically_derived]
-impl ::lagrangian::GeneralizedCoordinates<3usize> for HeavyTop {
-    const COORDINATES: [&'static str; 3usize] = Self::COORDINATES;
-    const ANGLES: [bool; 3usize] = [false, true, true];
-    const PERIODS: [u32; 3usize] = [1, 1, 1];
-    const IGNORABLE: [bool; 3usize] = [true, false, false];
-    const SINGULARITIES: [&'static [usize]; 3usize] = [&[1], &[1], &[1]];
+impl ::lagrangian::GeneralizedCoordinates<3> for HeavyTop {
+    const COORDINATES: [&'static str; 3] = Self::COORDINATES;
+    const ANGLES: [bool; 3] = [false, true, true];
+    const PERIODS: [u32; 3] = [1, 1, 1];
+    const IGNORABLE: [bool; 3] = [true, false, false];
+    const SINGULARITIES: [&'static [usize]; 3] = [&[1], &[1], &[1]];
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<3usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<3, __S>
 for HeavyTop {
-    type Inputs = ::lagrangian::__private::SVector<__S, 0usize>;
-    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0usize> {
+    type Inputs = ::lagrangian::__private::SVector<__S, 0>;
+    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0> {
         ::lagrangian::__private::vector([])
     }
     fn lagrangian(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 13usize],
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 13],
     ) -> __S {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
         psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1, x2]: [__S; 21usize];
@@ -131,8 +127,8 @@ for HeavyTop {
     }
     fn energy(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
         psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1, x2]: [__S; 21usize];
@@ -158,9 +154,9 @@ for HeavyTop {
     }
     fn momenta(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [theta, psi, sin_theta, cos_theta, sin_psi, cos_psi, phi_dot, theta_dot,
         psi_dot, i1, i2, i3, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
         [_, theta, psi] = state.x.q.data.0[0];
@@ -185,9 +181,9 @@ for HeavyTop {
     }
     fn mass_matrix(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SMatrix<__S, 3, 3> {
         let [theta, psi, sin_theta, cos_theta, sin_psi, cos_psi, i1, i2, i3, x0, x1, x2,
         x3, x4]: [__S; 14usize];
         [_, theta, psi] = state.x.q.data.0[0];
@@ -209,10 +205,10 @@ for HeavyTop {
     }
     fn forcing(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let mut values: [__S; 19usize] = [__S::from_f64(0.0); 19usize];
         ::lagrangian::__private::scatter(
             &mut values[..],
@@ -312,8 +308,8 @@ for HeavyTop {
         );
         ::lagrangian::__private::vector([x12, x16, x17])
     }
-    type Prepared = [__S; 13usize];
-    fn prepare(&self) -> [__S; 13usize] {
+    type Prepared = [__S; 13];
+    fn prepare(&self) -> [__S; 13] {
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -341,10 +337,10 @@ for HeavyTop {
     #[inline(always)]
     fn accelerations(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
         psi_dot, c0, c1, c2, c3, c4, x0, x1, x2, w1, w3, x3, x4, x5, w2, x6, x7, x8,
         ]: [__S; 26usize];
@@ -375,11 +371,11 @@ for HeavyTop {
     }
     fn inverse_dynamics(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        accelerations: &::lagrangian::__private::SVector<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let mut values: [__S; 23usize] = [__S::from_f64(0.0); 23usize];
         ::lagrangian::__private::scatter(
             &mut values[..],
@@ -492,9 +488,9 @@ for HeavyTop {
     }
     fn relative_pivots(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [i1, i2, i3, ..] = *prepared;
         let theta: __S = state.x.q[1];
         let (sin_theta, cos_theta) = theta.sin_cos();
@@ -508,7 +504,7 @@ for HeavyTop {
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3, __S> for HeavyTop {
     type Model = Self;
     fn model(&self) -> &Self {
         self
@@ -517,13 +513,13 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
 #[automatically_derived]
 impl ::lagrangian::__private::SharesLanes for HeavyTop {}
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<3usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<3, __S>
 for HeavyTop {
     fn linearize(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-    ) -> ::lagrangian::Linearization<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+    ) -> ::lagrangian::Linearization<__S, 3> {
         let mut values: [__S; 36usize] = [__S::from_f64(0.0); 36usize];
         ::lagrangian::__private::scatter(
             &mut values[..],
@@ -886,12 +882,11 @@ for HeavyTop {
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3usize, __S>
-for HeavyTop {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3, __S> for HeavyTop {
     fn kinetic_energy(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
         psi_dot, i1, i2, i3, x0, w2, w1, w3, x1]: [__S; 17usize];
@@ -913,8 +908,8 @@ for HeavyTop {
     }
     fn potential_energy(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let theta: __S = state.x.q[1];
         let m: __S = ::lagrangian::__private::parameter(self.m);
@@ -924,8 +919,7 @@ for HeavyTop {
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::ConstantsOfMotion<3usize, 2usize, __S>
-for HeavyTop {
-    const CONSTANTS_OF_MOTION: [&'static str; 2usize] = Self::CONSTANTS_OF_MOTION;
+impl<__S: ::lagrangian::Scalar> ::lagrangian::ConstantsOfMotion<3, 2, __S> for HeavyTop {
+    const CONSTANTS_OF_MOTION: [&'static str; 2] = Self::CONSTANTS_OF_MOTION;
     const IGNORABLE_COORDINATES: &'static [usize] = Self::IGNORABLE_COORDINATES;
 }

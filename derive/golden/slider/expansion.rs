@@ -47,16 +47,12 @@ impl Slider {
     pub const LATEX: &'static str = "\\begin{align*}\nq &= x\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m \\dot{x}^{2} \\\\\nV &= \\frac{1}{2} k x^{2}\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{x} &= m \\dot{x}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= -\\dot{x} \\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\dot{x} \\operatorname{side}\\left(x\\right)\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm \\ddot{x} + k x &= -\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{x} &= -\\frac{\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right)}{m} - \\frac{0.1 \\left(10 k x + \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\\right)}{m}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
-        [1, 5, 0, 0, 0, 0],
-        [1, 5, 0, 0, 0, 0],
-        [0, 1, 0, 0, 0, 0],
-        [0, 0, 0, 0, 0, 0],
-        [3, 3, 1, 0, 0, 2],
-        [2, 2, 1, 0, 0, 2],
-        [0, 2, 2, 0, 0, 0],
-        [3, 5, 0, 0, 0, 2],
-        [3, 4, 0, 0, 0, 2],
-        [5, 11, 2, 0, 0, 3],
+        [1, 1, 0, 0, 3, 2, 0, 3, 3, 5],
+        [5, 5, 1, 0, 3, 2, 2, 5, 4, 11],
+        [0, 0, 0, 0, 1, 1, 2, 0, 0, 2],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, 0, 2, 2, 0, 2, 2, 3],
     ]);
     #[doc(hidden)]
     fn __mentions(&self) {
@@ -78,22 +74,21 @@ impl Slider {
     }
 }
 #[automatically_derived]
-impl ::lagrangian::GeneralizedCoordinates<1usize> for Slider {
-    const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
+impl ::lagrangian::GeneralizedCoordinates<1> for Slider {
+    const COORDINATES: [&'static str; 1] = Self::COORDINATES;
     const STAYS_REGULAR: bool = true;
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1usize, __S>
-for Slider {
-    type Inputs = ::lagrangian::__private::SVector<__S, 0usize>;
-    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0usize> {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1, __S> for Slider {
+    type Inputs = ::lagrangian::__private::SVector<__S, 0>;
+    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0> {
         ::lagrangian::__private::vector([])
     }
     fn lagrangian(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 8usize],
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 8],
     ) -> __S {
         let [m, k, ..] = *prepared;
         let x: __S = state.x.q[0];
@@ -103,8 +98,8 @@ for Slider {
     }
     fn energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
@@ -115,27 +110,27 @@ for Slider {
     }
     fn momenta(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let x_dot: __S = state.x.v[0];
         let m: __S = prepared[0];
         ::lagrangian::__private::vector([m * x_dot])
     }
     fn mass_matrix(
         &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        _state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SMatrix<__S, 1, 1> {
         let m: __S = prepared[0];
         ::lagrangian::__private::matrix([[m]])
     }
     fn forcing(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [_, _, weight, width, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
@@ -148,9 +143,9 @@ for Slider {
     }
     fn generalized_forces(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
@@ -159,8 +154,8 @@ for Slider {
         let x1 = weight * self.__value_of_side::<__S>(x);
         ::lagrangian::__private::vector([-__S::ratio(1.0, 10.0).mul_add(x1, x0)])
     }
-    type Prepared = [__S; 8usize];
-    fn prepare(&self) -> [__S; 8usize] {
+    type Prepared = [__S; 8];
+    fn prepare(&self) -> [__S; 8] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
@@ -179,10 +174,10 @@ for Slider {
     #[inline(always)]
     fn accelerations(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [_, _, weight, _, c0, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
@@ -194,11 +189,11 @@ for Slider {
     }
     fn inverse_dynamics(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        accelerations: &::lagrangian::__private::SVector<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [_, _, weight, _, c0, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
@@ -210,15 +205,15 @@ for Slider {
     }
     fn relative_pivots(
         &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        _state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let m: __S = prepared[0];
         ::lagrangian::__private::by_coordinate([m], [m.abs()], [], [&[0]])
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1, __S> for Slider {
     type Model = Self;
     fn model(&self) -> &Self {
         self
@@ -227,13 +222,13 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
 #[automatically_derived]
 impl ::lagrangian::__private::SharesLanes for Slider {}
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1, __S>
 for Slider {
     fn linearize(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-    ) -> ::lagrangian::Linearization<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+    ) -> ::lagrangian::Linearization<__S, 1> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
@@ -259,12 +254,11 @@ for Slider {
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
-for Slider {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1, __S> for Slider {
     fn kinetic_energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
@@ -272,8 +266,8 @@ for Slider {
     }
     fn potential_energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let x: __S = state.x.q[0];
         let k: __S = ::lagrangian::__private::parameter(self.k);

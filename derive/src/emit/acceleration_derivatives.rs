@@ -1,10 +1,10 @@
 //! The bodies of the methods that differentiate the accelerations: by q, q̇ and t, by inputs, and by parameters.
 
-use lagrangian_symbolic::{Operand, Rational};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::emitter::Emitter;
+use super::methods::is_zero;
 use super::writer::{Writer, joined};
 use crate::plan::{DerivativeOutputs, OutputSlice, Residuals, StateJacobian};
 
@@ -20,7 +20,7 @@ pub(super) trait Columns {
 impl StateJacobian {
     fn depends_on_time(&self, writer: &Writer<'_>) -> bool {
         let mut outputs = self.time.operands(&writer.method.program).iter();
-        outputs.any(|output| *output != Operand::Constant(Rational::ZERO))
+        !outputs.all(is_zero)
     }
 }
 

@@ -15,7 +15,12 @@ impl Emitter<'_> {
         if count == 0 {
             return TokenStream::new();
         }
-        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
+        let (root, scalar, n) = (
+            &self.declaration.root,
+            &self.scalar,
+            self.signatures().dimension,
+        );
+        let count = Literal::usize_unsuffixed(count);
         let items = quote! {
             const CONSTANTS_OF_MOTION: [&'static str; #count] = Self::CONSTANTS_OF_MOTION;
             const IGNORABLE_COORDINATES: &'static [usize] = Self::IGNORABLE_COORDINATES;

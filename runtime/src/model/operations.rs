@@ -81,53 +81,35 @@ impl OperationCount {
     }
 }
 
-/// Returns the counts of additions, multiplications, divisions, square roots, sines and cosines, and functions.
-#[doc(hidden)]
+/// How many methods are counted.
+const METHODS: usize = 10;
+
+/// Returns the counts of all methods, in the order of the fields: from a row each for additions, multiplications, divisions, square
+/// roots, sines and cosines, and functions.
 #[must_use]
-const fn operation_count(counts: [usize; 6]) -> OperationCount {
-    let [
-        additions,
-        multiplications,
-        divisions,
-        square_roots,
-        sines_and_cosines,
-        functions,
-    ] = counts;
-    OperationCount {
-        additions,
-        multiplications,
-        divisions,
-        square_roots,
-        sines_and_cosines,
-        functions,
+pub const fn operations(counts: [[usize; METHODS]; 6]) -> Operations {
+    Operations {
+        lagrangian: of_method(&counts, 0),
+        energy: of_method(&counts, 1),
+        momenta: of_method(&counts, 2),
+        mass_matrix: of_method(&counts, 3),
+        forcing: of_method(&counts, 4),
+        generalized_forces: of_method(&counts, 5),
+        prepare: of_method(&counts, 6),
+        accelerations: of_method(&counts, 7),
+        inverse_dynamics: of_method(&counts, 8),
+        linearize: of_method(&counts, 9),
     }
 }
 
-/// Returns the counts of all methods, in the order of the fields.
-#[must_use]
-pub const fn operations(counts: [[usize; 6]; 10]) -> Operations {
-    let [
-        lagrangian,
-        energy,
-        momenta,
-        mass_matrix,
-        forcing,
-        generalized_forces,
-        prepare,
-        accelerations,
-        inverse_dynamics,
-        linearize,
-    ] = counts;
-    Operations {
-        lagrangian: operation_count(lagrangian),
-        energy: operation_count(energy),
-        momenta: operation_count(momenta),
-        mass_matrix: operation_count(mass_matrix),
-        forcing: operation_count(forcing),
-        generalized_forces: operation_count(generalized_forces),
-        prepare: operation_count(prepare),
-        accelerations: operation_count(accelerations),
-        inverse_dynamics: operation_count(inverse_dynamics),
-        linearize: operation_count(linearize),
+const fn of_method(counts: &[[usize; METHODS]; 6], method: usize) -> OperationCount {
+    let [sums, products, quotients, roots, sines, functions] = counts;
+    OperationCount {
+        additions: sums[method],
+        multiplications: products[method],
+        divisions: quotients[method],
+        square_roots: roots[method],
+        sines_and_cosines: sines[method],
+        functions: functions[method],
     }
 }
