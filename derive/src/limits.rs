@@ -96,6 +96,10 @@ impl MethodLimits {
 /// few lines. More would make longer statements of the same operations.
 pub(crate) const DEEPEST_NESTING: usize = 6;
 
+/// About how many characters a statement of a short method takes besides its `let` and the name of its variable: it then fits in a line
+/// of 89 characters, as formatters print expansions. The golden expansions set it.
+pub(crate) const MAX_STATEMENT_WIDTH: usize = 70;
+
 /// How deep an expression of the declaration is printed as it stands. Each level takes a frame of the stack; a sum of more terms
 /// is too long to read. A printer with a stack of its own would lift it.
 pub(crate) const DEEPEST_PRINTED: usize = 100;

@@ -61,146 +61,119 @@ impl DrivenPendulum {
     pub const LATEX: &'static str = "\\begin{align*}\nq &= \\theta\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m l^{2} \\dot{\\theta}^{2} \\\\\nV &= -m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\theta} &= m l^{2} \\dot{\\theta}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= \\mathrm{torque}\\,\\dot{\\theta} - \\mathrm{friction}\\,\\dot{\\theta}^{2}\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm l^{2} \\ddot{\\theta} + m g l \\sin \\theta &= \\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{\\theta} &= \\frac{\\frac{\\mathrm{torque} - \\mathrm{friction}\\,\\dot{\\theta}}{m l} - g \\sin \\theta}{l}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
-        [1, 6, 0, 0, 1, 0],
-        [1, 6, 0, 0, 1, 0],
-        [0, 3, 0, 0, 0, 0],
-        [1, 6, 0, 0, 0, 0],
-        [2, 4, 0, 0, 1, 0],
-        [1, 1, 0, 0, 0, 0],
-        [0, 7, 1, 0, 0, 0],
-        [2, 3, 0, 0, 1, 0],
-        [3, 3, 0, 0, 1, 0],
-        [41, 74, 4, 0, 4, 0],
+        [1, 1, 0, 1, 2, 1, 0, 2, 3, 41],
+        [6, 6, 3, 6, 4, 1, 7, 3, 3, 74],
+        [0, 0, 0, 0, 0, 0, 1, 0, 0, 4],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [1, 1, 0, 0, 1, 0, 0, 1, 1, 4],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     ]);
     #[doc(hidden)]
     fn __mentions(&self) {
-        let x = ();
-        let y = ();
-        let _ = (
-            &self.m,
-            x,
-            y,
-            &self.m,
-            &self.g,
-            y,
-            &self.friction,
-            Self::THETA,
-            &self.l,
-            Self::THETA,
-            &self.l,
-            Self::THETA,
-            y,
-            x,
-            &self.torque,
-            Self::THETA,
-        );
+        let [x, y] = [(); 2usize];
+        let _ = (&self.m, x, y);
+        let _ = (&self.m, &self.g, y);
+        let _ = (&self.friction, Self::THETA);
+        let _ = (&self.l, Self::THETA);
+        let _ = (&self.l, Self::THETA);
+        let _ = (y,);
+        let _ = (x,);
+        let _ = (&self.torque,);
+        let _ = (Self::THETA,);
     }
 }
 #[automatically_derived]
-impl ::lagrangian::GeneralizedCoordinates<1usize> for DrivenPendulum {
-    const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
-    const ANGLES: [bool; 1usize] = [true];
-    const PERIODS: [u32; 1usize] = [1];
-    const IGNORABLE: [bool; 1usize] = [false];
-    const SINGULARITIES: [&'static [usize]; 1usize] = [&[]];
+impl ::lagrangian::GeneralizedCoordinates<1> for DrivenPendulum {
+    const COORDINATES: [&'static str; 1] = Self::COORDINATES;
+    const ANGLES: [bool; 1] = [true];
+    const PERIODS: [u32; 1] = [1];
     const STAYS_REGULAR: bool = true;
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1, __S>
 for DrivenPendulum {
-    type Inputs = ::lagrangian::__private::SVector<__S, 1usize>;
-    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 1usize> {
+    type Inputs = ::lagrangian::__private::SVector<__S, 1>;
+    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 1> {
         ::lagrangian::__private::vector([
             ::lagrangian::__private::parameter(self.torque),
         ])
     }
     fn lagrangian(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 8usize],
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1>,
+        prepared: &[__S; 8],
     ) -> __S {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let l: __S = prepared[2];
+        let x0 = l * (theta_dot * theta_dot);
         let [m, g, ..] = *prepared;
-        let x0 = m
-            * (l
-                * g
-                    .mul_add(
-                        theta.cos(),
-                        __S::from_f64(0.5) * (l * (theta_dot * theta_dot)),
-                    ));
-        x0
+        let x1 = g.mul_add(theta.cos(), __S::from_f64(0.5) * x0);
+        m * (l * x1)
     }
     fn energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1>,
     ) -> __S {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let l: __S = ::lagrangian::__private::parameter(self.l);
+        let x0 = l * (theta_dot * theta_dot);
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
-        let x0 = m
-            * (l
-                * (-g)
-                    .mul_add(
-                        theta.cos(),
-                        __S::from_f64(0.5) * (l * (theta_dot * theta_dot)),
-                    ));
-        x0
+        let x1 = (-g).mul_add(theta.cos(), __S::from_f64(0.5) * x0);
+        m * (l * x1)
     }
     fn momenta(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [m, _, l, ..] = *prepared;
         let theta_dot: __S = state.x.v[0];
         ::lagrangian::__private::vector([m * (l * l) * theta_dot])
     }
     fn mass_matrix(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SMatrix<__S, 1, 1> {
         ::lagrangian::__private::mass_matrix_by_columns(
             state,
             |state| ::lagrangian::quantities::Quantities::<
-                1usize,
+                1,
                 __S,
             >::momenta(self, state, prepared),
         )
     }
     fn forcing(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let friction: __S = prepared[3];
         let [m, g, l, ..] = *prepared;
         let torque: __S = inputs[0];
-        ::lagrangian::__private::vector([
-            (-(m * g * l)).mul_add(theta.sin(), (-friction).mul_add(theta_dot, torque)),
-        ])
+        let x0 = (-friction).mul_add(theta_dot, torque);
+        ::lagrangian::__private::vector([(-(m * g * l)).mul_add(theta.sin(), x0)])
     }
     fn generalized_forces(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let theta_dot: __S = state.x.v[0];
         let friction: __S = ::lagrangian::__private::parameter(self.friction);
         let torque: __S = inputs[0];
         ::lagrangian::__private::vector([(-friction).mul_add(theta_dot, torque)])
     }
-    type Prepared = [__S; 8usize];
-    fn prepare(&self) -> [__S; 8usize] {
+    type Prepared = [__S; 8];
+    fn prepare(&self) -> [__S; 8] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let g: __S = ::lagrangian::__private::parameter(self.g);
         let l: __S = ::lagrangian::__private::parameter(self.l);
@@ -220,53 +193,46 @@ for DrivenPendulum {
     #[inline(always)]
     fn accelerations(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let friction: __S = prepared[3];
         let [_, _, _, _, c0, c1, ..] = *prepared;
         let torque: __S = inputs[0];
-        ::lagrangian::__private::vector([
-            (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque)) * c1,
-        ])
+        let x0 = (-theta.sin()).mul_add(c0, (-friction).mul_add(theta_dot, torque));
+        ::lagrangian::__private::vector([x0 * c1])
     }
     fn inverse_dynamics(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+        accelerations: &::lagrangian::__private::SVector<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let theta: __S = state.x.q[0];
         let theta_dot: __S = state.x.v[0];
         let friction: __S = prepared[3];
         let [_, _, _, _, _, _, c2, c3] = *prepared;
         let theta_ddot: __S = accelerations[0];
         let torque: __S = inputs[0];
-        ::lagrangian::__private::vector([
-            friction.mul_add(theta_dot, theta_ddot.mul_add(c3, theta.sin() * c2))
-                - torque,
-        ])
+        let x0 = theta_ddot.mul_add(c3, theta.sin() * c2);
+        ::lagrangian::__private::vector([friction.mul_add(theta_dot, x0) - torque])
     }
     fn relative_pivots(
         &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        _state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [m, _, l, ..] = *prepared;
         let x0 = m * (l * l);
-        ::lagrangian::__private::by_coordinate(
-            [::lagrangian::__private::relative_pivot(x0, x0.abs())],
-            [&[0]],
-        )
+        ::lagrangian::__private::by_coordinate([x0], [x0.abs()], [], [&[0]])
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S>
-for DrivenPendulum {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1, __S> for DrivenPendulum {
     type Model = Self;
     fn model(&self) -> &Self {
         self
@@ -275,30 +241,30 @@ for DrivenPendulum {
 #[automatically_derived]
 impl ::lagrangian::__private::SharesLanes for DrivenPendulum {}
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1, __S>
 for DrivenPendulum {
     fn linearize(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::Linearization<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+    ) -> ::lagrangian::Linearization<__S, 1> {
         let accelerations = ::lagrangian::quantities::Quantities::<
-            1usize,
+            1,
             __S,
         >::accelerations(
             self,
             state,
             inputs,
-            &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
+            &::lagrangian::quantities::Quantities::<1, __S>::prepare(self),
         );
         let factors = ::lagrangian::Factorization::new(
             ::lagrangian::quantities::Quantities::<
-                1usize,
+                1,
                 __S,
             >::mass_matrix(
                 self,
                 state,
-                &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
+                &::lagrangian::quantities::Quantities::<1, __S>::prepare(self),
             ),
         );
         let prepared = ::lagrangian::quantities::Quantities::<
@@ -318,22 +284,23 @@ for DrivenPendulum {
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1, __S>
 for DrivenPendulum {
     fn kinetic_energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1>,
     ) -> __S {
         let theta_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let l: __S = ::lagrangian::__private::parameter(self.l);
-        __S::from_f64(0.5) * (m * (l * l) * (theta_dot * theta_dot))
+        let x0 = m * (l * l) * (theta_dot * theta_dot);
+        __S::from_f64(0.5) * x0
     }
     fn potential_energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 1>,
     ) -> __S {
         let theta: __S = state.x.q[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
@@ -343,22 +310,22 @@ for DrivenPendulum {
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Inputs<1usize, 1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Inputs<1, 1, __S>
 for DrivenPendulum {
     const INPUTS: [&'static str; 1usize] = Self::INPUTS;
     fn input_jacobian(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
-    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
+    ) -> ::lagrangian::__private::SMatrix<__S, 1, 1> {
         let factors = ::lagrangian::Factorization::new(
             ::lagrangian::quantities::Quantities::<
-                1usize,
+                1,
                 __S,
             >::mass_matrix(
                 self,
                 state,
-                &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
+                &::lagrangian::quantities::Quantities::<1, __S>::prepare(self),
             ),
         );
         let prepared = ::lagrangian::quantities::Quantities::<
@@ -395,22 +362,22 @@ pub struct DrivenPendulumOutputs<__S> {
     pub acceleration: __S,
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Outputs<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Outputs<1, __S>
 for DrivenPendulum {
     type Outputs = DrivenPendulumOutputs<__S>;
     fn outputs(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        inputs: &::lagrangian::__private::SVector<__S, 1usize>,
+        state: &::lagrangian::State<__S, 1>,
+        inputs: &::lagrangian::__private::SVector<__S, 1>,
     ) -> Self::Outputs {
         let accelerations = ::lagrangian::quantities::Quantities::<
-            1usize,
+            1,
             __S,
         >::accelerations(
             self,
             state,
             inputs,
-            &::lagrangian::quantities::Quantities::<1usize, __S>::prepare(self),
+            &::lagrangian::quantities::Quantities::<1, __S>::prepare(self),
         );
         let theta: __S = state.x.q[0];
         let (sin_theta, cos_theta) = theta.sin_cos();

@@ -70,99 +70,65 @@ impl HeavyTop {
     pub const LATEX: &'static str = "\\begin{align*}\nq &= (\\varphi, \\theta, \\psi)\n\\end{align*}\n\\begin{align*}\nw_{1} &= \\dot{\\varphi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi \\\\\nw_{2} &= \\dot{\\varphi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi \\\\\nw_{3} &= \\dot{\\varphi} \\cos \\theta + \\dot{\\psi}\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} I_{1} w_{1}^{2} + \\frac{1}{2} I_{2} w_{2}^{2} + \\frac{1}{2} I_{3} w_{3}^{2} \\\\\nV &= m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\varphi} &= \\left(I_{1} w_{1} \\sin \\psi + I_{2} w_{2} \\cos \\psi\\right) \\sin \\theta + I_{3} w_{3} \\cos \\theta \\\\\np_{\\theta} &= I_{1} w_{1} \\cos \\psi - I_{2} w_{2} \\sin \\psi \\\\\np_{\\psi} &= I_{3} w_{3}\n\\end{align*}\n$p_{\\varphi}$ is constant.\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V\n\\end{align*}\n$h$ is constant.\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\n&\\left(\\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi\\right) \\sin^{2} \\theta + I_{3} \\cos^{2} \\theta\\right) \\ddot{\\varphi} + \\left(I_{1} - I_{2}\\right) \\ddot{\\theta} \\sin \\theta \\sin \\psi \\cos \\psi + I_{3} \\ddot{\\psi} \\cos \\theta \\\\\n&\\quad + 2 \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi} \\dot{\\theta} \\sin \\theta \\cos \\theta + 2 \\left(I_{1} - I_{2}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin^{2} \\theta \\sin \\psi \\cos \\psi \\\\\n&\\quad + \\left(I_{1} - I_{2}\\right) \\dot{\\theta}^{2} \\cos \\theta \\sin \\psi \\cos \\psi - \\left(\\left(I_{1} - I_{2}\\right) \\sin^{2} \\psi + \\left(I_{2} - I_{1}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\theta = 0 \\\\\n&\\left(I_{1} - I_{2}\\right) \\ddot{\\varphi} \\sin \\theta \\sin \\psi \\cos \\psi + \\left(I_{1} \\cos^{2} \\psi + I_{2} \\sin^{2} \\psi\\right) \\ddot{\\theta} \\\\\n&\\quad - \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi}^{2} \\sin \\theta \\cos \\theta \\\\\n&\\quad + \\left(\\left(I_{2} - I_{1}\\right) \\sin^{2} \\psi + \\left(I_{1} - I_{2}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin \\theta + 2 \\left(I_{2} - I_{1}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\psi \\cos \\psi \\\\\n&\\quad - m g l \\sin \\theta = 0 \\\\\n&I_{3} \\ddot{\\varphi} \\cos \\theta + I_{3} \\ddot{\\psi} + \\left(I_{2} - I_{1}\\right) w_{1} w_{2} - I_{3} \\dot{\\varphi} \\dot{\\theta} \\sin \\theta = 0\n\\end{align*}\nBoltzmann--Hamel equations, Euler's (3.5)--(3.7) for a rigid body, and kinematics:\n\\begin{align*}\nI_{1} \\dot{w}_{1} &= \\left(I_{2} - I_{3}\\right) w_{2} w_{3} + m g l \\sin \\theta \\cos \\psi \\\\\nI_{2} \\dot{w}_{2} &= \\left(I_{3} - I_{1}\\right) w_{1} w_{3} - m g l \\sin \\theta \\sin \\psi \\\\\nI_{3} \\dot{w}_{3} &= \\left(I_{1} - I_{2}\\right) w_{1} w_{2} \\\\\n\\dot{\\varphi} &= \\frac{w_{1} \\sin \\psi + w_{2} \\cos \\psi}{\\sin \\theta} \\\\\n\\dot{\\theta} &= w_{1} \\cos \\psi - w_{2} \\sin \\psi \\\\\n\\dot{\\psi} &= w_{3} - \\frac{\\left(w_{1} \\sin \\psi + w_{2} \\cos \\psi\\right) \\cos \\theta}{\\sin \\theta}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
-        [6, 16, 0, 0, 2, 0],
-        [6, 16, 0, 0, 2, 0],
-        [6, 15, 0, 0, 2, 0],
-        [4, 13, 0, 0, 2, 0],
-        [19, 40, 0, 0, 2, 0],
-        [0, 0, 0, 0, 0, 0],
-        [4, 3, 5, 0, 0, 0],
-        [16, 27, 1, 0, 2, 0],
-        [23, 45, 0, 0, 2, 0],
-        [83, 130, 4, 0, 2, 0],
+        [6, 6, 6, 4, 19, 0, 4, 16, 23, 83],
+        [16, 16, 15, 13, 40, 0, 3, 27, 45, 130],
+        [0, 0, 0, 0, 0, 0, 5, 1, 0, 4],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [2, 2, 2, 2, 2, 0, 0, 2, 2, 2],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     ]);
     #[doc(hidden)]
     fn __mentions(&self) {
-        let w1 = ();
-        let w2 = ();
-        let w3 = ();
-        let _ = (
-            &self.i1,
-            w1,
-            &self.i2,
-            w2,
-            &self.i3,
-            w3,
-            &self.m,
-            &self.g,
-            &self.l,
-            Self::THETA,
-            Self::PHI,
-            Self::THETA,
-            Self::PSI,
-            Self::THETA,
-            Self::PSI,
-            Self::PHI,
-            Self::THETA,
-            Self::PSI,
-            Self::THETA,
-            Self::PSI,
-            Self::PHI,
-            Self::THETA,
-            Self::PSI,
-        );
+        let [w1, w2, w3] = [(); 3usize];
+        let _ = (&self.i1, w1, &self.i2, w2, &self.i3, w3);
+        let _ = (&self.m, &self.g, &self.l, Self::THETA);
+        let _ = (Self::PHI, Self::THETA, Self::PSI, Self::THETA, Self::PSI);
+        let _ = (Self::PHI, Self::THETA, Self::PSI, Self::THETA, Self::PSI);
+        let _ = (Self::PHI, Self::THETA, Self::PSI);
     }
 }
 #[automatically_derived]
-impl ::lagrangian::GeneralizedCoordinates<3usize> for HeavyTop {
-    const COORDINATES: [&'static str; 3usize] = Self::COORDINATES;
-    const ANGLES: [bool; 3usize] = [false, true, true];
-    const PERIODS: [u32; 3usize] = [1, 1, 1];
-    const IGNORABLE: [bool; 3usize] = [true, false, false];
-    const SINGULARITIES: [&'static [usize]; 3usize] = [&[1], &[1], &[1]];
+impl ::lagrangian::GeneralizedCoordinates<3> for HeavyTop {
+    const COORDINATES: [&'static str; 3] = Self::COORDINATES;
+    const ANGLES: [bool; 3] = [false, true, true];
+    const PERIODS: [u32; 3] = [1, 1, 1];
+    const IGNORABLE: [bool; 3] = [true, false, false];
+    const SINGULARITIES: [&'static [usize]; 3] = [&[1], &[1], &[1]];
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<3usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<3, __S>
 for HeavyTop {
-    type Inputs = ::lagrangian::__private::SVector<__S, 0usize>;
-    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0usize> {
+    type Inputs = ::lagrangian::__private::SVector<__S, 0>;
+    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0> {
         ::lagrangian::__private::vector([])
     }
     fn lagrangian(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 13usize],
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 13],
     ) -> __S {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
+        let (sines, cosines) = __S::sines_and_cosines([psi, theta]);
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = (sines, cosines);
         let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let [i1, i2, i3, m, g, l, ..] = *prepared;
         let x0 = phi_dot * sin_theta;
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x1 = (-(m * g * l))
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
-        x1
+        let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        let x2 = i3.mul_add(w3 * w3, x1);
+        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * x2)
     }
     fn energy(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
+        let (sines, cosines) = __S::sines_and_cosines([psi, theta]);
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = (sines, cosines);
         let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
@@ -174,24 +140,18 @@ for HeavyTop {
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        let x1 = (m * g * l)
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
-        x1
+        let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        let x2 = i3.mul_add(w3 * w3, x1);
+        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * x2)
     }
     fn momenta(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
-            theta,
-            psi,
-        ]);
+        let (sines, cosines) = __S::sines_and_cosines([theta, psi]);
+        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = (sines, cosines);
         let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let [i1, i2, i3, ..] = *prepared;
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
@@ -209,40 +169,33 @@ for HeavyTop {
     }
     fn mass_matrix(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SMatrix<__S, 3, 3> {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
-            theta,
-            psi,
-        ]);
+        let (sines, cosines) = __S::sines_and_cosines([theta, psi]);
+        let ([sin_theta, sin_psi], [cos_theta, cos_psi]) = (sines, cosines);
         let [i1, i2, i3, ..] = *prepared;
         let x0 = i3 * cos_theta;
         let x1 = cos_psi * cos_psi;
         let x2 = sin_psi * sin_psi;
-        let x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
+        let x3 = sin_theta * i1.mul_add(x2, i2 * x1);
+        let x4 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
         ::lagrangian::__private::matrix([
-            [
-                sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
-                x3,
-                x0,
-            ],
-            [x3, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
+            [sin_theta.mul_add(x3, cos_theta * x0), x4, x0],
+            [x4, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
             [x0, __S::from_f64(0.0), i3],
         ])
     }
     fn forcing(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
+        let (sines, cosines) = __S::sines_and_cosines([psi, theta]);
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = (sines, cosines);
         let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let [i1, i2, i3, m, g, l, ..] = *prepared;
         let x0 = theta_dot * sin_psi;
@@ -257,30 +210,20 @@ for HeavyTop {
         let x7 = psi_dot.mul_add(w2, x0 * x4);
         let x8 = i1 * sin_psi;
         let w3 = psi_dot + x4;
-        let x9 = sin_theta
-            * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
-        let x10 = i3 * x1;
-        let x11 = (-(i1 * cos_psi))
-            .mul_add(
-                x7,
-                w3
-                    .mul_add(
-                        w1.mul_add(x8, w2 * x6) - x10,
-                        (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
-                    ),
-            );
+        let x9 = (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4)));
+        let x10 = sin_theta * (-x7).mul_add(x8, x9);
+        let x11 = (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x10);
+        let x12 = i3 * x1;
+        let x13 = (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5);
+        let x14 = w3.mul_add(w1.mul_add(x8, w2 * x6) - x12, x13);
         ::lagrangian::__private::vector([
-            (-(i1 * w1))
-                .mul_add(
-                    cos_psi.mul_add(x3, x0 * cos_theta),
-                    (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
-                ),
-            x11,
-            w1.mul_add(w2 * (i1 - i2), theta_dot * x10),
+            (-(i1 * w1)).mul_add(cos_psi.mul_add(x3, x0 * cos_theta), x11),
+            (-(i1 * cos_psi)).mul_add(x7, x14),
+            w1.mul_add(w2 * (i1 - i2), theta_dot * x12),
         ])
     }
-    type Prepared = [__S; 13usize];
-    fn prepare(&self) -> [__S; 13usize] {
+    type Prepared = [__S; 13];
+    fn prepare(&self) -> [__S; 13] {
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -308,15 +251,13 @@ for HeavyTop {
     #[inline(always)]
     fn accelerations(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
+        let (sines, cosines) = __S::sines_and_cosines([psi, theta]);
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = (sines, cosines);
         let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let [_, _, _, _, _, _, c0, c1, c2, c3, c4, ..] = *prepared;
         let x0 = phi_dot * cos_theta;
@@ -324,37 +265,29 @@ for HeavyTop {
         let x2 = phi_dot * sin_theta;
         let w1 = sin_psi.mul_add(x2, x1);
         let w3 = psi_dot + x0;
-        let x3 = (-x1)
-            .mul_add(
-                x0,
-                psi_dot.mul_add(w1, -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0)),
-            );
-        let x4 = theta_dot * sin_psi;
-        let w2 = cos_psi.mul_add(x2, -x4);
-        let x5 = (-psi_dot)
-            .mul_add(
-                w2,
-                (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
-            );
-        let x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
+        let x3 = -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
+        let x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, x3));
+        let x5 = theta_dot * sin_psi;
+        let w2 = cos_psi.mul_add(x2, -x5);
+        let x6 = (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3);
+        let x7 = (-psi_dot).mul_add(w2, (-x5).mul_add(x0, x6));
+        let x8 = -sin_psi.mul_add(x7, cos_psi * x4) * (__S::from_f64(1.0) / sin_theta);
         ::lagrangian::__private::vector([
-            -x6,
-            (-sin_psi).mul_add(x3, cos_psi * x5),
-            cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
+            -x8,
+            (-sin_psi).mul_add(x4, cos_psi * x7),
+            cos_theta.mul_add(x8, (w1 * w2).mul_add(c4, theta_dot * x2)),
         ])
     }
     fn inverse_dynamics(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        accelerations: &::lagrangian::__private::SVector<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
+        let (sines, cosines) = __S::sines_and_cosines([psi, theta]);
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = (sines, cosines);
         let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let [phi_ddot, theta_ddot, psi_ddot] = accelerations.data.0[0];
         let [i1, i2, i3, _, _, _, _, _, _, _, _, c5, c6] = *prepared;
@@ -373,51 +306,35 @@ for HeavyTop {
         let x9 = i2 * cos_psi;
         let x10 = sin_psi.mul_add(x7, phi_dot.mul_add(x5, theta_ddot * cos_psi));
         let x11 = i1 * sin_psi;
-        let x12 = (-sin_theta)
-            .mul_add(
-                c5,
-                w3
-                    .mul_add(
-                        (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
-                        i1 * cos_psi * x10,
-                    ),
-            );
+        let x12 = (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9));
+        let x13 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
+        let x14 = (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1));
+        let x15 = (-sin_theta).mul_add(c5, w3.mul_add(x14, i1 * cos_psi * x10));
         ::lagrangian::__private::vector([
-            sin_theta
-                .mul_add(
-                    (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
-                    cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
-                ),
-            (-(i2 * sin_psi)).mul_add(x8, x12),
+            sin_theta.mul_add(x12, cos_theta.mul_add(x6, x13)),
+            (-(i2 * sin_psi)).mul_add(x8, x15),
             w1.mul_add(w2 * c6, x6),
         ])
     }
     fn relative_pivots(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [i1, i2, i3, ..] = *prepared;
         let theta: __S = state.x.q[1];
         let (sin_theta, cos_theta) = theta.sin_cos();
+        let x0 = __S::from_f64(1.0).min(theta.abs());
         ::lagrangian::__private::by_coordinate(
-            [
-                ::lagrangian::__private::relative_pivot(
-                    -sin_theta,
-                    cos_theta
-                        .abs()
-                        .mul_add(__S::from_f64(1.0).min(theta.abs()), sin_theta.abs()),
-                ),
-                ::lagrangian::__private::relative_pivot(i2, i2.abs()),
-                ::lagrangian::__private::relative_pivot(i1, i1.abs()),
-                ::lagrangian::__private::relative_pivot(i3, i3.abs()),
-            ],
+            [-sin_theta, i2, i1, i3],
+            [cos_theta.abs().mul_add(x0, sin_theta.abs()), i2.abs(), i1.abs(), i3.abs()],
+            [],
             [&[0, 1, 2], &[0, 1, 2], &[3]],
         )
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3, __S> for HeavyTop {
     type Model = Self;
     fn model(&self) -> &Self {
         self
@@ -426,18 +343,16 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
 #[automatically_derived]
 impl ::lagrangian::__private::SharesLanes for HeavyTop {}
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<3usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<3, __S>
 for HeavyTop {
     fn linearize(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-    ) -> ::lagrangian::Linearization<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+    ) -> ::lagrangian::Linearization<__S, 3> {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
+        let (sines, cosines) = __S::sines_and_cosines([psi, theta]);
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = (sines, cosines);
         let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
@@ -482,91 +397,79 @@ for HeavyTop {
             x23.mul_add(x27, (w1 * w2 * x25).mul_add(x26, sin_theta * x10)),
         ]);
         let [phi_ddot, theta_ddot, ..] = accelerations.data.0[0];
-        let x28 = x8
-            * (-x20).mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
-        let x29 = phi_dot.mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9)
-            - x28;
-        let x30 = x19
-            * phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
-        let x31 = (-phi_ddot)
-            .mul_add(x20, phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x30));
-        let x32 = x24 * (-sin_psi).mul_add(x31, cos_psi * x29);
-        let x33 = x25.mul_add(x26 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
-        let x34 = x8
-            .mul_add(-x0.mul_add(x17, x18), theta_ddot.mul_add(cos_psi, phi_ddot * x2))
-            + x21;
-        let x35 = -x34;
-        let x36 = (-phi_ddot)
-            .mul_add(x15, x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11);
-        let x37 = (-sin_psi).mul_add(x36, cos_psi * x35);
-        let x38 = x0 * x8;
-        let x39 = (-(-w1.mul_add(cos_theta, w3 * x2)))
-            .mul_add(x38, (-psi_dot).mul_add(x2, theta_dot * x9));
-        let x40 = x13 * x19;
-        let x41 = (-psi_dot)
-            .mul_add(
-                x15,
-                (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x40),
-            );
-        let x42 = (-sin_psi).mul_add(x41, cos_psi * x39);
-        let x43 = psi_dot - x4;
-        let x44 = (-(sin_psi * sin_psi))
-            .mul_add(w3.mul_add(x40, x43), cos_psi * cos_psi * w3.mul_add(x38, -x43));
-        let x45 = w1.mul_add(x38, -w1);
-        let x46 = -w2.mul_add(x40, w2);
-        let x47 = (-sin_psi).mul_add(x46, cos_psi * x45);
+        let x28 = (-x20)
+            .mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
+        let x29 = x8 * x28;
+        let x30 = -psi_dot.mul_add(x20, theta_dot * x15);
+        let x31 = phi_dot.mul_add(x30, phi_ddot * x9) - x29;
+        let x32 = phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
+        let x33 = x19 * x32;
+        let x34 = phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x33);
+        let x35 = (-phi_ddot).mul_add(x20, x34);
+        let x36 = x24 * (-sin_psi).mul_add(x35, cos_psi * x31);
+        let x37 = x25.mul_add(x26 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
+        let x38 = theta_ddot.mul_add(cos_psi, phi_ddot * x2);
+        let x39 = x8.mul_add(-x0.mul_add(x17, x18), x38) + x21;
+        let x40 = -x39;
+        let x41 = x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11;
+        let x42 = (-phi_ddot).mul_add(x15, x41);
+        let x43 = (-sin_psi).mul_add(x42, cos_psi * x40);
+        let x44 = x0 * x8;
+        let x45 = (-psi_dot).mul_add(x2, theta_dot * x9);
+        let x46 = (-(-w1.mul_add(cos_theta, w3 * x2))).mul_add(x44, x45);
+        let x47 = x13 * x19;
+        let x48 = (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x47);
+        let x49 = (-psi_dot).mul_add(x15, x48);
+        let x50 = (-sin_psi).mul_add(x49, cos_psi * x46);
+        let x51 = psi_dot - x4;
+        let x52 = w3.mul_add(x47, x51);
+        let x53 = (-(sin_psi * sin_psi))
+            .mul_add(x52, cos_psi * cos_psi * w3.mul_add(x44, -x51));
+        let x54 = x26 * (-sin_psi).mul_add(w1, cos_psi * w2);
+        let x55 = w1.mul_add(x44, -w1);
+        let x56 = -w2.mul_add(x47, w2);
+        let x57 = (-sin_psi).mul_add(x56, cos_psi * x55);
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::matrix([
                 [__S::from_f64(0.0), __S::from_f64(0.0), __S::from_f64(0.0)],
                 [
-                    -x32,
-                    cos_psi.mul_add(x31, sin_psi * x29),
-                    cos_theta.mul_add(phi_dot.mul_add(x33, x32), phi_ddot * sin_theta),
+                    -x36,
+                    cos_psi.mul_add(x35, sin_psi * x31),
+                    cos_theta.mul_add(phi_dot.mul_add(x37, x36), phi_ddot * sin_theta),
                 ],
                 [
-                    -(x24 * x37),
-                    cos_psi.mul_add(x36, sin_psi * x35),
-                    x25.mul_add(x26 * (-w1).mul_add(w1, w2 * w2), x37 * x27),
+                    -(x24 * x43),
+                    cos_psi.mul_add(x42, sin_psi * x40),
+                    x25.mul_add(x26 * (-w1).mul_add(w1, w2 * w2), x43 * x27),
                 ],
             ]),
             velocity: ::lagrangian::__private::matrix([
                 [
-                    -(x24 * x42),
-                    cos_psi.mul_add(x41, sin_psi * x39),
-                    sin_theta.mul_add(x33, x42 * x27),
+                    -(x24 * x50),
+                    cos_psi.mul_add(x49, sin_psi * x46),
+                    sin_theta.mul_add(x37, x50 * x27),
                 ],
                 [
-                    -(x24 * x44),
-                    -(sin_psi * cos_psi * w3 * -(x38 + x40)),
-                    x25
-                        .mul_add(
-                            x26 * (-sin_psi).mul_add(w1, cos_psi * w2),
-                            x44.mul_add(x27, phi_dot * sin_theta),
-                        ),
+                    -(x24 * x53),
+                    -(sin_psi * cos_psi * w3 * -(x44 + x47)),
+                    x25.mul_add(x54, x53.mul_add(x27, phi_dot * sin_theta)),
                 ],
-                [-(x24 * x47), cos_psi.mul_add(x46, sin_psi * x45), x47 * x27],
+                [-(x24 * x57), cos_psi.mul_add(x56, sin_psi * x55), x57 * x27],
             ]),
-            time: ::lagrangian::__private::vector([
-                __S::from_f64(0.0),
-                __S::from_f64(0.0),
-                __S::from_f64(0.0),
-            ]),
+            time: ::lagrangian::__private::SVector::zeros(),
         }
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3usize, __S>
-for HeavyTop {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3, __S> for HeavyTop {
     fn kinetic_energy(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let [_, theta, psi] = state.x.q.data.0[0];
-        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
+        let (sines, cosines) = __S::sines_and_cosines([psi, theta]);
+        let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = (sines, cosines);
         let [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
@@ -575,12 +478,13 @@ for HeavyTop {
         let w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         let w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         let w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
+        let x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1)
     }
     fn potential_energy(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let theta: __S = state.x.q[1];
         let m: __S = ::lagrangian::__private::parameter(self.m);
@@ -590,19 +494,7 @@ for HeavyTop {
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::ConstantsOfMotion<3usize, 2usize, __S>
-for HeavyTop {
-    const CONSTANTS_OF_MOTION: [&'static str; 2usize] = Self::CONSTANTS_OF_MOTION;
+impl<__S: ::lagrangian::Scalar> ::lagrangian::ConstantsOfMotion<3, 2, __S> for HeavyTop {
+    const CONSTANTS_OF_MOTION: [&'static str; 2] = Self::CONSTANTS_OF_MOTION;
     const IGNORABLE_COORDINATES: &'static [usize] = Self::IGNORABLE_COORDINATES;
-    const CONSERVES_ENERGY: bool = Self::CONSERVES_ENERGY;
-    fn constants_of_motion(
-        &self,
-        state: &::lagrangian::State<__S, 3usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 2usize> {
-        let momenta = ::lagrangian::Lagrangian::<3usize, __S>::momenta(self, state);
-        ::lagrangian::__private::vector([
-            momenta[0],
-            ::lagrangian::Lagrangian::<3usize, __S>::energy(self, state),
-        ])
-    }
 }

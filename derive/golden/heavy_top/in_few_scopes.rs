@@ -70,72 +70,46 @@ impl HeavyTop {
     pub const LATEX: &'static str = "\\begin{align*}\nq &= (\\varphi, \\theta, \\psi)\n\\end{align*}\n\\begin{align*}\nw_{1} &= \\dot{\\varphi} \\sin \\theta \\sin \\psi + \\dot{\\theta} \\cos \\psi \\\\\nw_{2} &= \\dot{\\varphi} \\sin \\theta \\cos \\psi - \\dot{\\theta} \\sin \\psi \\\\\nw_{3} &= \\dot{\\varphi} \\cos \\theta + \\dot{\\psi}\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} I_{1} w_{1}^{2} + \\frac{1}{2} I_{2} w_{2}^{2} + \\frac{1}{2} I_{3} w_{3}^{2} \\\\\nV &= m g l \\cos \\theta\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{\\varphi} &= \\left(I_{1} w_{1} \\sin \\psi + I_{2} w_{2} \\cos \\psi\\right) \\sin \\theta + I_{3} w_{3} \\cos \\theta \\\\\np_{\\theta} &= I_{1} w_{1} \\cos \\psi - I_{2} w_{2} \\sin \\psi \\\\\np_{\\psi} &= I_{3} w_{3}\n\\end{align*}\n$p_{\\varphi}$ is constant.\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V\n\\end{align*}\n$h$ is constant.\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\n&\\left(\\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi\\right) \\sin^{2} \\theta + I_{3} \\cos^{2} \\theta\\right) \\ddot{\\varphi} + \\left(I_{1} - I_{2}\\right) \\ddot{\\theta} \\sin \\theta \\sin \\psi \\cos \\psi + I_{3} \\ddot{\\psi} \\cos \\theta \\\\\n&\\quad + 2 \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi} \\dot{\\theta} \\sin \\theta \\cos \\theta + 2 \\left(I_{1} - I_{2}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin^{2} \\theta \\sin \\psi \\cos \\psi \\\\\n&\\quad + \\left(I_{1} - I_{2}\\right) \\dot{\\theta}^{2} \\cos \\theta \\sin \\psi \\cos \\psi - \\left(\\left(I_{1} - I_{2}\\right) \\sin^{2} \\psi + \\left(I_{2} - I_{1}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\theta = 0 \\\\\n&\\left(I_{1} - I_{2}\\right) \\ddot{\\varphi} \\sin \\theta \\sin \\psi \\cos \\psi + \\left(I_{1} \\cos^{2} \\psi + I_{2} \\sin^{2} \\psi\\right) \\ddot{\\theta} \\\\\n&\\quad - \\left(I_{1} \\sin^{2} \\psi + I_{2} \\cos^{2} \\psi - I_{3}\\right) \\dot{\\varphi}^{2} \\sin \\theta \\cos \\theta \\\\\n&\\quad + \\left(\\left(I_{2} - I_{1}\\right) \\sin^{2} \\psi + \\left(I_{1} - I_{2}\\right) \\cos^{2} \\psi + I_{3}\\right) \\dot{\\varphi} \\dot{\\psi} \\sin \\theta + 2 \\left(I_{2} - I_{1}\\right) \\dot{\\theta} \\dot{\\psi} \\sin \\psi \\cos \\psi \\\\\n&\\quad - m g l \\sin \\theta = 0 \\\\\n&I_{3} \\ddot{\\varphi} \\cos \\theta + I_{3} \\ddot{\\psi} + \\left(I_{2} - I_{1}\\right) w_{1} w_{2} - I_{3} \\dot{\\varphi} \\dot{\\theta} \\sin \\theta = 0\n\\end{align*}\nBoltzmann--Hamel equations, Euler's (3.5)--(3.7) for a rigid body, and kinematics:\n\\begin{align*}\nI_{1} \\dot{w}_{1} &= \\left(I_{2} - I_{3}\\right) w_{2} w_{3} + m g l \\sin \\theta \\cos \\psi \\\\\nI_{2} \\dot{w}_{2} &= \\left(I_{3} - I_{1}\\right) w_{1} w_{3} - m g l \\sin \\theta \\sin \\psi \\\\\nI_{3} \\dot{w}_{3} &= \\left(I_{1} - I_{2}\\right) w_{1} w_{2} \\\\\n\\dot{\\varphi} &= \\frac{w_{1} \\sin \\psi + w_{2} \\cos \\psi}{\\sin \\theta} \\\\\n\\dot{\\theta} &= w_{1} \\cos \\psi - w_{2} \\sin \\psi \\\\\n\\dot{\\psi} &= w_{3} - \\frac{\\left(w_{1} \\sin \\psi + w_{2} \\cos \\psi\\right) \\cos \\theta}{\\sin \\theta}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
-        [6, 16, 0, 0, 2, 0],
-        [6, 16, 0, 0, 2, 0],
-        [6, 15, 0, 0, 2, 0],
-        [4, 13, 0, 0, 2, 0],
-        [19, 40, 0, 0, 2, 0],
-        [0, 0, 0, 0, 0, 0],
-        [4, 3, 5, 0, 0, 0],
-        [16, 27, 1, 0, 2, 0],
-        [23, 45, 0, 0, 2, 0],
-        [83, 130, 4, 0, 2, 0],
+        [6, 6, 6, 4, 19, 0, 4, 16, 23, 83],
+        [16, 16, 15, 13, 40, 0, 3, 27, 45, 130],
+        [0, 0, 0, 0, 0, 0, 5, 1, 0, 4],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [2, 2, 2, 2, 2, 0, 0, 2, 2, 2],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     ]);
     #[doc(hidden)]
     fn __mentions(&self) {
-        let w1 = ();
-        let w2 = ();
-        let w3 = ();
-        let _ = (
-            &self.i1,
-            w1,
-            &self.i2,
-            w2,
-            &self.i3,
-            w3,
-            &self.m,
-            &self.g,
-            &self.l,
-            Self::THETA,
-            Self::PHI,
-            Self::THETA,
-            Self::PSI,
-            Self::THETA,
-            Self::PSI,
-            Self::PHI,
-            Self::THETA,
-            Self::PSI,
-            Self::THETA,
-            Self::PSI,
-            Self::PHI,
-            Self::THETA,
-            Self::PSI,
-        );
+        let [w1, w2, w3] = [(); 3usize];
+        let _ = (&self.i1, w1, &self.i2, w2, &self.i3, w3);
+        let _ = (&self.m, &self.g, &self.l, Self::THETA);
+        let _ = (Self::PHI, Self::THETA, Self::PSI, Self::THETA, Self::PSI);
+        let _ = (Self::PHI, Self::THETA, Self::PSI, Self::THETA, Self::PSI);
+        let _ = (Self::PHI, Self::THETA, Self::PSI);
     }
 }
 #[automatically_derived]
-impl ::lagrangian::GeneralizedCoordinates<3usize> for HeavyTop {
-    const COORDINATES: [&'static str; 3usize] = Self::COORDINATES;
-    const ANGLES: [bool; 3usize] = [false, true, true];
-    const PERIODS: [u32; 3usize] = [1, 1, 1];
-    const IGNORABLE: [bool; 3usize] = [true, false, false];
-    const SINGULARITIES: [&'static [usize]; 3usize] = [&[1], &[1], &[1]];
+impl ::lagrangian::GeneralizedCoordinates<3> for HeavyTop {
+    const COORDINATES: [&'static str; 3] = Self::COORDINATES;
+    const ANGLES: [bool; 3] = [false, true, true];
+    const PERIODS: [u32; 3] = [1, 1, 1];
+    const IGNORABLE: [bool; 3] = [true, false, false];
+    const SINGULARITIES: [&'static [usize]; 3] = [&[1], &[1], &[1]];
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<3usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<3, __S>
 for HeavyTop {
-    type Inputs = ::lagrangian::__private::SVector<__S, 0usize>;
-    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0usize> {
+    type Inputs = ::lagrangian::__private::SVector<__S, 0>;
+    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0> {
         ::lagrangian::__private::vector([])
     }
     fn lagrangian(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 13usize],
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 13],
     ) -> __S {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
-        psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1]: [__S; 20usize];
+        psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1, x2]: [__S; 21usize];
         [_, theta, psi] = state.x.q.data.0[0];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
@@ -147,21 +121,17 @@ for HeavyTop {
         w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        x1 = (-(m * g * l))
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
-        x1
+        x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        x2 = i3.mul_add(w3 * w3, x1);
+        (-(m * g * l)).mul_add(cos_theta, __S::from_f64(0.5) * x2)
     }
     fn energy(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
-        psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1]: [__S; 20usize];
+        psi_dot, i1, i2, i3, m, g, l, x0, w2, w1, w3, x1, x2]: [__S; 21usize];
         [_, theta, psi] = state.x.q.data.0[0];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
@@ -178,19 +148,15 @@ for HeavyTop {
         w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        x1 = (m * g * l)
-            .mul_add(
-                cos_theta,
-                __S::from_f64(0.5)
-                    * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2))),
-            );
-        x1
+        x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        x2 = i3.mul_add(w3 * w3, x1);
+        (m * g * l).mul_add(cos_theta, __S::from_f64(0.5) * x2)
     }
     fn momenta(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [theta, psi, sin_theta, cos_theta, sin_psi, cos_psi, phi_dot, theta_dot,
         psi_dot, i1, i2, i3, w3, x0, x1, w2, x2, w1, x3]: [__S; 19usize];
         [_, theta, psi] = state.x.q.data.0[0];
@@ -215,11 +181,11 @@ for HeavyTop {
     }
     fn mass_matrix(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SMatrix<__S, 3usize, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SMatrix<__S, 3, 3> {
         let [theta, psi, sin_theta, cos_theta, sin_psi, cos_psi, i1, i2, i3, x0, x1, x2,
-        x3]: [__S; 13usize];
+        x3, x4]: [__S; 14usize];
         [_, theta, psi] = state.x.q.data.0[0];
         ([sin_theta, sin_psi], [cos_theta, cos_psi]) = __S::sines_and_cosines([
             theta,
@@ -229,69 +195,121 @@ for HeavyTop {
         x0 = i3 * cos_theta;
         x1 = cos_psi * cos_psi;
         x2 = sin_psi * sin_psi;
-        x3 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
+        x3 = sin_theta * i1.mul_add(x2, i2 * x1);
+        x4 = sin_theta * (sin_psi * (cos_psi * (i1 - i2)));
         ::lagrangian::__private::matrix([
-            [
-                sin_theta.mul_add(sin_theta * i1.mul_add(x2, i2 * x1), cos_theta * x0),
-                x3,
-                x0,
-            ],
-            [x3, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
+            [sin_theta.mul_add(x3, cos_theta * x0), x4, x0],
+            [x4, i1.mul_add(x1, i2 * x2), __S::from_f64(0.0)],
             [x0, __S::from_f64(0.0), i3],
         ])
     }
     fn forcing(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
-        let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
-        psi_dot, i1, i2, i3, m, g, l, x0, x1, w2, x2, x3, w1, x4, x5, x6, x7, x8, w3, x9,
-        x10, x11]: [__S; 30usize];
-        [_, theta, psi] = state.x.q.data.0[0];
-        ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
-            psi,
-            theta,
-        ]);
-        [phi_dot, theta_dot, psi_dot] = state.x.v.data.0[0];
-        [i1, i2, i3, m, g, l, ..] = *prepared;
-        x0 = theta_dot * sin_psi;
-        x1 = phi_dot * sin_theta;
-        w2 = cos_psi.mul_add(x1, -x0);
-        x2 = theta_dot * cos_psi;
-        x3 = psi_dot * sin_theta;
-        w1 = sin_psi.mul_add(x1, x2);
-        x4 = phi_dot * cos_theta;
-        x5 = (-psi_dot).mul_add(w1, x2 * x4);
-        x6 = i2 * cos_psi;
-        x7 = psi_dot.mul_add(w2, x0 * x4);
-        x8 = i1 * sin_psi;
-        w3 = psi_dot + x4;
-        x9 = sin_theta
-            * (-x7).mul_add(x8, (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4))));
-        x10 = i3 * x1;
-        x11 = (-(i1 * cos_psi))
-            .mul_add(
-                x7,
-                w3
-                    .mul_add(
-                        w1.mul_add(x8, w2 * x6) - x10,
-                        (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5),
-                    ),
-            );
-        ::lagrangian::__private::vector([
-            (-(i1 * w1))
-                .mul_add(
-                    cos_psi.mul_add(x3, x0 * cos_theta),
-                    (-(i2 * w2)).mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x9),
-                ),
-            x11,
-            w1.mul_add(w2 * (i1 - i2), theta_dot * x10),
-        ])
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
+        let mut values: [__S; 19usize] = [__S::from_f64(0.0); 19usize];
+        ::lagrangian::__private::scatter(
+            &mut values[..],
+            [0usize, 1usize, 2usize, 3usize, 4usize],
+            [state.x.q[1], state.x.q[2], state.x.v[0], state.x.v[1], state.x.v[2]],
+        );
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(values: &mut [__S; 19usize]) {
+                let [theta, psi, phi_dot, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [0, 1, 2, 3, 4],
+                );
+                let ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
+                    psi,
+                    theta,
+                ]);
+                let x0 = theta_dot * sin_psi;
+                let x1 = phi_dot * sin_theta;
+                let w2 = cos_psi.mul_add(x1, -x0);
+                let x2 = theta_dot * cos_psi;
+                let x3 = psi_dot * sin_theta;
+                let w1 = sin_psi.mul_add(x1, x2);
+                let x4 = phi_dot * cos_theta;
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15],
+                    [sin_psi, cos_psi, sin_theta, cos_theta, x0, x1, w2, x2, x3, w1, x4],
+                );
+            }
+            piece(&mut values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values: &mut [__S; 19usize],
+                prepared: &[__S; 13usize],
+            ) {
+                let [i1, i2, i3]: [__S; 3usize] = ::lagrangian::__private::gather(
+                    &prepared[..],
+                    [0, 1, 2],
+                );
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, w2, x2, x3, w1, x4,
+                theta_dot, psi_dot]: [__S; 12usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [5, 6, 9, 7, 8, 11, 12, 13, 14, 15, 3, 4],
+                );
+                let x5 = (-psi_dot).mul_add(w1, x2 * x4);
+                let x6 = i2 * cos_psi;
+                let x7 = psi_dot.mul_add(w2, x0 * x4);
+                let x8 = i1 * sin_psi;
+                let w3 = psi_dot + x4;
+                let x9 = (-x5).mul_add(x6, i3 * (theta_dot * (w3 + x4)));
+                let x10 = sin_theta * (-x7).mul_add(x8, x9);
+                let x11 = (-(i2 * w2))
+                    .mul_add((-sin_psi).mul_add(x3, x2 * cos_theta), x10);
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [2, 1, 0, 16, 17, 18],
+                    [x5, x6, x7, x8, w3, x11],
+                );
+            }
+            piece(&mut values, prepared);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values: &mut [__S; 19usize],
+                prepared: &[__S; 13usize],
+            ) {
+                let [i1, i2, i3, m, g, l]: [__S; 6usize] = ::lagrangian::__private::gather(
+                    &prepared[..],
+                    [0, 1, 2, 3, 4, 5],
+                );
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x1, w2, x3, w1, x5, x6,
+                x7, x8, w3, x11, theta_dot]: [__S; 16usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [5, 6, 9, 7, 8, 10, 11, 13, 14, 2, 1, 0, 16, 17, 18, 3],
+                );
+                let x12 = (-(i1 * w1)).mul_add(cos_psi.mul_add(x3, x0 * cos_theta), x11);
+                let x13 = i3 * x1;
+                let x14 = (m * g * l).mul_add(sin_theta, i2 * sin_psi * x5);
+                let x15 = w3.mul_add(w1.mul_add(x8, w2 * x6) - x13, x14);
+                let x16 = (-(i1 * cos_psi)).mul_add(x7, x15);
+                let x17 = w1.mul_add(w2 * (i1 - i2), theta_dot * x13);
+                ::lagrangian::__private::scatter(
+                    &mut values[..],
+                    [15, 12, 4],
+                    [x12, x16, x17],
+                );
+            }
+            piece(&mut values, prepared);
+        }
+        let [x12, x16, x17]: [__S; 3usize] = ::lagrangian::__private::gather(
+            &values[..],
+            [15, 12, 4],
+        );
+        ::lagrangian::__private::vector([x12, x16, x17])
     }
-    type Prepared = [__S; 13usize];
-    fn prepare(&self) -> [__S; 13usize] {
+    type Prepared = [__S; 13];
+    fn prepare(&self) -> [__S; 13] {
         let i1: __S = ::lagrangian::__private::parameter(self.i1);
         let i2: __S = ::lagrangian::__private::parameter(self.i2);
         let i3: __S = ::lagrangian::__private::parameter(self.i3);
@@ -319,13 +337,13 @@ for HeavyTop {
     #[inline(always)]
     fn accelerations(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
-        psi_dot, c0, c1, c2, c3, c4, x0, x1, x2, w1, w3, x3, x4, w2, x5, x6,
-        ]: [__S; 24usize];
+        psi_dot, c0, c1, c2, c3, c4, x0, x1, x2, w1, w3, x3, x4, x5, w2, x6, x7, x8,
+        ]: [__S; 26usize];
         [_, theta, psi] = state.x.q.data.0[0];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
@@ -338,32 +356,26 @@ for HeavyTop {
         x2 = phi_dot * sin_theta;
         w1 = sin_psi.mul_add(x2, x1);
         w3 = psi_dot + x0;
-        x3 = (-x1)
-            .mul_add(
-                x0,
-                psi_dot.mul_add(w1, -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0)),
-            );
-        x4 = theta_dot * sin_psi;
-        w2 = cos_psi.mul_add(x2, -x4);
-        x5 = (-psi_dot)
-            .mul_add(
-                w2,
-                (-x4).mul_add(x0, (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3)),
-            );
-        x6 = -sin_psi.mul_add(x5, cos_psi * x3) * (__S::from_f64(1.0) / sin_theta);
+        x3 = -(sin_theta * sin_psi).mul_add(c1, w1 * w3 * c0);
+        x4 = (-x1).mul_add(x0, psi_dot.mul_add(w1, x3));
+        x5 = theta_dot * sin_psi;
+        w2 = cos_psi.mul_add(x2, -x5);
+        x6 = (-(w2 * w3)).mul_add(c2, sin_theta * cos_psi * c3);
+        x7 = (-psi_dot).mul_add(w2, (-x5).mul_add(x0, x6));
+        x8 = -sin_psi.mul_add(x7, cos_psi * x4) * (__S::from_f64(1.0) / sin_theta);
         ::lagrangian::__private::vector([
-            -x6,
-            (-sin_psi).mul_add(x3, cos_psi * x5),
-            cos_theta.mul_add(x6, (w1 * w2).mul_add(c4, theta_dot * x2)),
+            -x8,
+            (-sin_psi).mul_add(x4, cos_psi * x7),
+            cos_theta.mul_add(x8, (w1 * w2).mul_add(c4, theta_dot * x2)),
         ])
     }
     fn inverse_dynamics(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        accelerations: &::lagrangian::__private::SVector<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let mut values: [__S; 23usize] = [__S::from_f64(0.0); 23usize];
         ::lagrangian::__private::scatter(
             &mut values[..],
@@ -453,62 +465,46 @@ for HeavyTop {
                     &values[..],
                     [8, 9, 10, 11, 13, 14, 16, 17, 1, 0, 18, 19, 20, 21, 22, 3],
                 );
-                let x12 = sin_theta
-                    .mul_add(
-                        (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9)),
-                        cos_theta.mul_add(x6, (i1 * w1).mul_add(x5, i2 * w2 * x4)),
-                    );
-                let x13 = (-sin_theta)
-                    .mul_add(
-                        c5,
-                        w3
-                            .mul_add(
-                                (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1)),
-                                i1 * cos_psi * x10,
-                            ),
-                    );
-                let x14 = (-(i2 * sin_psi)).mul_add(x8, x13);
-                let x15 = w1.mul_add(w2 * c6, x6);
+                let x12 = (-(i3 * theta_dot)).mul_add(w3, x10.mul_add(x11, x8 * x9));
+                let x13 = (i1 * w1).mul_add(x5, i2 * w2 * x4);
+                let x14 = sin_theta.mul_add(x12, cos_theta.mul_add(x6, x13));
+                let x15 = (-w1).mul_add(x11, (-w2).mul_add(x9, i3 * x1));
+                let x16 = (-sin_theta).mul_add(c5, w3.mul_add(x15, i1 * cos_psi * x10));
+                let x17 = (-(i2 * sin_psi)).mul_add(x8, x16);
+                let x18 = w1.mul_add(w2 * c6, x6);
                 ::lagrangian::__private::scatter(
                     &mut values[..],
                     [15, 12, 7],
-                    [x12, x14, x15],
+                    [x14, x17, x18],
                 );
             }
             piece(&mut values, prepared);
         }
-        let [x12, x14, x15]: [__S; 3usize] = ::lagrangian::__private::gather(
+        let [x14, x17, x18]: [__S; 3usize] = ::lagrangian::__private::gather(
             &values[..],
             [15, 12, 7],
         );
-        ::lagrangian::__private::vector([x12, x14, x15])
+        ::lagrangian::__private::vector([x14, x17, x18])
     }
     fn relative_pivots(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        prepared: &[__S; 13usize],
-    ) -> ::lagrangian::__private::SVector<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        prepared: &[__S; 13],
+    ) -> ::lagrangian::__private::SVector<__S, 3> {
         let [i1, i2, i3, ..] = *prepared;
         let theta: __S = state.x.q[1];
         let (sin_theta, cos_theta) = theta.sin_cos();
+        let x0 = __S::from_f64(1.0).min(theta.abs());
         ::lagrangian::__private::by_coordinate(
-            [
-                ::lagrangian::__private::relative_pivot(
-                    -sin_theta,
-                    cos_theta
-                        .abs()
-                        .mul_add(__S::from_f64(1.0).min(theta.abs()), sin_theta.abs()),
-                ),
-                ::lagrangian::__private::relative_pivot(i2, i2.abs()),
-                ::lagrangian::__private::relative_pivot(i1, i1.abs()),
-                ::lagrangian::__private::relative_pivot(i3, i3.abs()),
-            ],
+            [-sin_theta, i2, i1, i3],
+            [cos_theta.abs().mul_add(x0, sin_theta.abs()), i2.abs(), i1.abs(), i3.abs()],
+            [],
             [&[0, 1, 2], &[0, 1, 2], &[3]],
         )
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyTop {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3, __S> for HeavyTop {
     type Model = Self;
     fn model(&self) -> &Self {
         self
@@ -517,13 +513,13 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<3usize, __S> for HeavyT
 #[automatically_derived]
 impl ::lagrangian::__private::SharesLanes for HeavyTop {}
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<3usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<3, __S>
 for HeavyTop {
     fn linearize(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-    ) -> ::lagrangian::Linearization<__S, 3usize> {
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+    ) -> ::lagrangian::Linearization<__S, 3> {
         let mut values: [__S; 36usize] = [__S::from_f64(0.0); 36usize];
         ::lagrangian::__private::scatter(
             &mut values[..],
@@ -668,7 +664,7 @@ for HeavyTop {
             [33, 34, 27],
         );
         let accelerations = ::lagrangian::__private::vector([x25, x26, x30]);
-        let mut values_: [__S; 19usize] = [__S::from_f64(0.0); 19usize];
+        let mut values_: [__S; 17usize] = [__S::from_f64(0.0); 17usize];
         ::lagrangian::__private::scatter(
             &mut values_[..],
             [0usize, 1usize, 2usize, 3usize, 4usize],
@@ -683,43 +679,62 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 19usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, x0, sin_theta, x2, w1, w3, x6, x8, x9, x13, x15,
-                w2, x19, x20, x24, x27, x28]: [__S; 18usize] = ::lagrangian::__private::gather(
+                let [x0, sin_theta, x2, w1, w3, x6, x8, x9, x13, x15, w2, x19, x20,
+                ]: [__S; 13usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 15, 13, 17, 19, 21, 0, 23, 24, 18, 10, 8, 30, 3, 32, 35, 9],
+                    [15, 13, 17, 19, 21, 0, 23, 24, 18, 10, 8, 30, 3],
                 );
                 let [phi_dot, theta_dot, psi_dot, phi_ddot]: [__S; 4usize] = ::lagrangian::__private::gather(
                     &values_[..],
                     [0, 1, 2, 3],
                 );
-                let x31 = x8
-                    * (-x20)
-                        .mul_add(
-                            x6,
-                            phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)),
-                        );
-                let x32 = phi_dot
-                    .mul_add(-psi_dot.mul_add(x20, theta_dot * x15), phi_ddot * x9)
-                    - x31;
-                let x33 = x19
-                    * phi_dot.mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
-                let x34 = (-phi_ddot)
-                    .mul_add(
-                        x20,
-                        phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x33),
-                    );
-                let x35 = x24 * (-sin_psi).mul_add(x34, cos_psi * x32);
-                let x36 = -x35;
-                let x37 = cos_psi.mul_add(x34, sin_psi * x32);
-                let x38 = x27
+                let x31 = (-x20)
+                    .mul_add(x6, phi_dot * (x0 * (-w3).mul_add(x20, sin_theta * w1)));
+                let x32 = x8 * x31;
+                let x33 = -psi_dot.mul_add(x20, theta_dot * x15);
+                let x34 = phi_dot.mul_add(x33, phi_ddot * x9) - x32;
+                let x35 = phi_dot
+                    .mul_add(x13 * (-w3).mul_add(x9, sin_theta * w2), x9 * x6);
+                let x36 = x19 * x35;
+                let x37 = phi_dot.mul_add((-psi_dot).mul_add(x9, theta_dot * x2), x36);
+                let x38 = (-phi_ddot).mul_add(x20, x37);
+                ::lagrangian::__private::scatter(&mut values_[..], [5, 6], [x34, x38]);
+            }
+            piece(&mut values_, &values);
+        }
+        {
+            #[inline(never)]
+            fn piece<__S: ::lagrangian::Scalar>(
+                values_: &mut [__S; 17usize],
+                values: &[__S; 36usize],
+            ) {
+                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x2, w1, x8, w2, x17,
+                x18, x21, x24, x27, x28]: [__S; 15usize] = ::lagrangian::__private::gather(
+                    &values[..],
+                    [11, 12, 15, 13, 14, 17, 19, 23, 8, 28, 29, 2, 32, 35, 9],
+                );
+                let [x34, x38, phi_dot, theta_dot, phi_ddot, theta_ddot,
+                ]: [__S; 6usize] = ::lagrangian::__private::gather(
+                    &values_[..],
+                    [5, 6, 0, 1, 3, 4],
+                );
+                let x39 = x24 * (-sin_psi).mul_add(x38, cos_psi * x34);
+                let x40 = -x39;
+                let x41 = cos_psi.mul_add(x38, sin_psi * x34);
+                let x42 = x27
                     .mul_add(x28 * cos_psi.mul_add(w1, sin_psi * w2), theta_dot);
+                let x43 = cos_theta
+                    .mul_add(phi_dot.mul_add(x42, x39), phi_ddot * sin_theta);
+                let x44 = theta_ddot.mul_add(cos_psi, phi_ddot * x2);
+                let x45 = x8.mul_add(-x0.mul_add(x17, x18), x44) + x21;
+                let x46 = -x45;
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
-                    [5, 6, 7, 8],
-                    [x35, x36, x37, x38],
+                    [7, 8, 9, 10, 11],
+                    [x40, x41, x42, x43, x46],
                 );
             }
             piece(&mut values_, &values);
@@ -727,42 +742,30 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 19usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x2, w1, x5, x7, x8, x11,
-                x13, x15, w2, x17, x18, x19, x21, x24, x27, x28, x29]: [__S; 22usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, x0, x2, w1, x5, x7, x8, x9, x11, x13, x15, w2,
+                x19, x24, x27, x28, x29]: [__S; 18usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [
-                        11, 12, 15, 13, 14, 17, 19, 1, 22, 23, 26, 18, 10, 8, 28, 29, 30,
-                        2, 32, 35, 9, 16,
-                    ],
+                    [11, 12, 15, 17, 19, 1, 22, 23, 24, 26, 18, 10, 8, 30, 32, 35, 9, 16],
                 );
-                let [x35, x38, phi_dot, phi_ddot, theta_ddot]: [__S; 5usize] = ::lagrangian::__private::gather(
+                let [x46, theta_dot, psi_dot, phi_ddot, theta_ddot]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [5, 8, 0, 3, 4],
+                    [11, 1, 2, 3, 4],
                 );
-                let x39 = cos_theta
-                    .mul_add(phi_dot.mul_add(x38, x35), phi_ddot * sin_theta);
-                let x40 = x8
-                    .mul_add(
-                        -x0.mul_add(x17, x18),
-                        theta_ddot.mul_add(cos_psi, phi_ddot * x2),
-                    ) + x21;
-                let x41 = -x40;
-                let x42 = (-phi_ddot)
-                    .mul_add(
-                        x15,
-                        x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11,
-                    );
-                let x43 = (-sin_psi).mul_add(x42, cos_psi * x41);
-                let x44 = -(x24 * x43);
-                let x45 = cos_psi.mul_add(x42, sin_psi * x41);
-                let x46 = x27.mul_add(x28 * (-w1).mul_add(w1, w2 * w2), x43 * x29);
+                let x47 = x19.mul_add(x13.mul_add(x5, -x7), theta_ddot * sin_psi) + x11;
+                let x48 = (-phi_ddot).mul_add(x15, x47);
+                let x49 = (-sin_psi).mul_add(x48, cos_psi * x46);
+                let x50 = -(x24 * x49);
+                let x51 = cos_psi.mul_add(x48, sin_psi * x46);
+                let x52 = x27.mul_add(x28 * (-w1).mul_add(w1, w2 * w2), x49 * x29);
+                let x53 = x0 * x8;
+                let x54 = (-psi_dot).mul_add(x2, theta_dot * x9);
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
-                    [9, 10, 11, 12],
-                    [x39, x44, x45, x46],
+                    [6, 5, 12, 13, 14],
+                    [x50, x51, x52, x53, x54],
                 );
             }
             piece(&mut values_, &values);
@@ -770,35 +773,31 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 19usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, x0, sin_theta, cos_theta, x2, w1, w3, x8, x9, x13,
-                x15, w2, x19, x20, x24, x29]: [__S; 17usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, sin_theta, cos_theta, x2, w1, w3, x13, x15, w2,
+                x19, x20, x24, x29]: [__S; 14usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 15, 13, 14, 17, 19, 21, 23, 24, 18, 10, 8, 30, 3, 32, 16],
+                    [11, 12, 13, 14, 17, 19, 21, 18, 10, 8, 30, 3, 32, 16],
                 );
-                let [x38, theta_dot, psi_dot]: [__S; 3usize] = ::lagrangian::__private::gather(
+                let [x42, x53, x54, theta_dot, psi_dot]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [8, 1, 2],
+                    [9, 13, 14, 1, 2],
                 );
-                let x47 = x0 * x8;
-                let x48 = (-(-w1.mul_add(cos_theta, w3 * x2)))
-                    .mul_add(x47, (-psi_dot).mul_add(x2, theta_dot * x9));
-                let x49 = x13 * x19;
-                let x50 = (-psi_dot)
-                    .mul_add(
-                        x15,
-                        (-theta_dot).mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x49),
-                    );
-                let x51 = (-sin_psi).mul_add(x50, cos_psi * x48);
-                let x52 = -(x24 * x51);
-                let x53 = cos_psi.mul_add(x50, sin_psi * x48);
-                let x54 = sin_theta.mul_add(x38, x51 * x29);
+                let x55 = (-(-w1.mul_add(cos_theta, w3 * x2))).mul_add(x53, x54);
+                let x56 = x13 * x19;
+                let x57 = (-theta_dot)
+                    .mul_add(x20, -w2.mul_add(cos_theta, w3 * x15) * x56);
+                let x58 = (-psi_dot).mul_add(x15, x57);
+                let x59 = (-sin_psi).mul_add(x58, cos_psi * x55);
+                let x60 = -(x24 * x59);
+                let x61 = cos_psi.mul_add(x58, sin_psi * x55);
+                let x62 = sin_theta.mul_add(x42, x59 * x29);
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
-                    [5, 4, 3, 13, 14],
-                    [x47, x49, x52, x53, x54],
+                    [11, 4, 3, 15],
+                    [x56, x60, x61, x62],
                 );
             }
             piece(&mut values_, &values);
@@ -806,7 +805,7 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 19usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
                 let [sin_psi, cos_psi, sin_theta, w1, x4, w3, w2, x24, x27, x28, x29,
@@ -814,30 +813,23 @@ for HeavyTop {
                     &values[..],
                     [11, 12, 13, 19, 20, 21, 8, 32, 35, 9, 16],
                 );
-                let [x47, x49, phi_dot, psi_dot]: [__S; 4usize] = ::lagrangian::__private::gather(
+                let [x53, x56, phi_dot, psi_dot]: [__S; 4usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [5, 4, 0, 2],
+                    [13, 11, 0, 2],
                 );
-                let x55 = psi_dot - x4;
-                let x56 = (-(sin_psi * sin_psi))
-                    .mul_add(
-                        w3.mul_add(x49, x55),
-                        cos_psi * cos_psi * w3.mul_add(x47, -x55),
-                    );
-                let x57 = -(x24 * x56);
-                let x58 = -(sin_psi * cos_psi * w3 * -(x47 + x49));
-                let x59 = x27
-                    .mul_add(
-                        x28 * (-sin_psi).mul_add(w1, cos_psi * w2),
-                        x56.mul_add(x29, phi_dot * sin_theta),
-                    );
-                let x60 = w1.mul_add(x47, -w1);
-                let x61 = -w2.mul_add(x49, w2);
-                let x62 = (-sin_psi).mul_add(x61, cos_psi * x60);
+                let x63 = psi_dot - x4;
+                let x64 = w3.mul_add(x56, x63);
+                let x65 = (-(sin_psi * sin_psi))
+                    .mul_add(x64, cos_psi * cos_psi * w3.mul_add(x53, -x63));
+                let x66 = -(x24 * x65);
+                let x67 = -(sin_psi * cos_psi * w3 * -(x53 + x56));
+                let x68 = x28 * (-sin_psi).mul_add(w1, cos_psi * w2);
+                let x69 = x27.mul_add(x68, x65.mul_add(x29, phi_dot * sin_theta));
+                let x70 = w1.mul_add(x53, -w1);
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
-                    [8, 1, 15, 16, 17, 18],
-                    [x57, x58, x59, x60, x61, x62],
+                    [14, 9, 1, 16],
+                    [x66, x67, x69, x70],
                 );
             }
             piece(&mut values_, &values);
@@ -845,62 +837,59 @@ for HeavyTop {
         {
             #[inline(never)]
             fn piece<__S: ::lagrangian::Scalar>(
-                values_: &mut [__S; 19usize],
+                values_: &mut [__S; 17usize],
                 values: &[__S; 36usize],
             ) {
-                let [sin_psi, cos_psi, x24, x29]: [__S; 4usize] = ::lagrangian::__private::gather(
+                let [sin_psi, cos_psi, w2, x24, x29]: [__S; 5usize] = ::lagrangian::__private::gather(
                     &values[..],
-                    [11, 12, 32, 16],
+                    [11, 12, 8, 32, 16],
                 );
-                let [x60, x61, x62]: [__S; 3usize] = ::lagrangian::__private::gather(
+                let [x56, x70]: [__S; 2usize] = ::lagrangian::__private::gather(
                     &values_[..],
-                    [16, 17, 18],
+                    [11, 16],
                 );
-                let x63 = -(x24 * x62);
-                let x64 = cos_psi.mul_add(x61, sin_psi * x60);
-                let x65 = x62 * x29;
+                let x71 = -w2.mul_add(x56, w2);
+                let x72 = (-sin_psi).mul_add(x71, cos_psi * x70);
+                let x73 = -(x24 * x72);
+                let x74 = cos_psi.mul_add(x71, sin_psi * x70);
+                let x75 = x72 * x29;
                 ::lagrangian::__private::scatter(
                     &mut values_[..],
-                    [4, 5, 2],
-                    [x63, x64, x65],
+                    [13, 2, 0],
+                    [x73, x74, x75],
                 );
             }
             piece(&mut values_, &values);
         }
-        let [x36, x37, x39, x44, x45, x46, x52, x53, x54, x57, x58, x59, x63, x64, x65,
+        let [x40, x41, x43, x50, x51, x52, x60, x61, x62, x66, x67, x69, x73, x74, x75,
         ]: [__S; 15usize] = ::lagrangian::__private::gather(
             &values_[..],
-            [6, 7, 9, 10, 11, 12, 3, 13, 14, 8, 1, 15, 4, 5, 2],
+            [7, 8, 10, 6, 5, 12, 4, 3, 15, 14, 9, 1, 13, 2, 0],
         );
         ::lagrangian::Linearization {
             position: ::lagrangian::__private::matrix([
                 [__S::from_f64(0.0), __S::from_f64(0.0), __S::from_f64(0.0)],
-                [x36, x37, x39],
-                [x44, x45, x46],
+                [x40, x41, x43],
+                [x50, x51, x52],
             ]),
             velocity: ::lagrangian::__private::matrix([
-                [x52, x53, x54],
-                [x57, x58, x59],
-                [x63, x64, x65],
+                [x60, x61, x62],
+                [x66, x67, x69],
+                [x73, x74, x75],
             ]),
-            time: ::lagrangian::__private::vector([
-                __S::from_f64(0.0),
-                __S::from_f64(0.0),
-                __S::from_f64(0.0),
-            ]),
+            time: ::lagrangian::__private::SVector::zeros(),
         }
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3usize, __S>
-for HeavyTop {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<3, __S> for HeavyTop {
     fn kinetic_energy(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let [theta, psi, sin_psi, cos_psi, sin_theta, cos_theta, phi_dot, theta_dot,
-        psi_dot, i1, i2, i3, x0, w2, w1, w3]: [__S; 16usize];
+        psi_dot, i1, i2, i3, x0, w2, w1, w3, x1]: [__S; 17usize];
         [_, theta, psi] = state.x.q.data.0[0];
         ([sin_psi, sin_theta], [cos_psi, cos_theta]) = __S::sines_and_cosines([
             psi,
@@ -914,12 +903,13 @@ for HeavyTop {
         w2 = (-theta_dot).mul_add(sin_psi, cos_psi * x0);
         w1 = sin_psi.mul_add(x0, theta_dot * cos_psi);
         w3 = phi_dot.mul_add(cos_theta, psi_dot);
-        __S::from_f64(0.5) * i3.mul_add(w3 * w3, i1.mul_add(w1 * w1, i2 * (w2 * w2)))
+        x1 = i1.mul_add(w1 * w1, i2 * (w2 * w2));
+        __S::from_f64(0.5) * i3.mul_add(w3 * w3, x1)
     }
     fn potential_energy(
         &self,
-        state: &::lagrangian::State<__S, 3usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 3>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let theta: __S = state.x.q[1];
         let m: __S = ::lagrangian::__private::parameter(self.m);
@@ -929,19 +919,7 @@ for HeavyTop {
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::ConstantsOfMotion<3usize, 2usize, __S>
-for HeavyTop {
-    const CONSTANTS_OF_MOTION: [&'static str; 2usize] = Self::CONSTANTS_OF_MOTION;
+impl<__S: ::lagrangian::Scalar> ::lagrangian::ConstantsOfMotion<3, 2, __S> for HeavyTop {
+    const CONSTANTS_OF_MOTION: [&'static str; 2] = Self::CONSTANTS_OF_MOTION;
     const IGNORABLE_COORDINATES: &'static [usize] = Self::IGNORABLE_COORDINATES;
-    const CONSERVES_ENERGY: bool = Self::CONSERVES_ENERGY;
-    fn constants_of_motion(
-        &self,
-        state: &::lagrangian::State<__S, 3usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 2usize> {
-        let momenta = ::lagrangian::Lagrangian::<3usize, __S>::momenta(self, state);
-        ::lagrangian::__private::vector([
-            momenta[0],
-            ::lagrangian::Lagrangian::<3usize, __S>::energy(self, state),
-        ])
-    }
 }

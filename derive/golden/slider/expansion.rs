@@ -47,26 +47,19 @@ impl Slider {
     pub const LATEX: &'static str = "\\begin{align*}\nq &= x\n\\end{align*}\n\\begin{align*}\nT &= \\frac{1}{2} m \\dot{x}^{2} \\\\\nV &= \\frac{1}{2} k x^{2}\n\\end{align*}\nMomenta $p = \\partial L/\\partial \\dot q$:\n\\begin{align*}\np_{x} &= m \\dot{x}\n\\end{align*}\nEnergy function $h = \\sum p \\dot q - L$:\n\\begin{align*}\nh &= T + V \\\\\n\\frac{dh}{dt} &= -\\dot{x} \\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\dot{x} \\operatorname{side}\\left(x\\right)\n\\end{align*}\nLagrange's equations $\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot q} - \\frac{\\partial L}{\\partial q} = Q$ (4.6):\n\\begin{align*}\nm \\ddot{x} + k x &= -\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right) - 0.1 \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\n\\end{align*}\nSolved for the accelerations:\n\\begin{align*}\n\\ddot{x} &= -\\frac{\\operatorname{friction}\\left(\\frac{\\dot{x}}{\\mathrm{width}}, \\mathrm{weight}\\right)}{m} - \\frac{0.1 \\left(10 k x + \\mathrm{weight}\\,\\operatorname{side}\\left(x\\right)\\right)}{m}\n\\end{align*}\n";
     /// The operation counts of the methods.
     pub const OPERATIONS: ::lagrangian::Operations = ::lagrangian::__private::operations([
-        [1, 5, 0, 0, 0, 0],
-        [1, 5, 0, 0, 0, 0],
-        [0, 1, 0, 0, 0, 0],
-        [0, 0, 0, 0, 0, 0],
-        [3, 3, 1, 0, 0, 2],
-        [2, 2, 1, 0, 0, 2],
-        [0, 2, 2, 0, 0, 0],
-        [3, 5, 0, 0, 0, 2],
-        [3, 4, 0, 0, 0, 2],
-        [5, 11, 2, 0, 0, 3],
+        [1, 1, 0, 0, 3, 2, 0, 3, 3, 5],
+        [5, 5, 1, 0, 3, 2, 2, 5, 4, 11],
+        [0, 0, 0, 0, 1, 1, 2, 0, 0, 2],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, 0, 2, 2, 0, 2, 2, 3],
     ]);
     #[doc(hidden)]
     fn __mentions(&self) {
-        let friction = ();
-        let side = ();
+        let [friction, side] = [(); 2usize];
+        let _ = (&self.m, Self::X);
+        let _ = (&self.k, Self::X);
         let _ = (
-            &self.m,
-            Self::X,
-            &self.k,
-            Self::X,
             friction,
             Self::X,
             &self.width,
@@ -74,107 +67,95 @@ impl Slider {
             &self.weight,
             side,
             Self::X,
-            Self::X,
-            |v: (), load: ()| (v, load, v, load, v, load, friction, v),
-            |x: ()| (x, x),
         );
+        let _ = (Self::X,);
+        let _ = |v: (), load: ()| (v, load, v, load, v, load, friction, v);
+        let _ = |x: ()| (x, x);
     }
 }
 #[automatically_derived]
-impl ::lagrangian::GeneralizedCoordinates<1usize> for Slider {
-    const COORDINATES: [&'static str; 1usize] = Self::COORDINATES;
-    const ANGLES: [bool; 1usize] = [false];
-    const PERIODS: [u32; 1usize] = [0];
-    const IGNORABLE: [bool; 1usize] = [false];
-    const SINGULARITIES: [&'static [usize]; 1usize] = [&[]];
+impl ::lagrangian::GeneralizedCoordinates<1> for Slider {
+    const COORDINATES: [&'static str; 1] = Self::COORDINATES;
     const STAYS_REGULAR: bool = true;
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1usize, __S>
-for Slider {
-    type Inputs = ::lagrangian::__private::SVector<__S, 0usize>;
-    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0usize> {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1, __S> for Slider {
+    type Inputs = ::lagrangian::__private::SVector<__S, 0>;
+    fn inputs(&self) -> ::lagrangian::__private::SVector<__S, 0> {
         ::lagrangian::__private::vector([])
     }
     fn lagrangian(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 8usize],
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 8],
     ) -> __S {
         let [m, k, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
-        __S::from_f64(0.5) * (-k).mul_add(x * x, m * (x_dot * x_dot))
+        let x0 = (-k).mul_add(x * x, m * (x_dot * x_dot));
+        __S::from_f64(0.5) * x0
     }
     fn energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
-        __S::from_f64(0.5) * k.mul_add(x * x, m * (x_dot * x_dot))
+        let x0 = k.mul_add(x * x, m * (x_dot * x_dot));
+        __S::from_f64(0.5) * x0
     }
     fn momenta(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let x_dot: __S = state.x.v[0];
         let m: __S = prepared[0];
         ::lagrangian::__private::vector([m * x_dot])
     }
     fn mass_matrix(
         &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SMatrix<__S, 1usize, 1usize> {
+        _state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SMatrix<__S, 1, 1> {
         let m: __S = prepared[0];
         ::lagrangian::__private::matrix([[m]])
     }
     fn forcing(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [_, _, weight, width, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
+        let x0 = self.__value_of_friction::<__S>(x_dot / width, weight);
         let k: __S = prepared[1];
-        let x0 = -k
-            .mul_add(
-                x,
-                __S::ratio(1.0, 10.0)
-                    .mul_add(
-                        weight * self.__value_of_side::<__S>(x),
-                        self.__value_of_friction::<__S>(x_dot / width, weight),
-                    ),
-            );
-        ::lagrangian::__private::vector([x0])
+        let x1 = weight * self.__value_of_side::<__S>(x);
+        ::lagrangian::__private::vector([
+            -k.mul_add(x, __S::ratio(1.0, 10.0).mul_add(x1, x0)),
+        ])
     }
     fn generalized_forces(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
-        ::lagrangian::__private::vector([
-            -__S::ratio(1.0, 10.0)
-                .mul_add(
-                    weight * self.__value_of_side::<__S>(x),
-                    self.__value_of_friction::<__S>(x_dot / width, weight),
-                ),
-        ])
+        let x0 = self.__value_of_friction::<__S>(x_dot / width, weight);
+        let x1 = weight * self.__value_of_side::<__S>(x);
+        ::lagrangian::__private::vector([-__S::ratio(1.0, 10.0).mul_add(x1, x0)])
     }
-    type Prepared = [__S; 8usize];
-    fn prepare(&self) -> [__S; 8usize] {
+    type Prepared = [__S; 8];
+    fn prepare(&self) -> [__S; 8] {
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
@@ -193,64 +174,46 @@ for Slider {
     #[inline(always)]
     fn accelerations(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [_, _, weight, _, c0, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
+        let x0 = self.__value_of_friction::<__S>(x_dot * c0, weight);
+        let x1 = self.__value_of_side::<__S>(x);
         let [_, _, _, _, _, c1, c2, ..] = *prepared;
-        let x0 = -(__S::from_f64(10.0)
-            .mul_add(
-                self.__value_of_friction::<__S>(x_dot * c0, weight),
-                x.mul_add(c1, weight * self.__value_of_side::<__S>(x)),
-            ) * c2);
-        ::lagrangian::__private::vector([x0])
+        let x2 = x.mul_add(c1, weight * x1);
+        ::lagrangian::__private::vector([-(__S::from_f64(10.0).mul_add(x0, x2) * c2)])
     }
     fn inverse_dynamics(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-        accelerations: &::lagrangian::__private::SVector<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+        accelerations: &::lagrangian::__private::SVector<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [_, _, weight, _, c0, ..] = *prepared;
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
+        let x0 = self.__value_of_friction::<__S>(x_dot * c0, weight);
         let [m, k, _, _, _, _, _, c3] = *prepared;
         let x_ddot: __S = accelerations[0];
-        ::lagrangian::__private::vector([
-            m
-                .mul_add(
-                    x_ddot,
-                    k
-                        .mul_add(
-                            x,
-                            self
-                                .__value_of_side::<__S>(x)
-                                .mul_add(
-                                    c3,
-                                    self.__value_of_friction::<__S>(x_dot * c0, weight),
-                                ),
-                        ),
-                ),
-        ])
+        let x1 = self.__value_of_side::<__S>(x).mul_add(c3, x0);
+        ::lagrangian::__private::vector([m.mul_add(x_ddot, k.mul_add(x, x1))])
     }
     fn relative_pivots(
         &self,
-        _state: &::lagrangian::State<__S, 1usize>,
-        prepared: &[__S; 8usize],
-    ) -> ::lagrangian::__private::SVector<__S, 1usize> {
+        _state: &::lagrangian::State<__S, 1>,
+        prepared: &[__S; 8],
+    ) -> ::lagrangian::__private::SVector<__S, 1> {
         let m: __S = prepared[0];
-        ::lagrangian::__private::by_coordinate(
-            [::lagrangian::__private::relative_pivot(m, m.abs())],
-            [&[0]],
-        )
+        ::lagrangian::__private::by_coordinate([m], [m.abs()], [], [&[0]])
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1, __S> for Slider {
     type Model = Self;
     fn model(&self) -> &Self {
         self
@@ -259,45 +222,43 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::Lagrangian<1usize, __S> for Slider
 #[automatically_derived]
 impl ::lagrangian::__private::SharesLanes for Slider {}
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1usize, __S>
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::StateJacobian<1, __S>
 for Slider {
     fn linearize(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
-    ) -> ::lagrangian::Linearization<__S, 1usize> {
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
+    ) -> ::lagrangian::Linearization<__S, 1> {
         let x: __S = state.x.q[0];
         let x_dot: __S = state.x.v[0];
         let weight: __S = ::lagrangian::__private::parameter(self.weight);
         let width: __S = ::lagrangian::__private::parameter(self.width);
         let x0 = __S::from_f64(1.0) / width;
         let x1 = x_dot * x0;
+        let x2 = self.__value_of_friction::<__S>(x1, weight);
+        let x3 = self.__value_of_side::<__S>(x);
         let m: __S = ::lagrangian::__private::parameter(self.m);
         let k: __S = ::lagrangian::__private::parameter(self.k);
-        let x2 = __S::from_f64(1.0) / m;
-        let x3 = __S::ratio(1.0, 10.0)
-            * (__S::from_f64(10.0)
-                .mul_add(
-                    k.mul_add(x, self.__value_of_friction::<__S>(x1, weight)),
-                    weight * self.__value_of_side::<__S>(x),
-                ) * x2);
-        let x4 = x1.sech();
+        let x4 = k.mul_add(x, x2);
+        let x5 = __S::from_f64(1.0) / m;
+        let x6 = __S::from_f64(10.0).mul_add(x4, weight * x3) * x5;
+        let x7 = __S::ratio(1.0, 10.0) * x6;
+        let x8 = x1.sech();
         ::lagrangian::Linearization {
-            position: ::lagrangian::__private::matrix([[-(k * x2)]]),
+            position: ::lagrangian::__private::matrix([[-(k * x5)]]),
             velocity: ::lagrangian::__private::matrix([
-                [-(weight * x0 * x2 * (x4 * x4))],
+                [-(weight * x0 * x5 * (x8 * x8))],
             ]),
-            time: ::lagrangian::__private::vector([__S::from_f64(0.0)]),
+            time: ::lagrangian::__private::SVector::zeros(),
         }
     }
 }
 #[automatically_derived]
-impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1usize, __S>
-for Slider {
+impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Energies<1, __S> for Slider {
     fn kinetic_energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let x_dot: __S = state.x.v[0];
         let m: __S = ::lagrangian::__private::parameter(self.m);
@@ -305,8 +266,8 @@ for Slider {
     }
     fn potential_energy(
         &self,
-        state: &::lagrangian::State<__S, 1usize>,
-        _inputs: &::lagrangian::__private::SVector<__S, 0usize>,
+        state: &::lagrangian::State<__S, 1>,
+        _inputs: &::lagrangian::__private::SVector<__S, 0>,
     ) -> __S {
         let x: __S = state.x.q[0];
         let k: __S = ::lagrangian::__private::parameter(self.k);

@@ -1,10 +1,10 @@
 //! The bodies of the methods that differentiate the accelerations: by q, q̇ and t, by inputs, and by parameters.
 
-use lagrangian_symbolic::{Operand, Rational};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::emitter::Emitter;
+use super::methods::is_zero;
 use super::writer::{Writer, joined};
 use crate::plan::{DerivativeOutputs, OutputSlice, Residuals, StateJacobian};
 
@@ -17,6 +17,13 @@ pub(super) trait Columns {
     fn solved(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream);
 }
 
+impl StateJacobian {
+    fn depends_on_time(&self, writer: &Writer<'_>) -> bool {
+        let mut outputs = self.time.operands(&writer.method.program).iter();
+        !outputs.all(is_zero)
+    }
+}
+
 impl Columns for StateJacobian {
     fn derivatives(&self, writer: &mut Writer<'_>) -> (TokenStream, TokenStream) {
         let root = &writer.emitter.declaration.root;
@@ -24,7 +31,11 @@ impl Columns for StateJacobian {
         let (_, velocity) = writer.compute(&self.velocity);
         let (_, time) = writer.compute(&self.time);
         let (position, velocity) = (writer.matrix(&position), writer.matrix(&velocity));
-        let time = writer.vector(&time);
+        let time = if self.depends_on_time(writer) {
+            writer.vector(&time)
+        } else {
+            quote!(#root::__private::SVector::zeros())
+        };
         let value = quote! {
             #root::Linearization {
                 position: #position,
@@ -40,9 +51,7 @@ impl Columns for StateJacobian {
         let root = &writer.emitter.declaration.root;
         let (statements, mut elements) = writer.compute(&self.position);
         elements.extend(writer.compute(&self.velocity).1);
-        let zero = Operand::Constant(Rational::ZERO);
-        let mut of_time = self.time.operands(&writer.method.program).iter();
-        if of_time.any(|output| *output != zero) {
+        if self.depends_on_time(writer) {
             elements.extend(writer.compute(&self.time).1);
         }
         let columns = writer.matrix(&elements);

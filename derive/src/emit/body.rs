@@ -21,7 +21,7 @@ use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, To
 use quote::{ToTokens, quote};
 
 use super::locals::Locals;
-use crate::limits::{BodyLimits, STATEMENTS_PER_PIECE};
+use crate::limits::{BodyLimits, MAX_STATEMENT_WIDTH, STATEMENTS_PER_PIECE};
 use crate::syntax::scalar::Scalar;
 use angles::Angles;
 use block::{Block, Form};
@@ -170,7 +170,15 @@ impl<'a> Body<'a> {
         }
         let functions = self.scalar.functions();
         let pattern = quote!(([#(#sines),*], [#(#cosines),*]));
-        let value = quote!(#functions::sines_and_cosines([#(#arguments),*]));
+        let mut value = quote!(#functions::sines_and_cosines([#(#arguments),*]));
+        let width = pattern.to_string().len() + value.to_string().len();
+        if self.block.is_nested() && width > MAX_STATEMENT_WIDTH {
+            let arrays = ["sines", "cosines"].map(|name| self.locals.free(name.to_owned()));
+            let pair = quote!((#(#arrays),*));
+            self.block
+                .define(Vec::new(), pair.clone(), value, Vec::new(), false);
+            value = pair;
+        }
         self.block.define(defines, pattern, value, reads, false);
     }
 

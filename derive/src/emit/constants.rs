@@ -1,6 +1,6 @@
 //! What is known of a model at compile time, as constants of its type.
 
-use lagrangian_symbolic::{Listing, OperationCount};
+use lagrangian_symbolic::Listing;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -66,16 +66,20 @@ impl Emitter<'_> {
     fn operations(&self) -> TokenStream {
         let root = &self.declaration.root;
         let counts = self.methods.counted();
-        let counts = counts.map(|(_, method)| {
-            let count = method.map(|method| method.count).unwrap_or_default();
-            operation_count(&count)
+        let counts = counts.map(|(_, method)| method.map(|method| method.count));
+        let counts = counts.map(|count| count.unwrap_or_default().by_kind());
+        let counts: Vec<_> = counts.collect();
+        let kinds = (0..6).map(|kind| {
+            let counts = counts.iter();
+            let counts = counts.map(|count| Literal::usize_unsuffixed(count[kind]));
+            quote!([#(#counts),*])
         });
-        quote!(#root::__private::operations([#(#counts),*]))
+        quote!(#root::__private::operations([#(#kinds),*]))
     }
 
     pub(super) fn system(&self) -> TokenStream {
         let root = &self.declaration.root;
-        let n = self.coordinates();
+        let n = self.signatures().dimension;
         let structure = &self.equations.coordinate_properties;
         let (angles, ignorable) = (&structure.angles, &structure.ignorable);
         let periods = structure.periods.iter();
@@ -84,32 +88,32 @@ impl Emitter<'_> {
             let coordinates = coordinates.iter().map(|i| Literal::u32_unsuffixed(*i));
             quote!(&[#(#coordinates),*])
         });
-        let stays_regular = self.methods.stays_regular;
-        let stays_regular = stays_regular.then(|| {
-            quote!(
-                const STAYS_REGULAR: bool = true;
-            )
-        });
-        let poles = (!self.poles.is_empty()).then(|| {
-            let poles = self.poles.iter().map(|i| Literal::u32_unsuffixed(*i));
-            quote!(const POLES: &'static [usize] = &[#(#poles),*];)
-        });
+        let poles = self.poles.iter().map(|i| Literal::u32_unsuffixed(*i));
+        let [has_angles, has_ignorable] = [angles, ignorable].map(|all| all.contains(&true));
+        let is_periodic = structure.periods.iter().any(|turns| *turns > 0);
+        let is_singular = structure
+            .singularities
+            .iter()
+            .any(|found| !found.is_empty());
+        // The trait has the others.
+        let constants = [
+            has_angles.then(|| quote!(ANGLES: [bool; #n] = [#(#angles),*])),
+            is_periodic.then(|| quote!(PERIODS: [u32; #n] = [#(#periods),*])),
+            has_ignorable.then(|| quote!(IGNORABLE: [bool; #n] = [#(#ignorable),*])),
+            is_singular
+                .then(|| quote!(SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*])),
+            self.methods
+                .stays_regular
+                .then(|| quote!(STAYS_REGULAR: bool = true)),
+            (!self.poles.is_empty()).then(|| quote!(POLES: &'static [usize] = &[#(#poles),*])),
+        ];
+        let constants = constants.into_iter().flatten();
         let items = quote! {
             const COORDINATES: [&'static str; #n] = Self::COORDINATES;
-            const ANGLES: [bool; #n] = [#(#angles),*];
-            const PERIODS: [u32; #n] = [#(#periods),*];
-            const IGNORABLE: [bool; #n] = [#(#ignorable),*];
-            const SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*];
-            #stays_regular
-            #poles
+            #(const #constants;)*
         };
         let interface = quote!(#root::GeneralizedCoordinates<#n>);
         let generics = &self.declaration.generics;
         implementation::of_trait(self.declaration, generics, &interface, &items)
     }
-}
-
-fn operation_count(count: &OperationCount) -> TokenStream {
-    let counts = count.by_kind().map(Literal::usize_unsuffixed);
-    quote!([#(#counts),*])
 }

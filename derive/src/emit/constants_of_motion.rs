@@ -15,26 +15,15 @@ impl Emitter<'_> {
         if count == 0 {
             return TokenStream::new();
         }
-        let (root, scalar, n) = (&self.declaration.root, &self.scalar, self.coordinates());
-        let state = self.signatures().state();
-        let energy = self.equations.conservation.energy;
-        let indices = self.ignorable();
-        let momenta = (!indices.is_empty())
-            .then(|| quote!(let momenta = #root::Lagrangian::<#n, #scalar>::momenta(self, state);));
-        let values = indices.iter().map(|i| quote!(momenta[#i]));
-        let values = values
-            .chain(energy.then(|| quote!(#root::Lagrangian::<#n, #scalar>::energy(self, state))));
+        let (root, scalar, n) = (
+            &self.declaration.root,
+            &self.scalar,
+            self.signatures().dimension,
+        );
+        let count = Literal::usize_unsuffixed(count);
         let items = quote! {
             const CONSTANTS_OF_MOTION: [&'static str; #count] = Self::CONSTANTS_OF_MOTION;
             const IGNORABLE_COORDINATES: &'static [usize] = Self::IGNORABLE_COORDINATES;
-            const CONSERVES_ENERGY: bool = Self::CONSERVES_ENERGY;
-            fn constants_of_motion(
-                &self,
-                state: #state,
-            ) -> #root::__private::SVector<#scalar, #count> {
-                #momenta
-                #root::__private::vector([#(#values),*])
-            }
         };
         self.implement(
             &quote!(#root::ConstantsOfMotion<#n, #count, #scalar>),

@@ -16,33 +16,30 @@ use crate::syntax::external_function::FunctionDeclaration;
 use crate::syntax::named::NamedExpression;
 use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 
-/// The method with all mentions.
+/// The method with all mentions: a tuple of those of each expression.
 pub(crate) fn method(declaration: &Declaration) -> TokenStream {
     let clauses = &declaration.clauses;
-    let mut names = KnownNames::of(declaration);
+    let names = KnownNames::of(declaration);
     let functions = clauses.functions.iter().map(|function| &function.name);
     let definitions = clauses.definitions.iter();
     let definitions = definitions.map(|definition| &definition.name);
-    let defined: TokenStream = functions
-        .chain(definitions)
-        .filter(|name| names.is_variable(name) && names.once.insert(unraw(name)))
-        .map(|name| {
-            let name = hygienic_ident(&unraw(name), name);
-            quote!(let #name = ();)
-        })
-        .collect();
-    let mut mentions = TokenStream::new();
-    for tokens in expressions(clauses) {
-        names.mention(tokens, &mut mentions);
-    }
-    for function in &clauses.functions {
-        mentions.extend(names.derivatives(function));
-    }
+    let mut once = BTreeSet::new();
+    let variables = functions.chain(definitions);
+    let variables = variables.filter(|name| names.is_variable(name) && once.insert(unraw(name)));
+    let variables = variables.map(|name| hygienic_ident(&unraw(name), name));
+    let variables: Vec<_> = variables.collect();
+    let count = variables.len();
+    let variables = (count > 0).then(|| quote!(let [#(#variables),*] = [(); #count];));
+    let mentions = expressions(clauses).map(|tokens| names.mentions(tokens));
+    let mentions = mentions.filter(|mentions| !mentions.is_empty());
+    let derivatives = clauses.functions.iter();
+    let derivatives = derivatives.map(|function| names.derivatives(function));
     quote! {
         #[doc(hidden)]
         fn __mentions(&self) {
-            #defined
-            let _ = (#mentions);
+            #variables
+            #(let _ = (#mentions);)*
+            #(let _ = #derivatives;)*
         }
     }
 }
@@ -77,8 +74,6 @@ struct KnownNames {
     coordinates: BTreeSet<String>,
     functions: BTreeSet<String>,
     definitions: BTreeSet<String>,
-    /// Definitions that are variables already.
-    once: BTreeSet<String>,
 }
 
 impl KnownNames {
@@ -111,7 +106,6 @@ impl KnownNames {
             coordinates,
             functions: functions.filter(|name| can_be_variable(name)).collect(),
             definitions,
-            once: BTreeSet::new(),
         }
     }
 
@@ -132,7 +126,6 @@ impl KnownNames {
                 .into_iter()
                 .filter(|name| can_be_variable(name))
                 .collect(),
-            once: BTreeSet::new(),
         };
         let mut once = BTreeSet::new();
         let arguments = function.arguments.iter();
@@ -146,7 +139,14 @@ impl KnownNames {
             mentions.extend(inner.named(&derivative.argument));
             inner.mention(derivative.expression.to_token_stream(), &mut mentions);
         }
-        quote!(|#(#arguments: ()),*| (#(#arguments,)* #mentions),)
+        quote!(|#(#arguments: ()),*| (#(#arguments,)* #mentions))
+    }
+
+    /// What `tokens` mention.
+    fn mentions(&self, tokens: TokenStream) -> TokenStream {
+        let mut mentions = TokenStream::new();
+        self.mention(tokens, &mut mentions);
+        mentions
     }
 
     /// Adds what `tokens` mention. A word after a dot or before parentheses is that of a function.

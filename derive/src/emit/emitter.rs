@@ -1,7 +1,7 @@
 //! What the emitted code depends on, and what all parts of it share.
 
 use lagrangian_symbolic::{Equations, Listing, Model};
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens as _, format_ident, quote};
 
 use super::implementation;
@@ -132,22 +132,19 @@ impl<'a> Emitter<'a> {
     pub(super) fn signatures(&self) -> Signatures<'_> {
         let scalar = &self.scalar;
         let requested = &self.methods.requested;
-        let base_parameters = requested
-            .regressor
-            .as_ref()
-            .map_or(0, |found| found.values.len());
-        let length = self.prepared.len();
+        let (regressor, sensitivities) = (&requested.regressor, &requested.sensitivities);
+        let base_parameters = regressor.as_ref().map_or(0, |found| found.values.len());
+        let parameters = sensitivities.as_ref();
+        let parameters = parameters.map_or(0, |found| found.parameters.len());
+        let length = Literal::usize_unsuffixed(self.prepared.len());
         Signatures {
             root: &self.declaration.root,
             scalar,
-            dimension: self.coordinates().to_token_stream(),
-            inputs: self.model.inputs as usize,
-            parameters: requested
-                .sensitivities
-                .as_ref()
-                .map_or(0, |found| found.parameters.len()),
-            constraints: self.constraint_count(),
-            base_parameters: base_parameters.to_token_stream(),
+            dimension: Literal::usize_unsuffixed(self.coordinates()).into_token_stream(),
+            inputs: Literal::usize_unsuffixed(self.model.inputs as usize),
+            parameters: Literal::usize_unsuffixed(parameters),
+            constraints: Literal::usize_unsuffixed(self.constraint_count()),
+            base_parameters: Literal::usize_unsuffixed(base_parameters).into_token_stream(),
             prepared: quote!([#scalar; #length]),
         }
     }

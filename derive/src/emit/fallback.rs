@@ -13,7 +13,7 @@ mod taylor_series;
 use core::ops::Range;
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::editor;
@@ -268,9 +268,9 @@ impl<'a> Fallback<'a> {
             root: &self.declaration.root,
             scalar,
             dimension: self.dimension.clone(),
-            inputs: self.lowered.quantities.inputs.len(),
-            parameters: self.parameters().len(),
-            constraints: self.lowered.constraints.len(),
+            inputs: Literal::usize_unsuffixed(self.lowered.quantities.inputs.len()),
+            parameters: Literal::usize_unsuffixed(self.parameters().len()),
+            constraints: Literal::usize_unsuffixed(self.lowered.constraints.len()),
             base_parameters: requested::base_parameters().into_token_stream(),
             prepared: quote!([#scalar; 0]),
         }

@@ -100,11 +100,6 @@ impl<'a> Locals<'a> {
         }
     }
 
-    /// An array of values.
-    pub(crate) fn array(&mut self) -> Ident {
-        self.free("values".to_owned())
-    }
-
     /// Whether the declaration has a name for an expression.
     pub(crate) fn is_defined(&self, expression: Option<Expression>) -> bool {
         expression.is_some_and(|expression| self.is_named(expression))
@@ -165,7 +160,7 @@ impl<'a> Locals<'a> {
     }
 
     /// `name`, which is no keyword, or the next free one after it.
-    fn free(&mut self, mut name: String) -> Ident {
+    pub(crate) fn free(&mut self, mut name: String) -> Ident {
         while self.taken.contains(&name) || self.is_numbered(&name) {
             name.push('_');
         }

@@ -13,7 +13,7 @@ use crate::plan::{EmittedMethod, Interface, Method, MethodOutputs, ResultType};
 impl Emitter<'_> {
     /// The impls of `Quantities`, and of `Lagrangian`, whose methods evaluate them.
     pub(super) fn quantities(&self) -> TokenStream {
-        let n = self.coordinates();
+        let n = self.signatures().dimension;
         let root = &self.declaration.root;
         let scalar = &self.scalar;
         let inputs = self.signatures().inputs();
@@ -103,7 +103,7 @@ fn is_provided(emitted: EmittedMethod, method: &Method) -> bool {
     emitted == EmittedMethod::GeneralizedForces && outputs.all(is_zero)
 }
 
-fn is_zero(operand: &Operand) -> bool {
+pub(super) fn is_zero(operand: &Operand) -> bool {
     matches!(operand, Operand::Constant(number) if *number == Rational::ZERO)
 }
 

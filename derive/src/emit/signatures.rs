@@ -1,6 +1,6 @@
 //! The signatures of the emitted methods.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::plan::{Argument, Interface, MethodRow, ResultType};
@@ -14,11 +14,11 @@ pub(crate) struct Signatures<'a> {
     /// How many coordinates there are.
     pub(crate) dimension: TokenStream,
     /// How many inputs there are.
-    pub(crate) inputs: usize,
+    pub(crate) inputs: Literal,
     /// By how many parameters accelerations are differentiated.
-    pub(crate) parameters: usize,
+    pub(crate) parameters: Literal,
     /// How many constraints there are.
-    pub(crate) constraints: usize,
+    pub(crate) constraints: Literal,
     /// How many base parameters there are.
     pub(crate) base_parameters: TokenStream,
     /// The type of the prepared array.
@@ -120,7 +120,7 @@ impl Signatures<'_> {
         &self,
         body: impl Fn(&Ident, TokenStream) -> TokenStream,
     ) -> TokenStream {
-        let (root, scalar, n, c) = (self.root, self.scalar, &self.dimension, self.constraints);
+        let (root, scalar, n, c) = (self.root, self.scalar, &self.dimension, &self.constraints);
         let (state, inputs) = (self.state(), self.inputs());
         let result = quote!(#root::quantities::MotionDerivatives<#scalar, #n, #c>);
         let methods = [

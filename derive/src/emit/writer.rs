@@ -244,20 +244,14 @@ impl Writer<'_> {
         let (more, pivots) = self.compute(&outputs.pivots);
         let (_, magnitudes) = self.compute(&outputs.magnitudes);
         let (_, diagonal) = self.compute(&outputs.diagonal);
-        let relative = pivots.iter().zip(&magnitudes).enumerate();
-        let relative = relative.map(|(i, (pivot, magnitude))| {
-            if let Some(entry) = diagonal.get(i) {
-                quote!(#root::__private::eliminated_pivot(#pivot, #magnitude, #entry))
-            } else {
-                quote!(#root::__private::relative_pivot(#pivot, #magnitude))
-            }
-        });
         let positions = outputs.by_coordinate.iter().map(|positions| {
             let positions = positions.iter().copied().map(Literal::usize_unsuffixed);
             quote!(&[#(#positions),*])
         });
         let relative = quote! {
-            #root::__private::by_coordinate([#(#relative),*], [#(#positions),*])
+            #root::__private::by_coordinate(
+                [#(#pivots),*], [#(#magnitudes),*], [#(#diagonal),*], [#(#positions),*]
+            )
         };
         if positive.is_empty() {
             return quote!(#statements #more #relative);

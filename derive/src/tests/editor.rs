@@ -2,16 +2,17 @@
 
 use crate::expand::expand;
 
-/// What is mentioned, in order.
+/// The tuples of what is mentioned, in order.
 fn mentions(declaration: &str) -> String {
     let items = expand(declaration.parse().expect("the declaration is of tokens"));
     let items = items.to_string();
     let (_, method) = items
         .split_once("fn __mentions")
         .expect("there is a method");
-    let (_, tuple) = method.split_once("let _ = (").expect("there is a tuple");
-    let (tuple, _) = tuple.split_once(") ;").expect("the tuple ends");
-    tuple.replace(' ', "")
+    let (body, _) = method.split_once('}').expect("the method ends");
+    let statements = body.split("let _ = ").skip(1);
+    let statements = statements.map(|statement| statement.replace([' ', ';'], ""));
+    statements.collect()
 }
 
 #[test]
@@ -28,19 +29,11 @@ fn every_word_is_mentioned_where_it_is_spoken_of() {
         struct Model { m: f64, l: f64, v: [f64; 3] }",
     );
     // Functions, components behind points, and variables of closures are no mentions.
-    let expected = [
-        "&self.m,Self::X,h,h,",
-        "&self.v,Self::X,&self.m,",
-        "&self.l,Self::THETA,Self::X,Self::X,",
-        "&self.m,Self::X,h,",
-        "Self::THETA,Self::X,",
-    ];
-    let sorted = |text: &str| {
-        let mut words: Vec<String> = text.split(',').map(str::to_owned).collect();
-        words.sort();
-        words
-    };
-    assert_eq!(sorted(&written), sorted(&expected.concat()), "{written}");
+    let energies = "(&self.m,Self::X,h,h,)(&self.v,Self::X,&self.m,)";
+    let definitions = "(&self.l,Self::THETA,)(Self::X,)(Self::X,)";
+    let outputs = "(h,)";
+    let forces = "(&self.m,)(Self::X,)(Self::THETA,)(Self::X,)";
+    assert_eq!(written, [energies, definitions, outputs, forces].concat());
 }
 
 #[test]
@@ -56,9 +49,9 @@ fn functions_and_their_arguments_are_mentioned() {
         struct Model { m: f64 }",
     );
     // An argument hides the coordinate, and what is no variable is left out.
-    let energies = "&self.m,Self::X,";
-    let forces = "drag,Self::X,&self.m,slope,Self::X,";
-    let derivatives = "|x:()|(x,x,&self.m,slope,x,),|v:()|(v,v,),";
+    let energies = "(&self.m,Self::X,)";
+    let forces = "(drag,Self::X,&self.m,slope,)(Self::X,)";
+    let derivatives = "|x:()|(x,x,&self.m,slope,x,)|v:()|(v,v,)";
     assert_eq!(written, [energies, forces, derivatives].concat());
 }
 
@@ -68,5 +61,5 @@ fn a_declaration_with_an_error_is_understood_by_editors_too() {
         "#[lagrangian(coordinates(x), kinetic = 0.5 * m * dot(x).powi(2), potential = m * )]
         struct Model { m: f64 }",
     );
-    assert_eq!(written, "&self.m,Self::X,");
+    assert_eq!(written, "(&self.m,Self::X,)");
 }

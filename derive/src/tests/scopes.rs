@@ -91,11 +91,10 @@ fn repeated_names(tokens: TokenStream, found: &mut Vec<String>) {
 /// The names of a pattern: one, or those of arrays and tuples.
 fn names_in(pattern: &TokenTree) -> Vec<String> {
     match pattern {
-        TokenTree::Ident(name) if name != "mut" => vec![name.to_string()],
+        TokenTree::Ident(name) if name != "mut" && name != "_" => vec![name.to_string()],
         TokenTree::Group(group) => {
             let parts: Vec<_> = group.stream().into_iter().collect();
-            let names = parts.iter().flat_map(names_in);
-            names.filter(|name| name != "_").collect()
+            parts.iter().flat_map(names_in).collect()
         }
         _ => Vec::new(),
     }

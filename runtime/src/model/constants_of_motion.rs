@@ -61,10 +61,26 @@ pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
     const IGNORABLE_COORDINATES: &'static [usize];
 
     /// Whether the energy function is one of the constants, and then the last one.
-    const CONSERVES_ENERGY: bool;
+    const CONSERVES_ENERGY: bool = C > Self::IGNORABLE_COORDINATES.len();
 
     /// Returns the values of the constants at a state.
-    fn constants_of_motion(&self, state: &State<S, N>) -> SVector<S, C>;
+    #[inline]
+    fn constants_of_motion(&self, state: &State<S, N>) -> SVector<S, C> {
+        let ignorable = Self::IGNORABLE_COORDINATES;
+        let mut constants = SVector::zeros();
+        if !ignorable.is_empty() {
+            let momenta = self.momenta(state);
+            for (constant, i) in constants.iter_mut().zip(ignorable) {
+                *constant = momenta[*i];
+            }
+        }
+        if Self::CONSERVES_ENERGY
+            && let Some(last) = constants.iter_mut().last()
+        {
+            *last = self.energy(state);
+        }
+        constants
+    }
 
     /// Returns a watch for the changes of the constants since a state, which observes an integration by any method.
     fn watch_constants(&self, start: &State<S, N>) -> ConstantsWatch<'_, Self, S, N, C>

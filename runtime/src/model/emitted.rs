@@ -162,31 +162,33 @@ pub fn linearization_along<S: Scalar, const N: usize, const K: usize>(
     linearization(factors, &columns)
 }
 
-/// Returns a pivot relative to the magnitude of the terms that determine its rounding errors; NaN where both are 0.
-#[inline]
-pub fn relative_pivot<S: Scalar>(pivot: S, magnitude: S) -> S {
-    pivot.abs() / magnitude
-}
-
-/// Returns a relative pivot of M, or 0 where M is singular to working precision: where elimination leaves less than the
-/// machine epsilon times the diagonal entry.
-#[inline]
-pub fn eliminated_pivot<S: Scalar>(pivot: S, magnitude: S, diagonal: S) -> S {
-    let left = (pivot / diagonal).abs();
-    greater(left, S::from_f64(S::machine_epsilon())) * relative_pivot(pivot, magnitude)
-}
-
 /// Returns for each coordinate the product of the relative pivots at the positions through which its acceleration is
 /// solved for.
+///
+/// A pivot is relative to the magnitude of the terms that determine its rounding errors; NaN where both are 0. Where it is that of an
+/// elimination of M, it is 0 where M is singular to working precision: where elimination leaves less than the machine epsilon times
+/// the diagonal entry.
 #[inline]
-pub fn by_coordinate<S: Scalar, const PIVOTS: usize, const N: usize>(
+pub fn by_coordinate<S: Scalar, const PIVOTS: usize, const ELIMINATED: usize, const N: usize>(
     pivots: [S; PIVOTS],
+    magnitudes: [S; PIVOTS],
+    diagonal: [S; ELIMINATED],
     positions: [&[usize]; N],
 ) -> SVector<S, N> {
+    let relative: [S; PIVOTS] = core::array::from_fn(|i| {
+        let relative = pivots[i].abs() / magnitudes[i];
+        match diagonal.get(i) {
+            Some(entry) => {
+                let left = (pivots[i] / *entry).abs();
+                greater(left, S::from_f64(S::machine_epsilon())) * relative
+            }
+            None => relative,
+        }
+    });
     SVector::from(positions.map(|positions| {
         let factors = positions
             .iter()
-            .filter_map(|position| pivots.get(*position));
+            .filter_map(|position| relative.get(*position));
         factors.fold(S::one(), |product, pivot| product * *pivot)
     }))
 }

@@ -45,7 +45,7 @@ pub struct Operations {
 impl Operations {
     /// The counts of a model without equations.
     #[doc(hidden)]
-    pub const NONE: Self = operations([[0; 6]; 10]);
+    pub const NONE: Self = operations([[0; METHODS]; 6]);
 }
 
 impl OperationCount {
@@ -61,33 +61,35 @@ impl OperationCount {
     }
 }
 
-/// Returns the counts of additions, multiplications, divisions, square roots, sines and cosines, and functions.
-#[doc(hidden)]
+/// How many methods are counted.
+const METHODS: usize = 10;
+
+/// Returns the counts of all methods, in the order of the fields: from a row each for additions, multiplications, divisions, square
+/// roots, sines and cosines, and functions.
 #[must_use]
-const fn operation_count(counts: [usize; 6]) -> OperationCount {
-    OperationCount {
-        additions: counts[0],
-        multiplications: counts[1],
-        divisions: counts[2],
-        square_roots: counts[3],
-        sines_and_cosines: counts[4],
-        functions: counts[5],
+pub const fn operations(counts: [[usize; METHODS]; 6]) -> Operations {
+    Operations {
+        lagrangian: of_method(&counts, 0),
+        energy: of_method(&counts, 1),
+        momenta: of_method(&counts, 2),
+        mass_matrix: of_method(&counts, 3),
+        forcing: of_method(&counts, 4),
+        generalized_forces: of_method(&counts, 5),
+        prepare: of_method(&counts, 6),
+        accelerations: of_method(&counts, 7),
+        inverse_dynamics: of_method(&counts, 8),
+        linearize: of_method(&counts, 9),
     }
 }
 
-/// Returns the counts of all methods, in the order of the fields.
-#[must_use]
-pub const fn operations(counts: [[usize; 6]; 10]) -> Operations {
-    Operations {
-        lagrangian: operation_count(counts[0]),
-        energy: operation_count(counts[1]),
-        momenta: operation_count(counts[2]),
-        mass_matrix: operation_count(counts[3]),
-        forcing: operation_count(counts[4]),
-        generalized_forces: operation_count(counts[5]),
-        prepare: operation_count(counts[6]),
-        accelerations: operation_count(counts[7]),
-        inverse_dynamics: operation_count(counts[8]),
-        linearize: operation_count(counts[9]),
+const fn of_method(counts: &[[usize; METHODS]; 6], method: usize) -> OperationCount {
+    let [sums, products, quotients, roots, sines, functions] = counts;
+    OperationCount {
+        additions: sums[method],
+        multiplications: products[method],
+        divisions: quotients[method],
+        square_roots: roots[method],
+        sines_and_cosines: sines[method],
+        functions: functions[method],
     }
 }

@@ -10,8 +10,12 @@ const SHORT: f64 = 2.0;
 
 /// Tolerances of the Taylor method.
 const TOLERANCES: [f64; 4] = [1e-11, 1e-12, 1e-13, 1e-14];
-/// The error of a coordinate, in lengths of a crank, after ten seconds.
-const ALLOWED: f64 = 1e-9;
+
+/// Returns the allowed error of a coordinate after ten seconds, in lengths of a crank: rounding, and steps behind flat
+/// configurations, which multiply errors of the last terms. Of 1,200 motions for each tolerance, the largest has half of it.
+fn allowed(tolerance: f64) -> f64 {
+    5e-10 + 250.0 * tolerance
+}
 
 /// Compares the linkages with the pendulum for different lengths of the first step, which decide where other steps end.
 fn pass(first_steps: impl Iterator<Item = u32>, tolerances: &[f64]) {
@@ -24,13 +28,13 @@ fn pass(first_steps: impl Iterator<Item = u32>, tolerances: &[f64]) {
                 .unwrap();
             run.advance(first).unwrap();
             let error = run.advance(END).unwrap().q[0] - expected(1.0, 1.0, END);
-            assert!(error.abs() < ALLOWED, "{first} {tolerance:e} {error:e}");
+            assert!(error.abs() < allowed(tolerance), "{first} {tolerance:e} {error:e}");
             let mut run = Problem::new(&TwoFourBars::NEW, upright::<3, 6>(1.0))
                 .start(taylor)
                 .unwrap();
             run.advance(first).unwrap();
             let error = run.advance(END).unwrap().q[0] - expected(2.0, 1.0, END);
-            assert!(error.abs() < ALLOWED, "{first} {tolerance:e} {error:e}");
+            assert!(error.abs() < allowed(tolerance), "{first} {tolerance:e} {error:e}");
         }
     }
 }

@@ -52,6 +52,11 @@ impl<'a> Block<'a> {
         self.form == Form::Pieces
     }
 
+    /// Whether each variable is a `let`.
+    pub(super) fn is_nested(&self) -> bool {
+        self.form == Form::Nested
+    }
+
     /// Gives a variable the value that is read from elsewhere.
     pub(super) fn read(&mut self, name: &Ident, value: TokenStream) {
         match self.form {

@@ -21,7 +21,7 @@ impl Body<'_> {
         let is_kept = |value| variables.is_output(value) || variables.is_read_later(value);
         let is_copied = |symbol| self.source.element(symbol).is_none();
         let pieces = Pieces::of(statements, self.piece_length, is_kept, is_copied);
-        let (array, length) = (self.locals.array(), pieces.length);
+        let (array, length) = (self.locals.free("values".to_owned()), pieces.length);
         let (root, functions) = (self.scalar.root(), self.scalar.functions());
         let scalar = self.scalar.to_token_stream();
         let (places, values): (Vec<_>, Vec<_>) = pieces

@@ -1,11 +1,16 @@
 //! Which values of a program are variables.
+//!
+//! A product that is inlined in a sum is fused with it, so that lines are divided at other values.
 
 use lagrangian_symbolic::{Expression, Instruction, Operand, Operation, Program};
 
-use crate::limits::DEEPEST_NESTING;
+use crate::limits::{DEEPEST_NESTING, MAX_STATEMENT_WIDTH};
+
+/// About how many characters the name of a variable takes.
+const NAME_WIDTH: usize = 4;
 
 /// The values that are variables: those that are used more than once, that have a name, or that would be
-/// nested too deeply. The others are inlined.
+/// nested too deeply or make a statement longer than a line. The others are inlined.
 pub(in crate::emit) struct Variables {
     named: Vec<bool>,
     /// Which values a group behind their own reads.
@@ -23,21 +28,30 @@ impl Variables {
         let (uses, read_later) = count_uses(program);
         let mut variables = vec![true; uses.len()];
         let mut depths = vec![0; uses.len()];
-        for instruction in program.instructions() {
-            if matches!(instruction.operation, Operation::SineAndCosine(_)) {
-                continue;
-            }
-            let value = instruction.value;
-            let operands = instruction.operation.operands().filter_map(Operand::value);
-            let depth = 1 + operands.map(|operand| depths[operand]).max().unwrap_or(0);
-            let once = uses[value] == 1;
-            if once && depth < DEEPEST_NESTING && !is_defined(instruction.expression) {
-                variables[value] = false;
-                depths[value] = depth;
+        for group in &program.groups {
+            for instruction in &group.instructions {
+                if matches!(instruction.operation, Operation::SineAndCosine(_)) {
+                    continue;
+                }
+                let value = instruction.value;
+                let operands = instruction.operation.operands();
+                let operands = operands.filter_map(Operand::value);
+                let depth = 1 + operands.map(|operand| depths[operand]).max().unwrap_or(0);
+                let is_returned =
+                    || !group.is_long() && group.outputs.contains(&Operand::Value(value));
+                let is_inlined = uses[value] == 1 && (depth < DEEPEST_NESTING || is_returned());
+                if is_inlined && !is_defined(instruction.expression) {
+                    variables[value] = false;
+                    depths[value] = depth;
+                }
             }
         }
-        for group in program.groups.iter().filter(|group| group.is_long()) {
-            keep_order(&group.instructions, &mut variables);
+        for group in &program.groups {
+            if group.is_long() {
+                keep_order(&group.instructions, &mut variables);
+            } else {
+                keep_in_lines(&group.instructions, &mut variables);
+            }
         }
         Self {
             named: variables,
@@ -79,6 +93,56 @@ impl Variables {
     pub(super) fn count(&self) -> usize {
         self.named.iter().filter(|variable| **variable).count()
     }
+}
+
+/// Makes variables of the widest parts of statements that would otherwise be longer than a line. Products in sums are no parts,
+/// but their factors are.
+fn keep_in_lines(instructions: &[Instruction], variables: &mut [bool]) {
+    let mut widths = vec![NAME_WIDTH; variables.len()];
+    let mut factors: Vec<Option<Vec<usize>>> = vec![None; variables.len()];
+    for Instruction {
+        value, operation, ..
+    } in instructions
+    {
+        let operands = || operation.operands().filter_map(Operand::value);
+        let is_sum = matches!(operation, Operation::Add(..) | Operation::Subtract(..));
+        let mut parts = Vec::new();
+        for operand in operands() {
+            match &factors[operand] {
+                Some(factors) if is_sum => parts.extend_from_slice(factors),
+                _ => parts.push(operand),
+            }
+        }
+        parts.retain(|part| !variables[*part]);
+        parts.sort_by_key(|part| widths[*part]);
+        let mut width = width(operation, &widths);
+        while width > MAX_STATEMENT_WIDTH
+            && let Some(widest) = parts.pop()
+        {
+            variables[widest] = true;
+            width -= widths[widest] - NAME_WIDTH;
+        }
+        if !variables[*value] {
+            widths[*value] = width;
+            let is_product = matches!(operation, Operation::Multiply(..));
+            factors[*value] = is_product.then(|| operands().collect());
+        }
+    }
+}
+
+/// About how many characters an operation takes, where values take so many.
+fn width(operation: &Operation, widths: &[usize]) -> usize {
+    let operands = operation.operands().map(|operand| match operand {
+        Operand::Value(value) => widths[*value],
+        Operand::Symbol(_) => 2 * NAME_WIDTH,
+        _ => "__S::from_f64(0.5)".len(),
+    });
+    let written = match operation {
+        Operation::Multiply(..) | Operation::Negate(_) => " * ",
+        Operation::Application(..) => "self.__value_of_function::<__S>()",
+        _ => ".add(, )",
+    };
+    operands.sum::<usize>() + written.len()
 }
 
 /// Makes variables of the values that would otherwise be computed behind what stands between them and their use.
