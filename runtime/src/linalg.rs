@@ -15,7 +15,7 @@ mod lane_states;
 mod entries;
 
 pub(crate) use dependent_columns::{DependentColumns, Undetermined};
-pub(crate) use entries::{kept, largest, largest_or_nan};
+pub(crate) use entries::{first_largest, kept, largest, largest_or_nan};
 pub use error_tolerance::ErrorTolerance;
 pub use factorization::Factorization;
 pub(crate) use independent_columns::ColumnChoice;

@@ -6,7 +6,7 @@ use super::jacobian_rows::Variables;
 use super::tangent_error::TangentError;
 use crate::integrate::SingleNumber;
 use crate::linalg::largest;
-use crate::model::{Inputs, Lagrangian, Linearization, State, StateJacobian};
+use crate::model::{Inputs, Lagrangian, Linearization, Quantities as _, State, StateJacobian};
 use crate::scalar::Scalar;
 
 /// The quantities of a model that a search evaluates, with `U` inputs that the search may change.
@@ -82,6 +82,39 @@ pub trait Balance<S: Scalar, const N: usize, const U: usize> {
     }
 }
 
+/// The quantities of a balance that a model has under given inputs.
+macro_rules! quantities_of_model {
+    ($self:ident: $model:expr, $number_of_inputs:tt, |$inputs:ident| $given:expr) => {
+        const COORDINATES: [&'static str; N] = M::COORDINATES;
+        const IGNORABLE: [bool; N] = M::IGNORABLE;
+
+        fn accelerations(
+            &$self,
+            state: &State<S, N>,
+            $inputs: &SVector<S, $number_of_inputs>,
+        ) -> SVector<S, N> {
+            let model = $model;
+            model.accelerations(state, &$given, &model.prepare())
+        }
+
+        fn momenta(&$self, state: &State<S, N>) -> SVector<S, N> {
+            let model = $model;
+            model.momenta(state, &model.prepare())
+        }
+
+        fn mass_matrix(&$self, state: &State<S, N>) -> SMatrix<S, N, N> {
+            let model = $model;
+            model.mass_matrix(state, &model.prepare())
+        }
+
+        fn relative_pivots(&$self, state: &State<S, N>) -> SVector<S, N> {
+            let model = $model;
+            model.relative_pivots(state, &model.prepare())
+        }
+    };
+}
+pub(super) use quantities_of_model;
+
 /// A model whose inputs, if any, keep their values.
 #[derive(Debug)]
 pub struct HeldInputs<'a, M: ?Sized>(pub(super) &'a M);
@@ -95,15 +128,10 @@ where
     S: Scalar,
     M: Lagrangian<N, S, Model: StateJacobian<N, S>> + ?Sized,
 {
-    const COORDINATES: [&'static str; N] = M::COORDINATES;
-    const IGNORABLE: [bool; N] = M::IGNORABLE;
+    quantities_of_model! { self: self.0.model(), 0, |_inputs| self.0.inputs() }
 
     fn inputs(&self) -> SVector<S, 0> {
         SVector::zeros()
-    }
-
-    fn accelerations(&self, state: &State<S, N>, _: &SVector<S, 0>) -> SVector<S, N> {
-        self.0.accelerations(state)
     }
 
     fn linearize(&self, state: &State<S, N>, _: &SVector<S, 0>) -> Linearization<S, N> {
@@ -114,20 +142,8 @@ where
         SMatrix::zeros()
     }
 
-    fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.0.momenta(state)
-    }
-
-    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N> {
-        self.0.mass_matrix(state)
-    }
-
     fn forcing(&self, state: &State<S, N>, _: &SVector<S, 0>, _: &[bool; N]) -> SVector<S, N> {
         self.0.forcing(state)
-    }
-
-    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.0.relative_pivots(state)
     }
 }
 
@@ -136,15 +152,10 @@ where
     S: Scalar,
     M: Inputs<N, U, S> + StateJacobian<N, S> + ?Sized,
 {
-    const COORDINATES: [&'static str; N] = M::COORDINATES;
-    const IGNORABLE: [bool; N] = M::IGNORABLE;
+    quantities_of_model! { self: self.0, U, |inputs| *inputs }
 
     fn inputs(&self) -> SVector<S, U> {
         self.0.inputs()
-    }
-
-    fn accelerations(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N> {
-        self.0.accelerations(state, inputs, &self.0.prepare())
     }
 
     fn linearize(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N> {
@@ -155,20 +166,8 @@ where
         self.0.input_jacobian(state, inputs)
     }
 
-    fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.0.momenta(state, &self.0.prepare())
-    }
-
-    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N> {
-        self.0.mass_matrix(state, &self.0.prepare())
-    }
-
     fn forcing(&self, state: &State<S, N>, inputs: &SVector<S, U>, _: &[bool; N]) -> SVector<S, N> {
         self.0.forcing(state, inputs, &self.0.prepare())
-    }
-
-    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.0.relative_pivots(state, &self.0.prepare())
     }
 }
 

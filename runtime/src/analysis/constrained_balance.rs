@@ -6,7 +6,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::balance::Balance;
+use super::balance::{Balance, quantities_of_model};
 use super::steady_motion::SteadyMotion;
 use super::tangent_error::TangentError;
 use crate::integrate::SingleNumber;
@@ -34,18 +34,12 @@ where
     S: SingleNumber,
     M: DirectionalDerivatives<N, C, S> + ?Sized,
 {
-    const COORDINATES: [&'static str; N] = M::COORDINATES;
-    const IGNORABLE: [bool; N] = M::IGNORABLE;
+    quantities_of_model! { self: self.model, U, |inputs| (self.choose)(inputs, &self.held) }
+
     const CONSTRAINED: bool = true;
 
     fn inputs(&self) -> SVector<S, U> {
         self.inputs
-    }
-
-    fn accelerations(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> SVector<S, N> {
-        let inputs = (self.choose)(inputs, &self.held);
-        self.model
-            .accelerations(state, &inputs, &self.model.prepare())
     }
 
     fn linearize(&self, state: &State<S, N>, inputs: &SVector<S, U>) -> Linearization<S, N> {
@@ -77,14 +71,6 @@ where
         jacobian
     }
 
-    fn momenta(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.model.momenta(state, &self.model.prepare())
-    }
-
-    fn mass_matrix(&self, state: &State<S, N>) -> SMatrix<S, N, N> {
-        self.model.mass_matrix(state, &self.model.prepare())
-    }
-
     /// The reduced mass matrix times the independent accelerations.
     fn forcing(
         &self,
@@ -106,10 +92,6 @@ where
                 S::zero()
             }
         })
-    }
-
-    fn relative_pivots(&self, state: &State<S, N>) -> SVector<S, N> {
-        self.model.relative_pivots(state, &self.model.prepare())
     }
 
     fn independent(&self, state: &State<S, N>, [moving, velocities]: [&[bool; N]; 2]) -> [bool; N] {

@@ -12,6 +12,7 @@ use super::eigenvalues::{balancing, eigenvalues};
 use super::null_vector::null_vector;
 use super::spectrum::{Spectrum, modulus};
 use crate::limits::analysis::UNREACHED;
+use crate::linalg::first_largest;
 use crate::scalar::Scalar;
 
 /// The part of the state of a linear system that its inputs reach.
@@ -147,15 +148,7 @@ impl<const D: usize, const U: usize> Form<D, U> {
                 let squares = (first..D).map(|i| entry(form, i, j) * entry(form, i, j));
                 libm::sqrt(squares.sum())
             };
-            let longest = (0..columns).fold((0, 0.0), |longest, j| {
-                let length = length(self, j);
-                if length > longest.1 {
-                    (j, length)
-                } else {
-                    longest
-                }
-            });
-            let (column, length) = longest;
+            let (column, length) = first_largest((0..columns).map(|j| length(self, j)));
             if length.is_nan() || length <= zero {
                 break;
             }

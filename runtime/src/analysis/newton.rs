@@ -17,7 +17,7 @@ use super::force_balance::{UnbalancedForce, nearly_singular, unbalanced_force};
 use super::jacobian_rows::{JacobianRows, Residuals, Variables};
 use crate::integrate::SingleNumber;
 use crate::limits::analysis::{MAX_NEWTON_STEP, MIN_DAMPING, UNBALANCED};
-use crate::linalg::largest_or_nan;
+use crate::linalg::{first_largest, largest_or_nan};
 use crate::scalar::Scalar;
 
 /// A running search.
@@ -235,15 +235,8 @@ where
                 residual: force,
             });
         }
-        let flattened = self.residuals.iter().flat_map(|block| block.iter());
-        let sizes = flattened.map(|x| x.abs().largest()).enumerate();
-        let (worst, residual) =
-            sizes.fold(
-                (0, 0.0),
-                |worst, (i, size)| {
-                    if size > worst.1 { (i, size) } else { worst }
-                },
-            );
+        let entries = self.residuals.iter().flatten();
+        let (worst, residual) = first_largest(entries.map(|x| x.abs().largest()));
         Err(EquilibriumError::Unbalanced {
             last: self.found(),
             name: B::COORDINATES[worst % N],

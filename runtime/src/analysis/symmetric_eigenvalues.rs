@@ -63,22 +63,17 @@ fn rotate<S: SingleNumber, const N: usize>(
     };
     let cosine = S::one() / (S::one() + tangent * tangent).sqrt();
     let sine = tangent * cosine;
+    let turned = |[x, y]: [S; 2]| [cosine * x - sine * y, sine * x + cosine * y];
     for k in 0..order {
-        let [x, y] = [a[(k, p)], a[(k, q)]];
-        a[(k, p)] = cosine * x - sine * y;
-        a[(k, q)] = sine * x + cosine * y;
+        [a[(k, p)], a[(k, q)]] = turned([a[(k, p)], a[(k, q)]]);
     }
     for k in 0..order {
-        let [x, y] = [a[(p, k)], a[(q, k)]];
-        a[(p, k)] = cosine * x - sine * y;
-        a[(q, k)] = sine * x + cosine * y;
+        [a[(p, k)], a[(q, k)]] = turned([a[(p, k)], a[(q, k)]]);
     }
     a[(p, q)] = S::zero();
     a[(q, p)] = S::zero();
     for k in 0..order {
-        let [x, y] = [vectors[(k, p)], vectors[(k, q)]];
-        vectors[(k, p)] = cosine * x - sine * y;
-        vectors[(k, q)] = sine * x + cosine * y;
+        [vectors[(k, p)], vectors[(k, q)]] = turned([vectors[(k, p)], vectors[(k, q)]]);
     }
     true
 }

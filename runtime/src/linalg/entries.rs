@@ -22,6 +22,17 @@ pub(crate) fn largest_or_nan<'a, S: Scalar>(numbers: impl IntoIterator<Item = &'
     })
 }
 
+/// Returns the place of the first of the largest numbers, and the number; 0 and 0 if none is positive.
+pub(crate) fn first_largest(numbers: impl IntoIterator<Item = f64>) -> (usize, f64) {
+    let numbers = numbers.into_iter().enumerate();
+    numbers.fold(
+        (0, 0.0),
+        |most, (i, number)| {
+            if number > most.1 { (i, number) } else { most }
+        },
+    )
+}
+
 /// Returns a matrix with zeros in place of the entries that are not kept.
 pub(crate) fn kept<S: Scalar, const R: usize, const C: usize>(
     matrix: &SMatrix<S, R, C>,

@@ -42,15 +42,9 @@ where
 
     /// Returns the coordinates and momenta of a state, at its time: an initial value.
     pub fn canonical(&self, state: &State<S, N>) -> At<f64, CanonicalPhase<S, N>> {
-        let (least, most) = (state.t.smallest(), state.t.largest());
-        At {
-            // All lanes have one time; it is NaN if they differ.
-            t: if least < most { f64::NAN } else { least },
-            x: CanonicalPhase {
-                q: state.q,
-                p: self.model.momenta(state, &self.prepared),
-            },
-        }
+        let p = self.model.momenta(state, &self.prepared);
+        let x = CanonicalPhase { q: state.q, p };
+        At { t: state.t, x }.at_one_time()
     }
 
     /// Returns the state with the velocities that belong to the momenta.

@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use super::euler_equations::EulerEquations;
-use super::inertia_tensor::{InertiaTensor, ProductsOfInertia};
 use super::moments::{ConstantForce, ConstantMoment, Damping, MomentSeries, NoMoment};
 use super::rotation_state::RotationState;
 use crate::integrate::InLanes;
@@ -88,7 +87,10 @@ impl<M: MomentInLanes<L>, const L: usize> InLanes<L> for EulerEquations<f64, M> 
     }
 
     fn set_lane(&self, bodies: &mut Self::Parameters, lane: usize) {
-        bodies.inertia = with_lane(&bodies.inertia, lane, &self.inertia);
+        bodies.inertia = bodies.inertia.zip_map(&self.inertia, |mut all, one| {
+            all.set(lane, one);
+            all
+        });
         bodies.factored = Factorization::new(bodies.inertia.matrix());
         self.moment.set_lane(&mut bodies.moment, lane);
     }
@@ -96,25 +98,4 @@ impl<M: MomentInLanes<L>, const L: usize> InLanes<L> for EulerEquations<f64, M> 
     fn together<'a>(&'a self, bodies: &'a Self::Parameters) -> Self::Together<'a> {
         bodies
     }
-}
-
-/// Returns the tensors with the tensor of one lane replaced.
-fn with_lane<const L: usize>(
-    tensors: &InertiaTensor<Lanes<L>>,
-    lane: usize,
-    tensor: &InertiaTensor<f64>,
-) -> InertiaTensor<Lanes<L>> {
-    let with = |mut all: Lanes<L>, one: f64| {
-        all.set(lane, one);
-        all
-    };
-    let (all, one) = (tensors.moments(), tensor.moments());
-    let moments = core::array::from_fn(|i| with(all[i], one[i]));
-    let (all, one) = (tensors.products(), tensor.products());
-    let products = ProductsOfInertia {
-        xy: with(all.xy, one.xy),
-        xz: with(all.xz, one.xz),
-        yz: with(all.yz, one.yz),
-    };
-    InertiaTensor::from_moments_and_products(moments, products)
 }

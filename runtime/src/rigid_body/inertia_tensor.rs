@@ -184,6 +184,17 @@ impl<S: Scalar> InertiaTensor<S> {
         Self::from_moments_and_products(moments, ProductsOfInertia { xy, xz, yz })
     }
 
+    /// Combines the entries with those of another tensor.
+    pub(super) fn zip_map<T: Scalar>(
+        &self,
+        other: &InertiaTensor<T>,
+        mut function: impl FnMut(S, T) -> S,
+    ) -> Self {
+        let mut zipped = |x: [S; 3], y: [T; 3]| core::array::from_fn(|i| function(x[i], y[i]));
+        let moments = zipped(self.moments(), other.moments());
+        Self::from_lists(moments, zipped(self.list(), other.list()))
+    }
+
     /// Converts the nine entries to another scalar.
     pub(super) fn map<T: Scalar>(&self, mut convert: impl FnMut(S) -> T) -> InertiaTensor<T> {
         InertiaTensor::from_lists(self.moments().map(&mut convert), self.list().map(convert))

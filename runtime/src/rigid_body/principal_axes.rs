@@ -150,14 +150,12 @@ fn annihilate<S: SingleNumber>(
     a[(p, q)] = S::zero();
     a[(q, p)] = S::zero();
     let other = 3 - p - q;
-    let [x, y] = [a[(other, p)], a[(other, q)]];
-    let [x, y] = [cosine * x - sine * y, sine * x + cosine * y];
+    let turned = |[x, y]: [S; 2]| [cosine * x - sine * y, sine * x + cosine * y];
+    let [x, y] = turned([a[(other, p)], a[(other, q)]]);
     [a[(other, p)], a[(p, other)]] = [x, x];
     [a[(other, q)], a[(q, other)]] = [y, y];
     for row in 0..3 {
-        let [x, y] = [vectors[(row, p)], vectors[(row, q)]];
-        vectors[(row, p)] = cosine * x - sine * y;
-        vectors[(row, q)] = sine * x + cosine * y;
+        [vectors[(row, p)], vectors[(row, q)]] = turned([vectors[(row, p)], vectors[(row, q)]]);
     }
     true
 }

@@ -64,10 +64,8 @@ impl<S: SingleNumber> Solid<S> {
         let square = radius * radius;
         let across = square * fraction(1.0, 4.0);
         let along = height * height * fraction(1.0, 12.0);
-        Ok(Self::centered(
-            S::pi() * square * height,
-            [across, across, along],
-        ))
+        let volume = S::pi() * square * height;
+        Ok(Self::of_revolution(volume, across, along))
     }
 
     /// Creates a tube about z, a cylinder with a coaxial cylindrical hole.
@@ -79,10 +77,8 @@ impl<S: SingleNumber> Solid<S> {
         let height = positive("the height of the tube", height)?;
         let across = (inner * inner + outer * outer) * fraction(1.0, 4.0);
         let along = height * height * fraction(1.0, 12.0);
-        Ok(Self::centered(
-            S::pi() * (outer - inner) * (outer + inner) * height,
-            [across, across, along],
-        ))
+        let volume = S::pi() * (outer - inner) * (outer + inner) * height;
+        Ok(Self::of_revolution(volume, across, along))
     }
 
     /// Creates a sphere.
@@ -135,7 +131,7 @@ impl<S: SingleNumber> Solid<S> {
         let across = square * fraction(3.0, 20.0);
         let along = height * height * fraction(3.0, 80.0);
         let volume = S::pi() * square * height * fraction(1.0, 3.0);
-        let cone = Self::centered(volume, [across, across, along]);
+        let cone = Self::of_revolution(volume, across, along);
         let [x, y] = [S::zero(); 2];
         let center = Vector3::new(x, y, height * fraction(1.0, 4.0));
         Ok(Self { center, ..cone })
@@ -165,7 +161,7 @@ impl<S: SingleNumber> Solid<S> {
         let across = large * fraction(1.0, 2.0) + small * fraction(3.0, 8.0);
         let along = small * fraction(1.0, 4.0);
         let volume = S::from_f64(2.0) * S::pi() * S::pi() * major * small;
-        Ok(Self::centered(volume, [across, across, along]))
+        Ok(Self::of_revolution(volume, across, along))
     }
 
     /// Creates a capsule about z: a cylinder of this radius and length between two hemispheres.
@@ -185,10 +181,8 @@ impl<S: SingleNumber> Solid<S> {
         let along_ends =
             quarter + length * radius * fraction(3.0, 8.0) + square * fraction(1.0, 5.0);
         let along = of_middle * quarter * fraction(1.0, 3.0) + of_ends * along_ends;
-        Ok(Self::centered(
-            S::pi() * square * whole,
-            [across, across, along],
-        ))
+        let volume = S::pi() * square * whole;
+        Ok(Self::of_revolution(volume, across, along))
     }
 
     /// Creates a thin rod along z, whose density is mass per length.
@@ -209,10 +203,7 @@ impl<S: SingleNumber> Solid<S> {
         let radius = positive("the radius of the disc", radius)?;
         let square = radius * radius;
         let across = square * fraction(1.0, 4.0);
-        Ok(Self::centered(
-            S::pi() * square,
-            [across, across, S::zero()],
-        ))
+        Ok(Self::of_revolution(S::pi() * square, across, S::zero()))
     }
 
     /// Creates a thin rectangular plate in the plane z = 0 with edges of these lengths along x and y, whose density is
@@ -280,6 +271,11 @@ impl<S: Scalar> Solid<S> {
     pub fn moved(&self, displacement: Vector3<S>) -> Self {
         let center = self.center + displacement;
         Self { center, ..*self }
+    }
+
+    /// A solid of revolution about the third axis, by its second moments across and along this axis.
+    fn of_revolution(content: S, across: S, along: S) -> Self {
+        Self::centered(content, [across, across, along])
     }
 
     /// Creates a solid about the origin with these ∫ x² dm/m, ∫ y² dm/m, ∫ z² dm/m, and no products of inertia.

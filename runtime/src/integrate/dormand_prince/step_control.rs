@@ -13,7 +13,7 @@ use crate::limits::dormand_prince::{
     MAX_ERROR, MAX_GROWTH, MAX_PROBES, MAX_SHRINKAGE, MAX_STALLED_ATTEMPTS, MIN_ERROR, NEGLIGIBLE,
     PROBE, SAFETY, SHORTENED_PROBE, SMALL_STEP, THIRD_ORDER_WEIGHT, ZERO_DERIVATIVE,
 };
-use crate::linalg::{ErrorTolerance, VectorSpace};
+use crate::linalg::{ErrorTolerance, VectorSpace, first_largest};
 use crate::scalar::Scalar;
 
 /// The bits of 1.
@@ -205,15 +205,8 @@ pub(super) fn too_small<S: Scalar, D: Dynamics<S> + ?Sized>(
     }
     let allowed = dynamics.allowed_error(x, &tolerance);
     let error = combination(&FIFTH_ORDER_ERROR, stages, &x.zeroed());
-    let ratios = ratios(&error, &allowed, f64::INFINITY);
-    let worst =
-        ratios.enumerate().fold(
-            (0, -1.0),
-            |worst, (i, ratio)| {
-                if ratio > worst.1 { (i, ratio) } else { worst }
-            },
-        );
-    let component = dynamics.component_name(worst.0);
+    let (worst, _) = first_largest(ratios(&error, &allowed, f64::INFINITY));
+    let component = dynamics.component_name(worst);
     if let Some(step) = smallest {
         return IntegrationError::SmallestStep {
             time,
