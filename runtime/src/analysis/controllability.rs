@@ -99,15 +99,12 @@ impl<const D: usize> Controllability<D> {
 
     /// Returns the mode that belongs to an uncontrollable eigenvalue.
     pub(super) fn mode(&self, eigenvalue: Complex<f64>) -> UncontrollableMode {
-        let unit = |i: usize, j: usize| {
-            let entry = if i == j { 1.0 } else { 0.0 };
-            Complex::new(entry, 0.0)
-        };
+        let unit = SMatrix::<Complex<f64>, D, D>::identity();
         let left = SMatrix::<Complex<f64>, D, D>::from_fn(|i, j| {
             if i >= self.rank && j >= self.rank {
-                Complex::new(self.staircase[(j, i)], 0.0) - eigenvalue * unit(i, j)
+                Complex::new(self.staircase[(j, i)], 0.0) - eigenvalue * unit[(i, j)]
             } else {
-                unit(i, j)
+                unit[(i, j)]
             }
         });
         let vector = null_vector(&left, core::iter::empty());

@@ -142,10 +142,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         let left = self.quadratic(eigenvalue) * vector;
         let size = modulus(eigenvalue);
         let errors = (0..N).map(|i| {
-            let terms = (0..N).map(|j| {
-                let [c0, c1, c2] = self.coefficients(i, j).map(f64::abs);
-                c0 + size * (c1 + size * c2)
-            });
+            let terms = (0..N).map(|j| self.terms(i, j, size));
             let scale = most * terms.sum::<f64>();
             if scale > 0.0 {
                 modulus(left[i]) / scale
@@ -154,6 +151,12 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
             }
         });
         errors.fold(0.0, f64::max)
+    }
+
+    /// Returns the sum of the magnitudes of the terms in an entry of the quadratic matrix at an eigenvalue of this size.
+    pub(super) fn terms(&self, i: usize, j: usize, size: f64) -> f64 {
+        let [c0, c1, c2] = self.coefficients(i, j).map(f64::abs);
+        c0 + size * (c1 + size * c2)
     }
 
     /// Returns the matrix λ² − λ ∂q̈/∂q̇ − ∂q̈/∂q of the oscillating coordinates. Where only a velocity remains, the

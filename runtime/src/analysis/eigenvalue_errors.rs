@@ -44,10 +44,7 @@ impl<S: SingleNumber, const N: usize> SmallOscillations<S, N> {
         is_member: &dyn Fn(usize) -> bool,
     ) -> f64 {
         let epsilon = S::machine_epsilon().max(f64::EPSILON);
-        let terms = |i: usize, j: usize| {
-            let [c0, c1, c2] = self.coefficients(i, j).map(f64::abs);
-            c0 + modulus(value) * (c1 + modulus(value) * c2)
-        };
+        let terms = |i: usize, j: usize| self.terms(i, j, modulus(value));
         // Scales of the rows by the sizes of their terms, so that no row vanishes beside another; rows of other
         // components have scale 1.
         let scale: [f64; N] = core::array::from_fn(|i| {

@@ -154,9 +154,7 @@ impl<S: SingleNumber, const N: usize, const U: usize> JacobianRows<S, N, U> {
         }
         x
     }
-}
 
-impl<S: SingleNumber, const N: usize, const U: usize> JacobianRows<S, N, U> {
     /// Minimizes |J x − right|² + damping |x|².
     ///
     /// Returns x and the decrease of |right|² that the linear model predicts: xᵀ(damping x + Jᵀ right).

@@ -15,7 +15,7 @@ use super::exceeds;
 use super::lyapunov::{Square, lyapunov};
 use super::regulator_error::RegulatorError;
 use super::riccati;
-use super::riccati_newton::{Riccati, Solution};
+use super::riccati_newton::{Riccati, Solution, largest_ratio};
 use super::spectrum::{Spectrum, modulus};
 use super::state_space::{DiscreteStateSpace, StateSpace, poles};
 use super::symmetric_eigenvalues::symmetric_eigenvalues;
@@ -259,18 +259,11 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
             let terms = absolute * sizes + sizes * a.abs() + controlled.abs() + q.abs();
             (left, terms)
         };
-        let mut most = 0.0_f64;
-        for i in 0..D {
-            for j in 0..D {
-                let size = libm::sqrt(terms[(i, i)]) * libm::sqrt(terms[(j, j)]);
-                let size = size.max(terms[(i, j)]);
-                let ratio = left[(i, j)].abs() / size;
-                // If states have no cost, 0/0 counts as 0.
-                let ratio = if left[(i, j)] == 0.0 { 0.0 } else { ratio };
-                most = if ratio <= most { most } else { ratio };
-            }
-        }
-        most
+        largest_ratio::<D>(|i, j| {
+            let size = libm::sqrt(terms[(i, i)]) * libm::sqrt(terms[(j, j)]);
+            let entry = left[(i, j)].abs();
+            (entry, entry / size.max(terms[(i, j)]))
+        })
     }
 
     /// Returns the distance of an eigenvalue from the border of stability; negative if it is stable.
@@ -289,25 +282,22 @@ impl<const D: usize, const U: usize> Problem<'_, D, U> {
         let (of_states, _) = symmetric_eigenvalues(q, D);
         let (of_inputs, _) = symmetric_eigenvalues(r, U);
         let rounding = 64.0 * f64::EPSILON * of_states.amax();
-        if let Some(least) = of_states.iter().next().filter(|least| **least < -rounding) {
-            return Err(RegulatorError::NotPositive {
-                matrix: "the weight Q of states",
-                eigenvalue: *least,
-                zero_is_allowed: true,
-            });
+        let not_positive = |matrix, eigenvalue, zero_is_allowed| {
+            Err(RegulatorError::NotPositive {
+                matrix,
+                eigenvalue,
+                zero_is_allowed,
+            })
+        };
+        match (of_states.iter().next(), of_inputs.iter().next()) {
+            (Some(least), _) if *least < -rounding => {
+                not_positive("the weight Q of states", *least, true)
+            }
+            (_, Some(least)) if least.is_nan() || *least <= 0.0 => {
+                not_positive("the weight R of inputs", *least, false)
+            }
+            _ => Ok(()),
         }
-        if let Some(least) = of_inputs
-            .iter()
-            .next()
-            .filter(|least| least.is_nan() || **least <= 0.0)
-        {
-            return Err(RegulatorError::NotPositive {
-                matrix: "the weight R of inputs",
-                eigenvalue: *least,
-                zero_is_allowed: false,
-            });
-        }
-        Ok(())
     }
 
     /// Checks that the inputs stabilize all modes, and that modes on the border of stability have a cost.

@@ -95,17 +95,18 @@ fn relative_change<const D: usize>(cost: &Square<D>, step: &Square<D>, units: &[
     let [cost, step] = [cost, step].map(|form| form_in_units(form, units));
     let least = f64::EPSILON * largest_or_nan(&cost);
     let root = |i: usize| libm::sqrt(cost[(i, i)].to_f64().max(least));
-    let mut most = 0.0_f64;
-    for i in 0..D {
-        for j in 0..D {
-            let step = step[(i, j)].to_f64().abs();
-            let ratio = if step == 0.0 {
-                0.0
-            } else {
-                step / root(i) / root(j)
-            };
-            most = if ratio <= most { most } else { ratio };
-        }
-    }
-    most
+    largest_ratio::<D>(|i, j| {
+        let step = step[(i, j)].to_f64().abs();
+        (step, step / root(i) / root(j))
+    })
+}
+
+/// Returns the largest of the ratios of all entries to their sizes; 0/0 counts as 0.
+pub(super) fn largest_ratio<const D: usize>(ratio: impl Fn(usize, usize) -> (f64, f64)) -> f64 {
+    let places = (0..D).flat_map(|i| (0..D).map(move |j| (i, j)));
+    places.fold(0.0, |most, (i, j)| {
+        let (entry, ratio) = ratio(i, j);
+        let ratio = if entry == 0.0 { 0.0 } else { ratio };
+        if ratio <= most { most } else { ratio }
+    })
 }

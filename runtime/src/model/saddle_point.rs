@@ -396,13 +396,12 @@ where
         .with_sizes(sizes)
         .with_pivoting(pivoted);
     let tolerance = S::from_f64(max_residual::<S>());
+    let allowed = |before: &SVector<S, C>, x: &SVector<S, N>| {
+        SVector::<S, C>::from_fn(|j, _| (before[j].abs() + row_size(&jacobian, j, x)) * tolerance)
+    };
     let mut allowed = [
-        SVector::<S, C>::from_fn(|j, _| {
-            (before[j].abs() + row_size(&jacobian, j, &projected.q)) * tolerance
-        }),
-        SVector::<S, C>::from_fn(|j, _| {
-            (before_velocities[j].abs() + row_size(&jacobian, j, &projected.v)) * tolerance
-        }),
+        allowed(&before, &projected.q),
+        allowed(&before_velocities, &projected.v),
     ];
     let exceeds = |residuals: &SVector<S, C>, allowed: &SVector<S, C>| {
         let mut pairs = residuals.iter().zip(allowed);
@@ -415,11 +414,8 @@ where
         }
     }
     for j in 0..C {
-        projection = projection.checked(j, positions[j], allowed[0][j]).checked(
-            j,
-            velocities[j],
-            allowed[1][j],
-        );
+        projection = projection.checked(j, positions[j], allowed[0][j]);
+        projection = projection.checked(j, velocities[j], allowed[1][j]);
     }
     projection
 }

@@ -38,8 +38,8 @@ impl<S: Scalar> Axes<S> {
         let mut first = Vector3::zeros();
         first[i] = cos_theta;
         first[remaining] = sign * sin_theta;
-        let second = turned_back(k, spin, &unit(j));
-        let third = unit(k);
+        let second = turned_back(k, spin, &Vector3::ith(j, S::one()));
+        let third = Vector3::ith(k, S::one());
         let (cosine, determinant) = if sequence.repeats_axis() {
             (cos_theta, -sin_theta)
         } else {
@@ -68,11 +68,6 @@ impl<S: Scalar> Axes<S> {
             determinant: self.determinant.largest(),
         })
     }
-}
-
-/// Returns the unit vector along an axis.
-fn unit<S: Scalar>(axis: usize) -> Vector3<S> {
-    Vector3::from_fn(|row, _| if row == axis { S::one() } else { S::zero() })
 }
 
 /// Returns the components of a vector in axes that were turned about one of them by the angle with this sine and

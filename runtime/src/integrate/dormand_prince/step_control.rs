@@ -40,14 +40,6 @@ fn reciprocal_root(x: f64) -> f64 {
     Scalar::mul_add(y * r, series, y)
 }
 
-/// Returns the sum of the squares of ratios, and their number.
-#[inline]
-fn squares(ratios: impl Iterator<Item = f64>) -> (f64, f64) {
-    ratios.fold((0.0, 0.0), |(sum, count), ratio| {
-        (sum + ratio * ratio, count + 1.0)
-    })
-}
-
 /// The result of an attempted step.
 pub(super) struct Attempt {
     /// The estimated error over the tolerance.
@@ -162,7 +154,10 @@ pub(super) fn initial_step<S: Scalar, D: Dynamics<S> + ?Sized>(
     };
     let [size, allowed] = [sizes, tolerance]
         .map(|tolerance| dynamics.allowed_error(x, &tolerance.over(S::from_f64(unit))));
-    let norm = |vector: &D::State| Scalar::sqrt(squares(ratios(vector, &allowed, 0.0)).0);
+    let norm = |vector: &D::State| {
+        let squares = ratios(vector, &allowed, 0.0).map(|ratio| ratio * ratio);
+        Scalar::sqrt(squares.fold(0.0, |sum, square| sum + square))
+    };
     let (zeroth, first) = (norm(&size), norm(slope) * unit);
     let probe = PROBE * zeroth / first;
     let scaled = first > NEGLIGIBLE && zeroth > NEGLIGIBLE && probe.is_normal();
