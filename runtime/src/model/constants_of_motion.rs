@@ -67,7 +67,7 @@ pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
     #[inline]
     fn constants_of_motion(&self, state: &State<S, N>) -> SVector<S, C> {
         let ignorable = Self::IGNORABLE_COORDINATES;
-        let mut constants = SVector::zeros();
+        let mut constants = SVector::<S, C>::zeros();
         if !ignorable.is_empty() {
             let momenta = self.momenta(state);
             for (constant, i) in constants.iter_mut().zip(ignorable) {
@@ -75,7 +75,7 @@ pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
             }
         }
         if Self::CONSERVES_ENERGY
-            && let Some(last) = constants.iter_mut().last()
+            && let Some(last) = constants.as_mut_slice().last_mut()
         {
             *last = self.energy(state);
         }
