@@ -28,13 +28,19 @@ fn pass(first_steps: impl Iterator<Item = u32>, tolerances: &[f64]) {
                 .unwrap();
             run.advance(first).unwrap();
             let error = run.advance(END).unwrap().q[0] - expected(1.0, 1.0, END);
-            assert!(error.abs() < allowed(tolerance), "{first} {tolerance:e} {error:e}");
+            assert!(
+                error.abs() < allowed(tolerance),
+                "{first} {tolerance:e} {error:e}"
+            );
             let mut run = Problem::new(&TwoFourBars::NEW, upright::<3, 6>(1.0))
                 .start(taylor)
                 .unwrap();
             run.advance(first).unwrap();
             let error = run.advance(END).unwrap().q[0] - expected(2.0, 1.0, END);
-            assert!(error.abs() < allowed(tolerance), "{first} {tolerance:e} {error:e}");
+            assert!(
+                error.abs() < allowed(tolerance),
+                "{first} {tolerance:e} {error:e}"
+            );
         }
     }
 }
