@@ -240,10 +240,11 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             pending, lengths, ..
         } = &*attempt;
         let time = &self.time;
-        let lands = |lane: usize| LANDING * lengths[lane] >= (ends[lane] - time[lane]).abs();
+        let lands: [bool; L] =
+            core::array::from_fn(|lane| LANDING * lengths[lane] >= (ends[lane] - time[lane]).abs());
         let targets = core::array::from_fn(|lane| {
             let step = lengths[lane].copysign(ends[lane] - time[lane]);
-            let target = if lands(lane) {
+            let target = if lands[lane] {
                 ends[lane]
             } else {
                 time[lane] + step
@@ -257,9 +258,9 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let is_too_small: [bool; L] = core::array::from_fn(|lane| {
             let least = (MIN_STEP * f64::EPSILON * time[lane].abs()).max(f64::MIN_POSITIVE);
             let is_large = lengths[lane] > least;
-            pending[lane] & !(lands(lane) | is_large)
+            pending[lane] & !(lands[lane] | is_large)
         });
-        attempt.targets = targets;
+        (attempt.targets, attempt.lands) = (targets, lands);
         if any(&is_too_small) {
             self.stop_short(dynamics, attempt, &is_too_small);
         }

@@ -12,7 +12,8 @@ use crate::integrate::binary_logarithm::{exp2, log2};
 use crate::limits::passing::SMALL_SINE;
 use crate::limits::taylor::SHORTENING;
 use crate::limits::taylor::passing::{
-    BEHIND, BRACKET, FARTHER, INTERVALS, MAX_GROWTH, MIN_PART, REFINEMENTS, SHORT, SINGULAR_SINE,
+    BEHIND, BRACKET, FARTHER, INTERVALS, MAX_GROWTH, MIN_PART, MIN_SINE_PART, REFINEMENTS, SHORT,
+    SINGULAR_SINE,
 };
 
 /// The nearest singular configuration ahead, at a distance in time from the beginning of a step.
@@ -20,6 +21,8 @@ use crate::limits::taylor::passing::{
 pub(super) struct SingularConfiguration {
     /// Infinite where there is none within reach of the step.
     distance: f64,
+    /// The sine at the beginning of the step.
+    first_sine: f64,
     /// The smallest sine within reach of the step.
     sine: f64,
     /// The part of the distance from which on a step is lengthened to pass.
@@ -30,6 +33,7 @@ impl SingularConfiguration {
     /// No singular configuration.
     pub(super) const NONE: Self = Self {
         distance: f64::INFINITY,
+        first_sine: 1.0,
         sine: 1.0,
         min_part: 1.0,
     };
@@ -70,6 +74,12 @@ impl SingularConfiguration {
         }
     }
 
+    /// Whether a step ends too near to a singular configuration that was not found, where the sine is this one. Rounding errors of
+    /// the coefficients may hide a configuration, and a step that begins so near to one sees nothing else.
+    pub(super) fn is_overlooked(self, sine: f64) -> bool {
+        sine < SINGULAR_SINE.min(MIN_SINE_PART * self.first_sine)
+    }
+
     /// Whether the correction by which the end of a step is projected is limited to the tolerance. Where the gradients of
     /// constraints nearly depend on each other, rounding makes it larger.
     pub(super) fn limits_corrections(self) -> bool {
@@ -89,10 +99,13 @@ impl SingularConfiguration {
         let interval = steps.map(|step| step / (min_part * f64::from(INTERVALS)));
         let mut brackets: [Option<Bracket>; L] = [None; L];
         let mut last = [[f64::INFINITY; 2]; L];
-        let mut smallest = [f64::INFINITY; L];
+        let (mut first, mut smallest) = ([1.0; L], [f64::INFINITY; L]);
         for k in 0..=INTERVALS {
             let times = interval.map(|interval| f64::from(k) * interval);
             let found = sines(&times);
+            if k == 0 {
+                first = found;
+            }
             for lane in 0..L {
                 let [before, middle] = last[lane];
                 let is_minimum = k > 1 && middle <= before && middle <= found[lane];
@@ -126,6 +139,7 @@ impl SingularConfiguration {
             let singular = brackets[lane].filter(|bracket| bracket.sines[1] < SINGULAR_SINE);
             Self {
                 distance: singular.map_or(f64::INFINITY, |bracket| bracket.vertex().abs()),
+                first_sine: first[lane],
                 sine: smallest[lane],
                 min_part,
             }

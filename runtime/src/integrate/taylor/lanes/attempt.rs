@@ -32,6 +32,8 @@ pub(super) struct Attempt<X, const L: usize> {
     pub(super) lengths: [f64; L],
     /// The times at which the steps end.
     pub(super) targets: [f64; L],
+    /// The lanes whose steps land on the ends of the motions.
+    pub(super) lands: [bool; L],
     /// The components in which longer steps differed from the motions.
     pub(super) component: [Option<usize>; L],
     /// The arrivals of lanes whose steps end at discontinuity surfaces.
@@ -47,6 +49,7 @@ impl<X, const L: usize> Attempt<X, L> {
             pending: moving,
             lengths,
             targets: times,
+            lands: [false; L],
             component: [None; L],
             arrivals: None,
         }

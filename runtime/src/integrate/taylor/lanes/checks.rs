@@ -23,14 +23,15 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     pub(super) fn check<D>(
         &mut self,
         dynamics: &D,
-        Attempt {
-            targets, pending, ..
-        }: &Attempt<X, L>,
+        attempt: &Attempt<X, L>,
         (expansion, reached): (&Expansion<X, L>, &Reached<X, L>),
     ) -> Option<[Verdict; L]>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
+        let Attempt {
+            targets, pending, ..
+        } = attempt;
         let h = Lanes(*targets) - Lanes(self.time);
         let mut verdicts = Verdicts::of(pending);
         verdicts.need_finite(reached.state.value());
@@ -46,6 +47,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         if let Some(passed) = &expansion.passed {
             let growth = |lane: usize| passed[lane].growth(h.0[lane].abs(), Self::ORDER);
             allowance.roundings *= Lanes::from_fn(growth);
+            self.need_distance(dynamics, attempt, (passed, reached), &mut verdicts);
         }
         let at_end = (Lanes(*targets), reached);
         if let Some(found) = self.check_at(dynamics, at_end, &allowance, &verdicts.open) {

@@ -1,11 +1,13 @@
 //! Singular configurations of constraints, if the steps of motions in lanes pass them.
 
-use super::{TaylorLanes, lanes};
+use super::attempt::Attempt;
+use super::verdicts::{Verdict, Verdicts};
+use super::{Reached, TaylorLanes, lanes};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::projected::reduced_on_manifold;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::singular_configuration::SingularConfiguration;
-use crate::limits::taylor::passing::SINGULAR_SINE;
+use crate::limits::taylor::passing::{SHORT, SINGULAR_SINE};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
 
@@ -53,6 +55,30 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             None
         };
         reduced_on_manifold(dynamics, state, projection.as_ref())
+    }
+
+    /// Shortens the steps that end at singular configurations which were not found ahead of them, as
+    /// [`TaylorStepper`](crate::TaylorStepper) does.
+    pub(super) fn need_distance<D>(
+        &self,
+        dynamics: &D,
+        attempt: &Attempt<X, L>,
+        (passed, reached): (&[SingularConfiguration; L], &Reached<X, L>),
+        verdicts: &mut Verdicts<L>,
+    ) where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let t = Lanes(attempt.targets);
+        let end = self.on_manifold(dynamics, t, &reached.state);
+        let Some(sines) = dynamics.constraint_sine(t, &end) else {
+            return;
+        };
+        for lane in lanes(&verdicts.open) {
+            let is_first = !attempt.lands[lane] && attempt.component[lane].is_none();
+            if is_first && passed[lane].is_overlooked(sines.0[lane]) {
+                verdicts.put(lane, Verdict::Converges(SHORT));
+            }
+        }
     }
 
     /// Removes the lanes that pass a singular configuration and are so near to it that accelerations are not known to the

@@ -10,6 +10,7 @@ use crate::integrate::taylor::coefficients::number;
 use crate::integrate::taylor::residual::{Allowance, Point};
 use crate::integrate::taylor::singular_configuration::SingularConfiguration;
 use crate::integrate::taylor::step_size::{Proposal, unit_near};
+use crate::limits::taylor::passing::SHORT;
 use crate::limits::taylor::{INNER_CHECKS, LONG_STEP, RESIDUAL_ROUNDING, RESOLUTION};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
@@ -20,8 +21,8 @@ pub(super) enum Verdict {
     Agrees(Option<Proposal>),
     /// The polynomial differs from the motion in this component.
     Differs(usize),
-    /// The polynomial is known only in this fraction of the step, in which the series of all switching functions
-    /// converge.
+    /// The polynomial is known only in this fraction of the step: the series of all switching functions converge in it, or it
+    /// ends well before a singular configuration.
     Converges(f64),
     /// The polynomial differs from the motion after a sign change of a switching function.
     Crosses(Crossing),
@@ -71,6 +72,9 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             state: reduced_on_manifold(dynamics, &state, projection.as_ref()),
             slope,
         };
+        if needed && self.overlooks(dynamics, t, &point.state, passed) {
+            return Ok(Verdict::Converges(SHORT));
+        }
         self.polynomials[next].time = end;
         self.polynomials[next].from = state;
         let mut next_proposal = None;
