@@ -179,6 +179,10 @@ fn the_committed_heavy_top_computes_what_the_derived_one_does() {
         committed::HeavyTop::OPERATIONS
     );
     assert_eq!(
+        derived::HeavyTop::CONSERVES_ENERGY,
+        committed::HeavyTop::CONSERVES_ENERGY
+    );
+    assert_eq!(
         [
             derived::HeavyTop::PHI,
             derived::HeavyTop::THETA,

@@ -258,7 +258,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let is_too_small: [bool; L] = core::array::from_fn(|lane| {
             let least = (MIN_STEP * f64::EPSILON * time[lane].abs()).max(f64::MIN_POSITIVE);
             let is_large = lengths[lane] > least;
-            pending[lane] & !(lands[lane] | is_large)
+            pending[lane] && !lands[lane] && !is_large
         });
         (attempt.targets, attempt.lands) = (targets, lands);
         if any(&is_too_small) {
