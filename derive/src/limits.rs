@@ -96,7 +96,7 @@ impl MethodLimits {
 /// few lines. More would make longer statements of the same operations.
 pub(crate) const DEEPEST_NESTING: usize = 6;
 
-/// About how many characters a statement of a short method takes besides its `let` and the name of its variable: it then fits in a line
+/// About how many characters a statement of a short group takes besides its `let` and the name of its variable: it then fits in a line
 /// of 89 characters, as formatters print expansions. The golden expansions set it.
 pub(crate) const MAX_STATEMENT_WIDTH: usize = 70;
 

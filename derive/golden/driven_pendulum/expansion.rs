@@ -219,7 +219,7 @@ for DrivenPendulum {
     ) -> ::lagrangian::__private::SVector<__S, 1> {
         let [m, _, l, ..] = *prepared;
         let x0 = m * (l * l);
-        ::lagrangian::__private::by_coordinate([x0], [x0.abs()], [], [&[0]])
+        ::lagrangian::__private::relative_pivots([x0], [x0.abs()], [], [&[0]])
     }
 }
 #[automatically_derived]

@@ -495,7 +495,7 @@ for HeavyTop {
         let theta: __S = state.x.q[1];
         let (sin_theta, cos_theta) = theta.sin_cos();
         let x0 = __S::from_f64(1.0).min(theta.abs());
-        ::lagrangian::__private::by_coordinate(
+        ::lagrangian::__private::relative_pivots(
             [-sin_theta, i2, i1, i3],
             [cos_theta.abs().mul_add(x0, sin_theta.abs()), i2.abs(), i1.abs(), i3.abs()],
             [],

@@ -209,7 +209,7 @@ impl<__S: ::lagrangian::Scalar> ::lagrangian::quantities::Quantities<1, __S> for
         prepared: &[__S; 8],
     ) -> ::lagrangian::__private::SVector<__S, 1> {
         let m: __S = prepared[0];
-        ::lagrangian::__private::by_coordinate([m], [m.abs()], [], [&[0]])
+        ::lagrangian::__private::relative_pivots([m], [m.abs()], [], [&[0]])
     }
 }
 #[automatically_derived]

@@ -1,6 +1,6 @@
 //! What is known of a model at compile time, as constants of its type.
 
-use lagrangian_symbolic::Listing;
+use lagrangian_symbolic::{Listing, OperationCount};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -69,7 +69,8 @@ impl Emitter<'_> {
         let counts = counts.map(|(_, method)| method.map(|method| method.count));
         let counts = counts.map(|count| count.unwrap_or_default().by_kind());
         let counts: Vec<_> = counts.collect();
-        let kinds = (0..6).map(|kind| {
+        let kinds = OperationCount::default().by_kind().len();
+        let kinds = (0..kinds).map(|kind| {
             let counts = counts.iter();
             let counts = counts.map(|count| Literal::usize_unsuffixed(count[kind]));
             quote!([#(#counts),*])
@@ -91,16 +92,16 @@ impl Emitter<'_> {
         let poles = self.poles.iter().map(|i| Literal::u32_unsuffixed(*i));
         let [has_angles, has_ignorable] = [angles, ignorable].map(|all| all.contains(&true));
         let is_periodic = structure.periods.iter().any(|turns| *turns > 0);
-        let is_singular = structure
+        let may_be_singular = structure
             .singularities
             .iter()
             .any(|found| !found.is_empty());
-        // The trait has the others.
+        // The others have the defaults of the trait.
         let constants = [
             has_angles.then(|| quote!(ANGLES: [bool; #n] = [#(#angles),*])),
             is_periodic.then(|| quote!(PERIODS: [u32; #n] = [#(#periods),*])),
             has_ignorable.then(|| quote!(IGNORABLE: [bool; #n] = [#(#ignorable),*])),
-            is_singular
+            may_be_singular
                 .then(|| quote!(SINGULARITIES: [&'static [usize]; #n] = [#(#singularities),*])),
             self.methods
                 .stays_regular

@@ -249,7 +249,7 @@ impl Writer<'_> {
             quote!(&[#(#positions),*])
         });
         let relative = quote! {
-            #root::__private::by_coordinate(
+            #root::__private::relative_pivots(
                 [#(#pivots),*], [#(#magnitudes),*], [#(#diagonal),*], [#(#positions),*]
             )
         };

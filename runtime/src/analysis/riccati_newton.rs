@@ -101,12 +101,15 @@ fn relative_change<const D: usize>(cost: &Square<D>, step: &Square<D>, units: &[
     })
 }
 
-/// Returns the largest of the ratios of all entries to their sizes; 0/0 counts as 0.
-pub(super) fn largest_ratio<const D: usize>(ratio: impl Fn(usize, usize) -> (f64, f64)) -> f64 {
+/// Returns the largest ratio of an entry to its size, each given as the entry and the ratio; NaN if one is NaN. 0/0 counts as 0.
+pub(super) fn largest_ratio<const D: usize>(
+    entry_and_ratio: impl Fn(usize, usize) -> (f64, f64),
+) -> f64 {
     let places = (0..D).flat_map(|i| (0..D).map(move |j| (i, j)));
-    places.fold(0.0, |most, (i, j)| {
-        let (entry, ratio) = ratio(i, j);
+    places.fold(0.0, |most: f64, (i, j)| {
+        let (entry, ratio) = entry_and_ratio(i, j);
         let ratio = if entry == 0.0 { 0.0 } else { ratio };
-        if ratio <= most { most } else { ratio }
+        let keeps = most.is_nan() || ratio <= most;
+        if keeps { most } else { ratio }
     })
 }

@@ -60,12 +60,21 @@ pub trait ConstantsOfMotion<const N: usize, const C: usize, S: Scalar = f64>:
     /// The indices of the ignorable coordinates, in order.
     const IGNORABLE_COORDINATES: &'static [usize];
 
-    /// Whether the energy function is one of the constants, and then the last one.
+    /// Whether the energy function is one of the constants, and then the last one. By default, whether there are more constants
+    /// than ignorable coordinates.
     const CONSERVES_ENERGY: bool = C > Self::IGNORABLE_COORDINATES.len();
 
-    /// Returns the values of the constants at a state.
+    /// Returns the values of the constants at a state: by default the momenta of the ignorable coordinates, and then the energy
+    /// function.
     #[inline]
     fn constants_of_motion(&self, state: &State<S, N>) -> SVector<S, C> {
+        const {
+            let momenta = Self::IGNORABLE_COORDINATES.len();
+            assert!(
+                C == momenta + Self::CONSERVES_ENERGY as usize,
+                "there is a constant for each ignorable coordinate, and one more if energy is conserved"
+            );
+        }
         let ignorable = Self::IGNORABLE_COORDINATES;
         let mut constants = SVector::<S, C>::zeros();
         if !ignorable.is_empty() {

@@ -165,11 +165,11 @@ pub fn linearization_along<S: Scalar, const N: usize, const K: usize>(
 /// Returns for each coordinate the product of the relative pivots at the positions through which its acceleration is
 /// solved for.
 ///
-/// A pivot is relative to the magnitude of the terms that determine its rounding errors; NaN where both are 0. Where it is that of an
-/// elimination of M, it is 0 where M is singular to working precision: where elimination leaves less than the machine epsilon times
-/// the diagonal entry.
+/// A pivot is relative to the magnitude of the terms that determine its rounding errors, NaN where both are 0. The first pivots are
+/// those of an elimination of M with this `diagonal`: such a pivot is 0 where M is singular to working precision, that is, where
+/// elimination leaves less than the machine epsilon times the diagonal entry.
 #[inline]
-pub fn by_coordinate<S: Scalar, const PIVOTS: usize, const ELIMINATED: usize, const N: usize>(
+pub fn relative_pivots<S: Scalar, const PIVOTS: usize, const ELIMINATED: usize, const N: usize>(
     pivots: [S; PIVOTS],
     magnitudes: [S; PIVOTS],
     diagonal: [S; ELIMINATED],

@@ -64,8 +64,8 @@ impl OperationCount {
 /// How many methods are counted.
 const METHODS: usize = 10;
 
-/// Returns the counts of all methods, in the order of the fields: from a row each for additions, multiplications, divisions, square
-/// roots, sines and cosines, and functions.
+/// Returns the counts of all methods. Each row counts one kind of operation for all methods in the order of the fields: additions,
+/// multiplications, divisions, square roots, sines and cosines, functions.
 #[must_use]
 pub const fn operations(counts: [[usize; METHODS]; 6]) -> Operations {
     Operations {

@@ -12,7 +12,7 @@ const SHORT: f64 = 2.0;
 const TOLERANCES: [f64; 4] = [1e-11, 1e-12, 1e-13, 1e-14];
 
 /// Returns the allowed error of a coordinate after ten seconds, in lengths of a crank: rounding, and steps behind flat
-/// configurations, which multiply errors of the last terms. Of 1,200 motions for each tolerance, the largest has half of it.
+/// configurations, which multiply errors of the last terms. The largest error of 1,200 motions for each tolerance is half of this.
 fn allowed(tolerance: f64) -> f64 {
     5e-10 + 250.0 * tolerance
 }

@@ -1,6 +1,6 @@
 //! Which values of a program are variables.
 //!
-//! A product that is inlined in a sum is fused with it, so that lines are divided at other values.
+//! A product that is inlined in a sum is fused with it. As a variable it would not be, so that long lines are divided at other values.
 
 use lagrangian_symbolic::{Expression, Instruction, Operand, Operation, Program};
 
@@ -10,7 +10,8 @@ use crate::limits::{DEEPEST_NESTING, MAX_STATEMENT_WIDTH};
 const NAME_WIDTH: usize = 4;
 
 /// The values that are variables: those that are used more than once, that have a name, or that would be
-/// nested too deeply or make a statement longer than a line. The others are inlined.
+/// nested too deeply or make a statement longer than a line. The others are inlined. A value that is only returned may be nested
+/// more deeply.
 pub(in crate::emit) struct Variables {
     named: Vec<bool>,
     /// Which values a group behind their own reads.
@@ -95,8 +96,8 @@ impl Variables {
     }
 }
 
-/// Makes variables of the widest parts of statements that would otherwise be longer than a line. Products in sums are no parts,
-/// but their factors are.
+/// Makes variables of the widest parts of statements that would otherwise be longer than a line. A product in a sum is not such a
+/// part, but its factors are.
 fn keep_in_lines(instructions: &[Instruction], variables: &mut [bool]) {
     let mut widths = vec![NAME_WIDTH; variables.len()];
     let mut factors: Vec<Option<Vec<usize>>> = vec![None; variables.len()];

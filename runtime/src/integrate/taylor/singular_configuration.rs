@@ -74,10 +74,10 @@ impl SingularConfiguration {
         }
     }
 
-    /// Whether a step ends too near to a singular configuration that was not found, where the sine is this one. Rounding errors of
-    /// the coefficients may hide a configuration, and a step that begins so near to one sees nothing else.
-    pub(super) fn is_overlooked(self, sine: f64) -> bool {
-        sine < SINGULAR_SINE.min(MIN_SINE_PART * self.first_sine)
+    /// Whether a step of this length, with this sine at its end, ends at a singular configuration that was not found, or not where
+    /// it is: rounding errors of the coefficients may hide it. A step that begins so near to it would see nothing else.
+    pub(super) fn is_overlooked(self, step: f64, sine: f64) -> bool {
+        step <= self.distance && sine < SINGULAR_SINE.min(MIN_SINE_PART * self.first_sine)
     }
 
     /// Whether the correction by which the end of a step is projected is limited to the tolerance. Where the gradients of

@@ -273,7 +273,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
         let mut step = (proposal.step * self.polynomial().unit).min(longest);
         let passed = self.singular_configuration(dynamics, step.copysign(remaining));
         step = passed.lengthened(step).min(longest);
-        let mut rejected = None;
+        let (mut is_first, mut rejected) = (true, None);
         loop {
             let lands = LANDING * step >= remaining.abs();
             if !lands && step <= least {
@@ -285,8 +285,8 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                 time + step.copysign(remaining)
             };
             let length = (end - time).abs();
-            let is_needed = !lands && rejected.is_none();
-            let beyond = match self.check(dynamics, end, (proposal, passed), is_needed)? {
+            let asked = (!lands && rejected.is_none(), !lands && is_first);
+            let beyond = match self.check(dynamics, end, (proposal, passed), asked)? {
                 Verdict::Agrees(proposal) => {
                     if step.is_normal() {
                         self.unit = unit_near(step);
@@ -303,10 +303,10 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                         Some(component) => Err(component),
                     }
                 }
-                Verdict::Converges(part) => Ok(part),
+                Verdict::Shorten(part) => Ok(part),
                 Verdict::Differs(component) => Err(component),
             };
-            self.statistics.rejected += 1;
+            (self.statistics.rejected, is_first) = (self.statistics.rejected + 1, false);
             step = match beyond {
                 Ok(part) => part * length,
                 Err(component) => {

@@ -34,6 +34,8 @@ pub(super) struct Attempt<X, const L: usize> {
     pub(super) targets: [f64; L],
     /// The lanes whose steps land on the ends of the motions.
     pub(super) lands: [bool; L],
+    /// Whether no longer steps were tried before.
+    pub(super) is_first: bool,
     /// The components in which longer steps differed from the motions.
     pub(super) component: [Option<usize>; L],
     /// The arrivals of lanes whose steps end at discontinuity surfaces.
@@ -50,6 +52,7 @@ impl<X, const L: usize> Attempt<X, L> {
             lengths,
             targets: times,
             lands: [false; L],
+            is_first: true,
             component: [None; L],
             arrivals: None,
         }

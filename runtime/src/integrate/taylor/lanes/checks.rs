@@ -44,13 +44,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             return Some(verdicts.of_lanes);
         }
         let mut allowance = self.allowance(h.abs());
+        let end = self.point(dynamics, (Lanes(*targets), reached));
         if let Some(passed) = &expansion.passed {
             let growth = |lane: usize| passed[lane].growth(h.0[lane].abs(), Self::ORDER);
             allowance.roundings *= Lanes::from_fn(growth);
-            self.need_distance(dynamics, attempt, (passed, reached), &mut verdicts);
+            self.need_distance(dynamics, attempt, (passed, &end.state), &mut verdicts);
         }
-        let at_end = (Lanes(*targets), reached);
-        if let Some(found) = self.check_at(dynamics, at_end, &allowance, &verdicts.open) {
+        let end = (end, reached.state.value());
+        if let Some(found) = self.check_point(dynamics, end, &allowance, &verdicts.open) {
             verdicts.put_ends(&found, crossings.as_ref());
         }
         let arguments = (reached.tau, expansion.middle);
@@ -174,7 +175,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     {
         for lane in lanes(&verdicts.open) {
             if crossings[lane].converging < 1.0 {
-                verdicts.put(lane, Verdict::Converges(crossings[lane].converging));
+                verdicts.put(lane, Verdict::Shorten(crossings[lane].converging));
             }
         }
         let mut behind = crossings.each_ref().map(BranchCrossings::with_times_behind);
@@ -226,8 +227,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// Checks one time in each lane. A difference is accepted if rounding or the tolerance explains it. Returns `None` if
-    /// the polynomials agree with the motions in all lanes that are asked for.
+    /// Checks one time in each lane, as [`check_point`](Self::check_point) does.
     pub(super) fn check_at<D>(
         &mut self,
         dynamics: &D,
@@ -238,12 +238,38 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let unit = Lanes::from_f64(1.0) / Lanes(self.unit);
-        let point = Point {
+        let point = self.point(dynamics, (t, reached));
+        self.check_point(dynamics, (point, reached.state.value()), allowance, asked)
+    }
+
+    /// Returns the reduced values of the polynomials at a time in each lane, and their derivatives.
+    #[inline]
+    fn point<D>(&self, dynamics: &D, (t, reached): (Lanes<L>, &Reached<X, L>)) -> Point<Lanes<L>, X>
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let rate = Lanes::from_f64(1.0) / Lanes(self.unit);
+        Point {
             t,
             state: self.on_manifold(dynamics, t, &reached.state),
-            slope: reached.slope.map(|component| component * unit),
-        };
+            slope: reached.slope.map(|component| component * rate),
+        }
+    }
+
+    /// Compares the derivatives of the polynomials with those of the motions at a point in each lane; `state` is the value there
+    /// before it was reduced. A difference is accepted if rounding or the tolerance explains it. Returns `None` if the
+    /// polynomials agree with the motions in all lanes that are asked for.
+    fn check_point<D>(
+        &mut self,
+        dynamics: &D,
+        (point, state): (Point<Lanes<L>, X>, &X),
+        allowance: &Allowance<Lanes<L>>,
+        asked: &[bool; L],
+    ) -> Option<Beyond<L>>
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+    {
+        let t = point.t;
         let derivative = dynamics.derivative(t, &point.state);
         let [residual, allowed] = allowance.residual(dynamics, &point, &derivative);
         for (statistics, asked) in self.statistics.iter_mut().zip(asked) {
@@ -260,7 +286,6 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             allowed,
         };
         let beyond = self.explain(dynamics, beyond, allowance, failing)?;
-        let state = reached.state.value();
         Some(core::array::from_fn(|lane| {
             let non_finite = non_finite(state, lane).map(|(index, _)| index);
             Some(non_finite.unwrap_or(beyond[lane]?))

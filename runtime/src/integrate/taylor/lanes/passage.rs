@@ -30,7 +30,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     {
         let beyond = match verdict {
             Verdict::Agrees => return None,
-            Verdict::Converges(part) => return Some((Some(part), None)),
+            Verdict::Shorten(part) => return Some((Some(part), None)),
             Verdict::Crosses(crossing) => {
                 self.pass(dynamics, (lane, crossing, middle), times, arrivals)?
             }

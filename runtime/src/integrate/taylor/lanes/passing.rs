@@ -2,14 +2,14 @@
 
 use super::attempt::Attempt;
 use super::verdicts::{Verdict, Verdicts};
-use super::{Reached, TaylorLanes, lanes};
+use super::{TaylorLanes, lanes};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::projected::reduced_on_manifold;
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::singular_configuration::SingularConfiguration;
 use crate::limits::taylor::passing::{SHORT, SINGULAR_SINE};
 use crate::linalg::LaneStates;
-use crate::scalar::Lanes;
+use crate::scalar::{Lanes, Scalar};
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Returns the singular configurations within reach of the steps of these lengths towards `ends`, and lengthens the
@@ -57,26 +57,29 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         reduced_on_manifold(dynamics, state, projection.as_ref())
     }
 
-    /// Shortens the steps that end at singular configurations which were not found ahead of them, as
-    /// [`TaylorStepper`](crate::TaylorStepper) does.
+    /// Rejects the steps that end at singular configurations which were not found ahead of them, as
+    /// [`TaylorStepper`](crate::TaylorStepper) does. `end` is the end of the steps on the manifold of the dynamics.
     pub(super) fn need_distance<D>(
         &self,
         dynamics: &D,
         attempt: &Attempt<X, L>,
-        (passed, reached): (&[SingularConfiguration; L], &Reached<X, L>),
+        (passed, end): (&[SingularConfiguration; L], &X),
         verdicts: &mut Verdicts<L>,
     ) where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
+        if !attempt.is_first {
+            return;
+        }
         let t = Lanes(attempt.targets);
-        let end = self.on_manifold(dynamics, t, &reached.state);
-        let Some(sines) = dynamics.constraint_sine(t, &end) else {
+        let Some(sines) = dynamics.constraint_sine(t, end) else {
             return;
         };
+        let lengths = (t - Lanes(self.time)).abs();
         for lane in lanes(&verdicts.open) {
-            let is_first = !attempt.lands[lane] && attempt.component[lane].is_none();
-            if is_first && passed[lane].is_overlooked(sines.0[lane]) {
-                verdicts.put(lane, Verdict::Converges(SHORT));
+            let is_overlooked = passed[lane].is_overlooked(lengths.0[lane], sines.0[lane]);
+            if is_overlooked && !attempt.lands[lane] {
+                verdicts.put(lane, Verdict::Shorten(SHORT));
             }
         }
     }

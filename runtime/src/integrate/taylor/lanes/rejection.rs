@@ -20,6 +20,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     ) where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
+        attempt.is_first = false;
         for lane in lanes(&attempt.pending) {
             let target = attempt.targets[lane];
             let judged = (lane, verdicts[lane], expansion.middle);

@@ -12,9 +12,9 @@ pub(super) enum Verdict {
     Agrees,
     /// The polynomial differs from the motion in this component.
     Differs(usize),
-    /// The polynomial is known only in this fraction of the step: the series of all switching functions converge in it, or it
-    /// ends well before a singular configuration.
-    Converges(f64),
+    /// The step is to be tried with this fraction of its length: the series of all switching functions converge in it, or the
+    /// step ends at a singular configuration that was not found.
+    Shorten(f64),
     /// The polynomial differs from the motion after a sign change of a switching function.
     Crosses(Crossing),
 }

@@ -21,9 +21,9 @@ pub(super) enum Verdict {
     Agrees(Option<Proposal>),
     /// The polynomial differs from the motion in this component.
     Differs(usize),
-    /// The polynomial is known only in this fraction of the step: the series of all switching functions converge in it, or it
-    /// ends well before a singular configuration.
-    Converges(f64),
+    /// The step is to be tried with this fraction of its length: the series of all switching functions converge in it, or the
+    /// step ends at a singular configuration that was not found.
+    Shorten(f64),
     /// The polynomial differs from the motion after a sign change of a switching function.
     Crosses(Crossing),
 }
@@ -34,7 +34,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     /// Its derivative is compared with the derivative of the motion at `end`, after each sign change of a switching
     /// function, and, if the step is long or a polynomial of low degree is enough for it, at times within the step. The
     /// polynomial about `end`, whose first coefficient is the derivative there, becomes the other one. Its coefficients
-    /// are not computed yet if they are not `needed`.
+    /// are not computed yet if they are not `needed`. A step that `may_halve` must not end at a singular configuration that
+    /// was not found.
     ///
     /// # Errors
     ///
@@ -44,7 +45,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         dynamics: &D,
         end: f64,
         (proposal, passed): (Proposal, SingularConfiguration),
-        needed: bool,
+        (needed, may_halve): (bool, bool),
     ) -> Result<Verdict, IntegrationError>
     where
         X: VectorSpace<S>,
@@ -60,7 +61,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         allowance.roundings *= S::from_f64(passed.growth(h, 2 * HALF));
         let crossings = self.crossings(dynamics, end);
         if crossings.converging < 1.0 {
-            return Ok(Verdict::Converges(crossings.converging));
+            return Ok(Verdict::Shorten(crossings.converging));
         }
         if let Some(crossing) = self.first_crossing(dynamics, end, &crossings) {
             return Ok(Verdict::Crosses(crossing));
@@ -72,8 +73,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             state: reduced_on_manifold(dynamics, &state, projection.as_ref()),
             slope,
         };
-        if needed && self.overlooks(dynamics, t, &point.state, passed) {
-            return Ok(Verdict::Converges(SHORT));
+        if may_halve && self.overlooks(dynamics, (t, &point.state), (passed, h)) {
+            return Ok(Verdict::Shorten(SHORT));
         }
         self.polynomials[next].time = end;
         self.polynomials[next].from = state;

@@ -32,20 +32,20 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         found
     }
 
-    /// Whether singular configurations are passed and a step ends at one, in this state, that was not found ahead of it.
+    /// Whether the method passes singular configurations, and a step of this length ends, in this state, at one that was not found
+    /// ahead of it.
     pub(super) fn overlooks<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &self,
         dynamics: &D,
-        t: S,
-        x: &X,
-        passed: SingularConfiguration,
+        (t, x): (S, &X),
+        (passed, step): (SingularConfiguration, f64),
     ) -> bool
     where
         X: VectorSpace<S>,
     {
         let sine = || dynamics.constraint_sine(t, x);
         self.method.passes_singularities
-            && sine().is_some_and(|sine| passed.is_overlooked(sine.smallest()))
+            && sine().is_some_and(|sine| passed.is_overlooked(step, sine.smallest()))
     }
 
     /// Whether singular configurations are passed and this state is so near to one that accelerations are not known to the
