@@ -16,7 +16,7 @@ use crate::syntax::external_function::FunctionDeclaration;
 use crate::syntax::named::NamedExpression;
 use crate::syntax::names::{constant_name, hygienic_ident, unraw};
 
-/// The method with all mentions: a tuple of those of each expression.
+/// The method with all mentions: a tuple for each expression.
 pub(crate) fn method(declaration: &Declaration) -> TokenStream {
     let clauses = &declaration.clauses;
     let names = KnownNames::of(declaration);

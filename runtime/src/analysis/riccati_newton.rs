@@ -105,11 +105,23 @@ fn relative_change<const D: usize>(cost: &Square<D>, step: &Square<D>, units: &[
 pub(super) fn largest_ratio<const D: usize>(
     entry_and_ratio: impl Fn(usize, usize) -> (f64, f64),
 ) -> f64 {
-    let places = (0..D).flat_map(|i| (0..D).map(move |j| (i, j)));
-    places.fold(0.0, |most: f64, (i, j)| {
+    let ratios = SMatrix::<f64, D, D>::from_fn(|i, j| {
         let (entry, ratio) = entry_and_ratio(i, j);
-        let ratio = if entry == 0.0 { 0.0 } else { ratio };
-        let keeps = most.is_nan() || ratio <= most;
-        if keeps { most } else { ratio }
-    })
+        if entry == 0.0 { 0.0 } else { ratio }
+    });
+    largest_or_nan(&ratios)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::largest_ratio;
+
+    #[test]
+    fn a_ratio_that_is_nan_is_not_lost() {
+        let first = |i: usize, j: usize| if i + j == 0 { f64::NAN } else { 1.0 };
+        assert!(largest_ratio::<2>(|i, j| (1.0, first(i, j))).is_nan());
+        let without_entry = |i: usize, j: usize| if i + j == 0 { 0.0 } else { 1.0 };
+        let found = largest_ratio::<2>(|i, j| (without_entry(i, j), first(i, j)));
+        assert!((found - 1.0).abs() < f64::EPSILON);
+    }
 }

@@ -137,8 +137,8 @@ pub(crate) mod passing {
     pub(crate) const FARTHER: f64 = 1.01;
 
     /// The sine at the end of a step, as a part of the sine at its beginning, below which the step ends too near to a singular
-    /// configuration. Behind a configuration that is passed, the sine is about 0.15 of the one at the beginning. Of 60,000 motions of linkages through several
-    /// configurations each, more than twenty ended at one without this limit, and none with it.
+    /// configuration. Behind a configuration that is passed, the sine is about 0.15 of the one at the beginning. Of 60,000 motions
+    /// of linkages through several configurations each, more than twenty ended at one without this limit, and none with it.
     pub(crate) const MIN_SINE_PART: f64 = 0.05;
 
     /// The part of the distance after which a step ends if the polynomial does not describe the motion beyond it, and the part of a

@@ -165,8 +165,8 @@ pub fn linearization_along<S: Scalar, const N: usize, const K: usize>(
 /// Returns for each coordinate the product of the relative pivots at the positions through which its acceleration is
 /// solved for.
 ///
-/// A pivot is relative to the magnitude of the terms that determine its rounding errors, NaN where both are 0. The first pivots are
-/// those of an elimination of M with this `diagonal`: such a pivot is 0 where M is singular to working precision, that is, where
+/// A pivot is relative to the magnitude of the terms that determine its rounding errors, NaN where both are 0. The first pivots come
+/// from an elimination of M with this `diagonal`: such a pivot is 0 where M is singular to working precision, that is, where
 /// elimination leaves less than the machine epsilon times the diagonal entry.
 #[inline]
 pub fn relative_pivots<S: Scalar, const PIVOTS: usize, const ELIMINATED: usize, const N: usize>(

@@ -184,7 +184,7 @@ impl<S: Scalar> InertiaTensor<S> {
         Self::from_moments_and_products(moments, ProductsOfInertia { xy, xz, yz })
     }
 
-    /// Combines the entries with those of another tensor.
+    /// Combines each entry with the entry of another tensor.
     pub(super) fn zip_map<T: Scalar>(
         &self,
         other: &InertiaTensor<T>,

@@ -306,7 +306,8 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                 Verdict::Shorten(part) => Ok(part),
                 Verdict::Differs(component) => Err(component),
             };
-            (self.statistics.rejected, is_first) = (self.statistics.rejected + 1, false);
+            self.statistics.rejected += 1;
+            is_first = false;
             step = match beyond {
                 Ok(part) => part * length,
                 Err(component) => {

@@ -48,7 +48,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         if let Some(passed) = &expansion.passed {
             let growth = |lane: usize| passed[lane].growth(h.0[lane].abs(), Self::ORDER);
             allowance.roundings *= Lanes::from_fn(growth);
-            self.need_distance(dynamics, attempt, (passed, &end.state), &mut verdicts);
+            self.reject_overlooked(dynamics, attempt, (passed, &end.state), &mut verdicts);
         }
         let end = (end, reached.state.value());
         if let Some(found) = self.check_point(dynamics, end, &allowance, &verdicts.open) {
@@ -256,8 +256,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// Compares the derivatives of the polynomials with those of the motions at a point in each lane; `state` is the value there
-    /// before it was reduced. A difference is accepted if rounding or the tolerance explains it. Returns `None` if the
+    /// Compares the derivatives of the polynomials with the equations of motion at a point in each lane, whose `state` before its
+    /// reduction is given, too. A difference is accepted if rounding or the tolerance explains it. Returns `None` if the
     /// polynomials agree with the motions in all lanes that are asked for.
     fn check_point<D>(
         &mut self,

@@ -59,7 +59,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
 
     /// Rejects the steps that end at singular configurations which were not found ahead of them, as
     /// [`TaylorStepper`](crate::TaylorStepper) does. `end` is the end of the steps on the manifold of the dynamics.
-    pub(super) fn need_distance<D>(
+    pub(super) fn reject_overlooked<D>(
         &self,
         dynamics: &D,
         attempt: &Attempt<X, L>,
