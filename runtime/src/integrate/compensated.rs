@@ -79,6 +79,18 @@ impl<X> Compensated<X> {
         }
     }
 
+    /// Returns the state of a lane in every lane.
+    pub(crate) fn in_every_lane<const L: usize>(&self, lane: usize) -> Self
+    where
+        X: LaneStates<L>,
+    {
+        let every = |x: &X| X::broadcast(&x.lane(lane));
+        Self {
+            value: every(&self.value),
+            compensation: every(&self.compensation),
+        }
+    }
+
     /// Sets the state in a lane, with a compensation of zero.
     pub(crate) fn set_lane<const L: usize>(&mut self, lane: usize, state: &X::Lane)
     where

@@ -25,6 +25,7 @@ pub(crate) use convolutions::{Convolutions, FewConvolutions, OnlineConvolutions}
 pub use convolutions::{FactorPairs, PairSums};
 pub use interpolant::TaylorInterpolant;
 pub use lanes::TaylorLanes;
+pub(super) use lanes::{SingleMotions, StepOfLane};
 pub(crate) use paired_convolutions::PairedConvolutions;
 pub use series::{Series, SwitchingFunction};
 pub use stepper::TaylorStepper;
@@ -52,9 +53,10 @@ use singular_configuration::SingularConfiguration;
 ///
 /// A series cannot anticipate a change of the equations: where a force has a corner, the polynomial continues as before
 /// it. Therefore the derivative at the end of a step is compared with the derivative of the polynomial. In a step that
-/// is long, or for which a polynomial of low degree is enough, they are also compared at sixteen times within it. Where
-/// they differ, the step is shortened. If a force acts for a shorter time, such as a pulse of an external function, set
-/// [`max_step`](Self::max_step) to less than its duration. With dual numbers the derivative parts count, too, relative
+/// is more than twice as long as the one before, or for which a polynomial of low degree is enough, they are also
+/// compared at sixteen times within it. Where they differ, the step is shortened, and the next steps are compared as
+/// closely until they have reached its end. If a force acts for a shorter time, such as a pulse of an external function,
+/// set [`max_step`](Self::max_step) to less than its duration. With dual numbers the derivative parts count, too, relative
 /// to their largest component, so that a derivative is equally accurate where the value is at rest.
 ///
 /// # Corners and jumps

@@ -38,3 +38,4 @@ mod taylor;
 mod tolerances;
 mod trajectories;
 mod units;
+mod within_steps;

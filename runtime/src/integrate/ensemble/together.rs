@@ -12,7 +12,9 @@ use crate::integrate::observer::Observer;
 use crate::integrate::problem::{Found, Keep, Member, Problem};
 use crate::integrate::reactions::Reactions;
 use crate::integrate::stepper::{Statistics, Stepper as _};
-use crate::integrate::taylor::{Series, Taylor, TaylorLanes, TaylorStepper};
+use crate::integrate::taylor::{
+    Series, SingleMotions, StepOfLane, Taylor, TaylorLanes, TaylorStepper,
+};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
 
@@ -243,6 +245,25 @@ where
     }
 }
 
+impl<D, K, C, R, O, const L: usize, const HALF: usize> SingleMotions<D::States, L>
+    for [Option<InLane<D, K, C, R, O, HALF>>; L]
+where
+    D: InLanes<L>,
+    C: Watched<f64, D>,
+    R: Reactions<f64, D>,
+    O: Observer<D::State>,
+    K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
+{
+    fn check<const ORDER_HALF: usize>(
+        &self,
+        step: StepOfLane<'_, D::States, L, ORDER_HALF>,
+    ) -> Option<Result<(), usize>> {
+        let dynamics = self.get(step.lane())?.as_ref()?.member.dynamics();
+        let parameters = dynamics.parameters();
+        Some(step.check(&dynamics.together(&parameters)))
+    }
+}
+
 /// Takes steps in all lanes until a member has to process one. Returns whether it is certain that the last step has
 /// neither led to a singularity nor passed one, and the lanes whose members pass over it.
 fn steps<D, K, C, R, O, const L: usize, const HALF: usize>(
@@ -265,12 +286,12 @@ where
         watched = watched.or(begun.member.deciding_functions());
     }
     loop {
-        let Some((_, any)) = busy(members).next() else {
+        let Some(any) = members.iter().flatten().next() else {
             return (true, [true; L]);
         };
         let one_signed = {
             let equations = any.member.dynamics().together(parameters);
-            lanes.step(&equations, &targets);
+            lanes.step_of((&equations, &*members), &targets);
             if !is_regular(&equations, lanes, min_pivot) {
                 return (false, [false; L]);
             }

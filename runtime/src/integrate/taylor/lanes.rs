@@ -16,12 +16,14 @@ mod projection;
 mod rejection;
 mod start;
 mod verdicts;
+mod within;
 
 use attempt::{Attempt, Expansion};
+pub(crate) use within::{SingleMotions, StepOfLane};
 
 use super::coefficients::{TaylorCoefficients, number};
 use super::interpolant::difference;
-use super::step_size::near_normal;
+use super::step_size::{Uncertain, near_normal};
 use super::{Series, Taylor};
 use crate::integrate::binary_logarithm::is_normal;
 use crate::integrate::compensated::Compensated;
@@ -68,6 +70,7 @@ pub struct TaylorLanes<X, const L: usize, const HALF: usize> {
     previous: ([f64; L], Compensated<X>, [f64; L]),
     /// The lengths of the last steps, 0 before the first.
     length: [f64; L],
+    uncertain: [Uncertain; L],
     /// The time scales of the motions: the ones at their starts, or the longest steps so far.
     time_scale: [f64; L],
     /// Whether a lane has been set since the last step.
@@ -87,15 +90,28 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     /// Creates a stepper with all lanes at time `t` and state `x`.
     #[must_use]
     pub fn new(method: Taylor<HALF>, t: f64, x: &X::Lane) -> Self {
-        let state = Compensated::new(X::broadcast(x));
+        let x = X::broadcast(x);
+        let coefficients = TaylorCoefficients::new(x.clone());
+        Self::with_coefficients(method, t, Compensated::new(x), coefficients)
+    }
+
+    /// Creates a stepper with all lanes at time `t`.
+    #[inline]
+    fn with_coefficients(
+        method: Taylor<HALF>,
+        t: f64,
+        state: Compensated<X>,
+        coefficients: TaylorCoefficients<X, HALF>,
+    ) -> Self {
         Self {
             method,
             time: [t; L],
             unit: [1.0; L],
-            coefficients: TaylorCoefficients::new(state.value().clone()),
+            coefficients,
             previous: ([t; L], state.clone(), [1.0; L]),
             state,
             length: [0.0; L],
+            uncertain: [Uncertain::FIRST; L],
             time_scale: [1.0 / FIRST_UNIT; L],
             is_new: [true; L],
             sliding: [None; L],
@@ -116,6 +132,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.previous.0[lane] = t;
         self.previous.1.set_lane(lane, x);
         self.length[lane] = 0.0;
+        self.uncertain[lane] = Uncertain::FIRST;
         self.is_new[lane] = true;
         self.sliding[lane] = None;
         self.short_passages[lane] = 0;
@@ -196,25 +213,39 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
+        self.step_of((dynamics, &()), ends);
+    }
+
+    /// [`step`](Self::step), in which long steps of few lanes are checked by the equations of the motions in them alone.
+    pub(crate) fn step_of<D, M>(&mut self, (dynamics, motions): (&D, &M), ends: &[f64; L])
+    where
+        D: Series<Lanes<L>, State = X> + ?Sized,
+        M: SingleMotions<X, L>,
+    {
         self.begin(dynamics);
         let mut moving = self.moving(dynamics, ends);
         if !any(&moving) {
             return;
         }
         let from = self.state.reduced(dynamics);
-        let Proposals { step, middle } = self.expand(dynamics, &from, &mut moving);
+        let proposals = self.expand(dynamics, &from, &mut moving);
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
-        let mut lengths = step.map(|step| step.min(longest));
+        let mut lengths = core::array::from_fn(|lane| {
+            let step = proposals.step[lane].min(longest);
+            let signed = step.copysign(ends[lane] - self.time[lane]);
+            self.uncertain[lane].limited(self.time[lane], signed)
+        });
         let passed = self.singular_configurations(dynamics, (&moving, ends), &mut lengths);
-        let expansion = Expansion {
+        let mut expansion = Expansion {
             from,
-            middle,
+            proposals,
             passed,
         };
         let mut attempt = Attempt::new(moving, lengths, self.time);
         let mut reached = self.aim(dynamics, &mut attempt, ends);
-        while let Some(verdicts) = self.check(dynamics, &attempt, (&expansion, &reached)) {
-            self.judge(dynamics, &mut attempt, (&expansion, &verdicts), ends);
+        while let Some(verdicts) = self.check((dynamics, motions), &attempt, (&expansion, &reached))
+        {
+            self.judge(dynamics, &mut attempt, (&mut expansion, &verdicts), ends);
             if !any(&attempt.pending) {
                 break;
             }
@@ -268,6 +299,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     }
 
     /// Completes a step of the lanes that move.
+    #[inline]
     fn accept(&mut self, attempt: &Attempt<X, L>, state: Compensated<X>) {
         (self.previous.0, self.previous.2) = (self.time, self.unit);
         core::mem::swap(&mut self.previous.1, &mut self.state);
@@ -290,6 +322,9 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let length = (Lanes(*targets) - Lanes(self.time)).abs();
         let time_scale = Scalar::max(Lanes(self.time_scale), length);
         self.length = update(&self.length, length.0);
+        for lane in lanes(&moving) {
+            self.uncertain[lane].accept(length.0[lane], attempt.lands[lane]);
+        }
         self.time_scale = update(&self.time_scale, time_scale.0);
         self.time = update(&self.time, *targets);
         let near = lengths.map(near_normal);
@@ -338,14 +373,6 @@ struct Reached<X, const L: usize> {
     state: Compensated<X>,
     /// The derivatives of the polynomials with respect to their arguments.
     slope: X,
-}
-
-/// The next step in each lane, as proposed by the polynomials.
-struct Proposals<const L: usize> {
-    /// The length of the step; 0 if there is none.
-    step: [f64; L],
-    /// The larger of the two terms of about half the order, over their tolerances.
-    middle: Lanes<L>,
 }
 
 /// Returns the lanes for which a mask is true.

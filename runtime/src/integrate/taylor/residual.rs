@@ -4,7 +4,7 @@ use crate::integrate::dynamics::Dynamics;
 use crate::integrate::projected::allow_rounding;
 use crate::limits::taylor::{CHANGES, CROSSING_ROUNDING, MOVED_EPSILONS, RESIDUAL_PER_ORDER};
 use crate::linalg::{ErrorTolerance, VectorSpace};
-use crate::scalar::Scalar;
+use crate::scalar::{Lanes, Scalar};
 
 /// A time within a step, with the reduced state of the polynomial and its derivative there.
 pub(super) struct Point<S, X> {
@@ -22,6 +22,22 @@ pub(super) struct Allowance<S> {
     pub(super) tolerance: ErrorTolerance<S>,
     /// The number of rounding errors of the state and of its change that are allowed.
     pub(super) roundings: S,
+}
+
+impl<const L: usize> Allowance<Lanes<L>> {
+    /// Returns the limits of a lane, in every lane.
+    pub(super) fn of_lane(&self, lane: usize) -> Self {
+        let every = |of: Lanes<L>| Lanes([of.lane(lane); L]);
+        Self {
+            h: every(self.h),
+            order: self.order,
+            tolerance: ErrorTolerance {
+                rate: every(self.tolerance.rate),
+                ..self.tolerance
+            },
+            roundings: every(self.roundings),
+        }
+    }
 }
 
 impl<S: Scalar> Allowance<S> {

@@ -7,7 +7,9 @@ mod passing;
 mod projection;
 
 use super::interpolant::TaylorInterpolant;
-use super::step_size::{Proposal, limiting_component, unit_near, weighted_norm, weights};
+use super::step_size::{
+    Proposal, Uncertain, limiting_component, unit_near, weighted_norm, weights,
+};
 use super::{Series, Taylor};
 use crate::integrate::dense_output::{DenseOutput, Interpolant};
 use crate::integrate::dynamics::Dynamics;
@@ -49,6 +51,7 @@ pub struct TaylorStepper<X, const HALF: usize> {
     proposal: Option<Proposal>,
     /// The length of the last step; 0 before the first.
     length: f64,
+    uncertain: Uncertain,
     /// The time scale of the motion: the one at its start, or the longest step so far.
     time_scale: f64,
     /// Whether the other polynomial belongs to the last step.
@@ -99,6 +102,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             unit: unit_near(FIRST_UNIT * time_scale),
             proposal: None,
             length: 0.0,
+            uncertain: Uncertain::FIRST,
             time_scale,
             has_last: false,
             sliding: None,
@@ -269,8 +273,9 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
         self.has_last = false;
         let least = (MIN_STEP * f64::EPSILON * time.abs()).max(f64::MIN_POSITIVE);
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
-        let proposal = self.proposal(dynamics)?;
+        let mut proposal = self.proposal(dynamics)?;
         let mut step = (proposal.step * self.polynomial().unit).min(longest);
+        step = self.uncertain.limited(time, step.copysign(remaining));
         let passed = self.singular_configuration(dynamics, step.copysign(remaining));
         step = passed.lengthened(step).min(longest);
         let (mut is_first, mut rejected) = (true, None);
@@ -293,6 +298,7 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                     }
                     self.proposal = proposal;
                     self.length = length;
+                    self.uncertain.accept(length, lands);
                     self.short_passages = 0;
                     self.accept(length);
                     return Ok(());
@@ -312,9 +318,11 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                 Ok(part) => part * length,
                 Err(component) => {
                     rejected = Some(component);
+                    self.uncertain.reject(end, length);
                     passed.shortened(length)
                 }
             };
+            proposal.step = step / self.polynomial().unit;
         }
     }
 

@@ -2,14 +2,14 @@
 
 use super::arrivals::Arrivals;
 use crate::integrate::taylor::singular_configuration::SingularConfiguration;
+use crate::integrate::taylor::step_size::power;
 use crate::scalar::Lanes;
 
 /// What is known of the motions at the beginning of a step, besides the coefficients of their polynomials.
 pub(super) struct Expansion<X, const L: usize> {
     /// The reduced states about which the polynomials are expanded.
     pub(super) from: X,
-    /// The larger of the two terms of about half the order, over their tolerances.
-    pub(super) middle: Lanes<L>,
+    pub(super) proposals: Proposals<L>,
     /// The singular configurations of constraints within reach; `None` if none are passed.
     pub(super) passed: Option<[SingularConfiguration; L]>,
 }
@@ -19,6 +19,28 @@ impl<X, const L: usize> Expansion<X, L> {
     pub(super) fn passed(&self, lane: usize) -> SingularConfiguration {
         let passed = self.passed.as_ref();
         passed.map_or(SingularConfiguration::NONE, |passed| passed[lane])
+    }
+}
+
+/// The next step in each lane, as proposed by the polynomials.
+#[derive(Clone, Copy)]
+pub(super) struct Proposals<const L: usize> {
+    /// The length of the step, or of the one that is tried after it was rejected; 0 if there is none.
+    pub(super) step: [f64; L],
+    /// The larger of the two terms of about half the order, over their tolerances.
+    pub(super) middle: Lanes<L>,
+}
+
+impl<const L: usize> Proposals<L> {
+    /// Returns the larger of the two terms of about half the order at `h`, or at the proposed step if it is longer.
+    #[inline]
+    pub(super) fn middle_at(&self, h: Lanes<L>, unit: Lanes<L>, half_order: usize) -> Lanes<L> {
+        let longest = Lanes::from_fn(|lane| {
+            let step = self.step[lane];
+            let is_longer = step.is_finite() && step > h.0[lane];
+            if is_longer { step } else { h.0[lane] }
+        });
+        self.middle * power(longest / unit, half_order)
     }
 }
 

@@ -1,16 +1,15 @@
-//! Checks that the motions agree with their series at the end of a step and within it.
+//! Checks that the motions agree with their series at the end of a step and after passages to other branches of the
+//! equations.
 
 use super::attempt::{Attempt, Expansion};
 use super::verdicts::{Verdict, Verdicts};
+use super::within::SingleMotions;
 use super::{Reached, TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::{BranchCrossings, SearchedStep};
 use crate::integrate::taylor::residual::{Allowance, Point};
-use crate::integrate::taylor::step_size::power;
 use crate::limits::events::MAX_COEFFICIENTS;
-use crate::limits::taylor::{
-    INNER_CHECKS, LONG_STEP, NEGLIGIBLE_TERM, RESIDUAL_ROUNDING, RESOLUTION,
-};
+use crate::limits::taylor::{RESIDUAL_ROUNDING, RESOLUTION};
 use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
 
@@ -20,14 +19,15 @@ pub(super) type Beyond<const L: usize> = [Option<usize>; L];
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Checks the steps in the pending lanes, as [`TaylorStepper`](crate::TaylorStepper) does. Returns `None` if all of
     /// them agree with the motions.
-    pub(super) fn check<D>(
+    pub(super) fn check<D, M>(
         &mut self,
-        dynamics: &D,
+        (dynamics, motions): (&D, &M),
         attempt: &Attempt<X, L>,
         (expansion, reached): (&Expansion<X, L>, &Reached<X, L>),
     ) -> Option<[Verdict; L]>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
+        M: SingleMotions<X, L>,
     {
         let Attempt {
             targets, pending, ..
@@ -54,66 +54,17 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         if let Some(found) = self.check_point(dynamics, end, &allowance, &verdicts.open) {
             verdicts.put_ends(&found, crossings.as_ref());
         }
-        let arguments = (reached.tau, expansion.middle);
-        let mut inner = self.is_uncertain_within(h, arguments, &verdicts.open);
+        let mut inner = self.is_uncertain_within(h, &expansion.proposals, &verdicts.open);
         if let Some(crossings) = &crossings {
             for lane in lanes(&verdicts.open) {
                 inner[lane] |= crossings[lane].has_noise;
             }
         }
         if any(&inner) {
-            let found = self.check_within(dynamics, (h, &allowance), inner);
+            let found = self.check_within((dynamics, motions), (h, &allowance), inner);
             verdicts.put_differences(&found);
         }
         (verdicts.open != *pending).then_some(verdicts.of_lanes)
-    }
-
-    /// Returns those of the `asked` lanes whose steps of lengths `h` are so long, or of such a low degree, that the
-    /// series may miss changes within them.
-    pub(super) fn is_uncertain_within(
-        &self,
-        h: Lanes<L>,
-        (tau, middle): (Lanes<L>, Lanes<L>),
-        asked: &[bool; L],
-    ) -> [bool; L] {
-        // The terms of half the order are almost negligible there.
-        let middle = middle * power(tau.abs(), HALF);
-        let is_uncertain = core::array::from_fn(|lane| {
-            let is_long = h.0[lane].abs() > LONG_STEP * self.length[lane];
-            is_long || middle.0[lane] < NEGLIGIBLE_TERM
-        });
-        both(&is_uncertain, asked)
-    }
-
-    /// Checks times within steps of lengths `h`, in the lanes that are asked for.
-    #[inline(never)]
-    pub(super) fn check_within<D>(
-        &mut self,
-        dynamics: &D,
-        (h, allowance): (Lanes<L>, &Allowance<Lanes<L>>),
-        mut asked: [bool; L],
-    ) -> Beyond<L>
-    where
-        D: Series<Lanes<L>, State = X> + ?Sized,
-    {
-        let mut beyond = [None; L];
-        for i in 1..=INNER_CHECKS {
-            if !any(&asked) {
-                break;
-            }
-            let part = Lanes::from_f64(f64::from(i) / f64::from(INNER_CHECKS + 1));
-            let t = Lanes(self.time) + h * part;
-            let Some(found) = self.check_at(dynamics, (t, &self.at(&t.0)), allowance, &asked)
-            else {
-                continue;
-            };
-            for lane in 0..L {
-                if asked[lane] && found[lane].is_some() {
-                    (beyond[lane], asked[lane]) = (found[lane], false);
-                }
-            }
-        }
-        beyond
     }
 
     /// Returns the sign changes of switching functions in the steps of lengths `h` of the lanes that are asked for; `None`
@@ -355,7 +306,7 @@ fn exceeds<X: LaneStates<L>, const L: usize>(
 
 /// Returns the lanes for which two masks are true; the first one hardly ever is.
 #[inline]
-fn both<const L: usize>(rare: &[bool; L], asked: &[bool; L]) -> [bool; L] {
+pub(super) fn both<const L: usize>(rare: &[bool; L], asked: &[bool; L]) -> [bool; L] {
     if any(rare) {
         core::array::from_fn(|lane| rare[lane] && asked[lane])
     } else {

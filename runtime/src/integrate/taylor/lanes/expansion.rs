@@ -1,6 +1,7 @@
 //! The polynomials of motions in lanes, and the step sizes that they propose.
 
-use super::{Proposals, TaylorLanes, any, lanes, non_finite, number};
+use super::attempt::Proposals;
+use super::{TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::binary_logarithm::{are_normal, exp2_of_each, log2, log2_of_each};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::projected::allow_least;
@@ -14,6 +15,7 @@ use crate::scalar::{Lanes, Scalar};
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Computes the polynomials about the present times, in units in which their coefficients are finite, and the step
     /// sizes that they propose.
+    #[inline]
     pub(super) fn expand<D>(
         &mut self,
         dynamics: &D,

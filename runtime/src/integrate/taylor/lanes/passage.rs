@@ -2,6 +2,7 @@
 
 use super::TaylorLanes;
 use super::arrivals::Arrivals;
+use super::attempt::Proposals;
 use super::verdicts::Verdict;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::taylor::Series;
@@ -21,7 +22,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     pub(super) fn rejection<D>(
         &mut self,
         dynamics: &D,
-        (lane, verdict, middle): (usize, Verdict, Lanes<L>),
+        (lane, verdict, proposals): (usize, Verdict, Proposals<L>),
         times: (f64, f64),
         arrivals: &mut Option<Arrivals<X, L>>,
     ) -> Option<(Option<f64>, Option<usize>)>
@@ -32,7 +33,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             Verdict::Agrees => return None,
             Verdict::Shorten(part) => return Some((Some(part), None)),
             Verdict::Crosses(crossing) => {
-                self.pass(dynamics, (lane, crossing, middle), times, arrivals)?
+                self.pass(dynamics, (lane, crossing, proposals), times, arrivals)?
             }
             Verdict::Differs(component) => component,
         };
@@ -44,14 +45,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     fn pass<D>(
         &mut self,
         dynamics: &D,
-        (lane, crossing, middle): (usize, Crossing, Lanes<L>),
+        (lane, crossing, proposals): (usize, Crossing, Proposals<L>),
         (end, target): (f64, f64),
         arrivals: &mut Option<Arrivals<X, L>>,
     ) -> Option<usize>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let beyond = self.check_before(dynamics, (lane, crossing, middle), end);
+        let beyond = self.check_before(dynamics, (lane, crossing, &proposals), end);
         if beyond.is_some() {
             return beyond;
         }
@@ -101,6 +102,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         };
         let length = (time - self.time[lane]).abs();
         self.length[lane] = self.length[lane].max(length);
+        self.uncertain[lane].accept(length, true);
         let scale = time.abs().max(self.time_scale[lane]);
         if length <= SHORT_PASSAGE * f64::EPSILON * scale {
             self.short_passages[lane] += 1;
@@ -119,7 +121,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     fn check_before<D>(
         &mut self,
         dynamics: &D,
-        (lane, crossing, middle): (usize, Crossing, Lanes<L>),
+        (lane, crossing, proposals): (usize, Crossing, &Proposals<L>),
         end: f64,
     ) -> Option<usize>
     where
@@ -142,8 +144,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             return beyond[lane];
         }
         let cut = t - Lanes(self.time);
-        let inner = self.is_uncertain_within(cut, (reached.tau, middle), &only);
-        self.check_within(dynamics, (cut, &allowance), inner)[lane]
+        let inner = self.is_uncertain_within(cut, proposals, &only);
+        self.check_within((dynamics, &()), (cut, &allowance), inner)[lane]
     }
 
     /// Stops the motion in a lane that cannot leave a discontinuity surface.

@@ -15,7 +15,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         &mut self,
         dynamics: &D,
         attempt: &mut Attempt<X, L>,
-        (expansion, verdicts): (&Expansion<X, L>, &[Verdict; L]),
+        (expansion, verdicts): (&mut Expansion<X, L>, &[Verdict; L]),
         ends: &[f64; L],
     ) where
         D: Series<Lanes<L>, State = X> + ?Sized,
@@ -23,7 +23,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         attempt.is_first = false;
         for lane in lanes(&attempt.pending) {
             let target = attempt.targets[lane];
-            let judged = (lane, verdicts[lane], expansion.middle);
+            let judged = (lane, verdicts[lane], expansion.proposals);
             let times = (target, ends[lane]);
             let rejection = self.rejection(dynamics, judged, times, &mut attempt.arrivals);
             let Some((part, beyond)) = rejection else {
@@ -33,10 +33,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             attempt.component[lane] = beyond.or(attempt.component[lane]);
             self.statistics[lane].rejected += 1;
             let length = (target - self.time[lane]).abs();
+            if beyond.is_some() {
+                self.uncertain[lane].reject(target, length);
+            }
             attempt.lengths[lane] = match part {
                 Some(part) => part * length,
                 None => expansion.passed(lane).shortened(length),
             };
+            expansion.proposals.step[lane] = attempt.lengths[lane];
         }
     }
 

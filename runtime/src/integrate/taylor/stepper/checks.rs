@@ -11,7 +11,7 @@ use crate::integrate::taylor::residual::{Allowance, Point};
 use crate::integrate::taylor::singular_configuration::SingularConfiguration;
 use crate::integrate::taylor::step_size::{Proposal, unit_near};
 use crate::limits::taylor::passing::SHORT;
-use crate::limits::taylor::{INNER_CHECKS, LONG_STEP, RESIDUAL_ROUNDING, RESOLUTION};
+use crate::limits::taylor::{INNER_CHECKS, RESIDUAL_ROUNDING, RESOLUTION};
 use crate::linalg::VectorSpace;
 use crate::scalar::Scalar;
 
@@ -97,7 +97,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
                 None => Verdict::Differs(component),
             });
         }
-        if (crossings.has_noise || self.is_uncertain_within(proposal, h, tau))
+        if (crossings.has_noise || self.is_uncertain_within(proposal, end, tau))
             && let Err(component) = self.check_within(dynamics, end, &allowance)
         {
             return Ok(Verdict::Differs(component));
@@ -133,15 +133,17 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         None
     }
 
-    /// Whether a step is so long, or a polynomial of such a low degree is enough for it, that the series may miss
-    /// changes within it.
+    /// Whether a step until the time `end` is so long, or a polynomial of such a low degree is enough for it, that the
+    /// series may miss changes within it, or a longer step has met some.
     pub(super) fn is_uncertain_within<S: Scalar>(
         &self,
         proposal: Proposal,
-        h: f64,
+        end: f64,
         tau: S,
     ) -> bool {
-        h > LONG_STEP * self.length || proposal.is_of_low_degree(tau.abs().largest(), HALF)
+        let begin = self.polynomial().time;
+        self.uncertain.contains(begin, end - begin)
+            || proposal.is_of_low_degree(tau.abs().largest(), HALF)
     }
 
     /// Whether the polynomial about the present time has the derivative of these dynamics there, or its coefficients

@@ -64,6 +64,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         self.unit = unit;
         self.proposal = None;
         self.length = self.length.max(length);
+        self.uncertain.accept(length, true);
         let scale = arrival.time.abs().max(self.time_scale);
         if length <= SHORT_PASSAGE * S::machine_epsilon() * scale {
             self.short_passages += 1;
@@ -97,7 +98,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         self.check_at(dynamics, (end, before), &allowance)?;
         let cut = begin + (end - begin) * before;
         let tau: S = self.polynomial().argument(cut);
-        if self.is_uncertain_within(proposal, (cut - begin).abs(), tau) {
+        if self.is_uncertain_within(proposal, cut, tau) {
             self.check_within(dynamics, cut, &allowance)?;
         }
         Ok(())
