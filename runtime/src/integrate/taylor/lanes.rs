@@ -385,6 +385,16 @@ fn any<const L: usize>(mask: &[bool; L]) -> bool {
     mask.iter().fold(false, |any, lane| any | lane)
 }
 
+/// Returns the lanes for which two masks are true; the first one hardly ever is.
+#[inline]
+fn both<const L: usize>(rare: &[bool; L], asked: &[bool; L]) -> [bool; L] {
+    if any(rare) {
+        core::array::from_fn(|lane| rare[lane] && asked[lane])
+    } else {
+        [false; L]
+    }
+}
+
 /// Returns the index and the value of the first component in a lane that is not finite.
 fn non_finite<X: LaneStates<L>, const L: usize>(states: &X, lane: usize) -> Option<(usize, f64)> {
     let components = states.components().map(|component| component.lane(lane));

@@ -2,9 +2,9 @@
 //! equations.
 
 use super::attempt::{Attempt, Expansion};
-use super::verdicts::{Verdict, Verdicts};
+use super::verdicts::{Beyond, Verdict, Verdicts};
 use super::within::SingleMotions;
-use super::{Reached, TaylorLanes, any, lanes, non_finite, number};
+use super::{Reached, TaylorLanes, any, both, lanes, non_finite, number};
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::{BranchCrossings, SearchedStep};
 use crate::integrate::taylor::residual::{Allowance, Point};
@@ -12,9 +12,6 @@ use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{RESIDUAL_ROUNDING, RESOLUTION};
 use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
-
-/// For each lane the component that disagrees with the series, if there is one.
-pub(super) type Beyond<const L: usize> = [Option<usize>; L];
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Checks the steps in the pending lanes, as [`TaylorStepper`](crate::TaylorStepper) does. Returns `None` if all of
@@ -302,16 +299,6 @@ fn exceeds<X: LaneStates<L>, const L: usize>(
     }
     let exceeds = excess.0.map(|excess| excess.is_nan() || excess > 0.0);
     both(&exceeds, asked)
-}
-
-/// Returns the lanes for which two masks are true; the first one hardly ever is.
-#[inline]
-pub(super) fn both<const L: usize>(rare: &[bool; L], asked: &[bool; L]) -> [bool; L] {
-    if any(rare) {
-        core::array::from_fn(|lane| rare[lane] && asked[lane])
-    } else {
-        [false; L]
-    }
 }
 
 /// Returns the first component of a lane that exceeds its allowed value or is NaN.

@@ -1,10 +1,12 @@
 //! The results of the checks of steps in lanes.
 
-use super::checks::Beyond;
 use super::{lanes, non_finite};
 use crate::integrate::taylor::branch_crossings::{BranchCrossings, Crossing};
 use crate::linalg::LaneStates;
 use crate::scalar::{Lanes, Scalar};
+
+/// For each lane the component that disagrees with the series, if there is one.
+pub(super) type Beyond<const L: usize> = [Option<usize>; L];
 
 /// The result of the check that the polynomial of a lane is the motion within a step.
 #[derive(Clone, Copy)]

@@ -1,8 +1,8 @@
 //! Checks that the motions agree with their series within a step.
 
 use super::attempt::Proposals;
-use super::checks::{Beyond, both};
-use super::{TaylorLanes, any, lanes};
+use super::verdicts::Beyond;
+use super::{TaylorLanes, any, both, lanes};
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::residual::Allowance;
 use crate::limits::taylor::{INNER_CHECKS, NEGLIGIBLE_TERM};
