@@ -99,6 +99,7 @@ fn integrated(model: &Model, integration: &Integration, starts: &[Start]) -> Res
     match order {
         Some("Taylor 12") => by!(Taylor::order_12()),
         Some("Taylor 16") => by!(Taylor::order_16()),
+        Some("Taylor 20") => by!(Taylor::<10>::of_half_order()),
         Some("Taylor") => by!(Taylor::new()),
         _ => Err(format!("there is no method `{}`", integration.method)),
     }

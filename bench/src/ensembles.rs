@@ -57,7 +57,7 @@ const COMPARED: f64 = 1e-9;
 const CONFIRMED: f64 = 1e-11;
 
 /// Our methods, and in how many lanes each of them runs.
-const OURS: [&str; 3] = ["Taylor 12", "Taylor 16", "Taylor"];
+const OURS: [&str; 4] = ["Taylor 12", "Taylor 16", "Taylor 20", "Taylor"];
 const LANES: [&str; 2] = ["4 lanes", "8 lanes"];
 
 /// heyoka's method by which its tolerance is sought, and all that run at it.

@@ -17,6 +17,7 @@ mod series;
 mod singular_configuration;
 mod step_size;
 mod stepper;
+mod uncertain_steps;
 mod unit_polynomial;
 
 pub use branch_crossings::BranchVisitor;

@@ -19,8 +19,9 @@ pub(crate) const UNIT_CHANGES: usize = 6;
 /// checked within the step, too. With 4, motions under a force of two signs, tanh(100 sin 3t), miss some of its changes.
 pub(crate) const LONG_STEP: f64 = 2.0;
 
-/// The end of a step that differed from the motion is ahead of a step if it is at least at this fraction of its length.
-pub(crate) const MIN_AHEAD: f64 = 1.0 / 65_536.0;
+/// The end of a step that differed from the motion is ahead if it is at least this fraction of an interval away, of which there
+/// are 17 in a step.
+pub(crate) const MIN_AHEAD: f64 = 1.0 / 1024.0;
 
 /// A term of half the order is negligible below this many tolerances. In a step whose length the tolerance has chosen,
 /// the term is about the square root of the inverse tolerance, in tolerances.

@@ -23,7 +23,8 @@ pub(crate) use within::{SingleMotions, StepOfLane};
 
 use super::coefficients::{TaylorCoefficients, number};
 use super::interpolant::difference;
-use super::step_size::{Uncertain, near_normal};
+use super::step_size::near_normal;
+use super::uncertain_steps::UncertainSteps;
 use super::{Series, Taylor};
 use crate::integrate::binary_logarithm::is_normal;
 use crate::integrate::compensated::Compensated;
@@ -70,7 +71,7 @@ pub struct TaylorLanes<X, const L: usize, const HALF: usize> {
     previous: ([f64; L], Compensated<X>, [f64; L]),
     /// The lengths of the last steps, 0 before the first.
     length: [f64; L],
-    uncertain: [Uncertain; L],
+    uncertain: [UncertainSteps; L],
     /// The time scales of the motions: the ones at their starts, or the longest steps so far.
     time_scale: [f64; L],
     /// Whether a lane has been set since the last step.
@@ -111,7 +112,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             previous: ([t; L], state.clone(), [1.0; L]),
             state,
             length: [0.0; L],
-            uncertain: [Uncertain::FIRST; L],
+            uncertain: [UncertainSteps::NEW; L],
             time_scale: [1.0 / FIRST_UNIT; L],
             is_new: [true; L],
             sliding: [None; L],
@@ -132,7 +133,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.previous.0[lane] = t;
         self.previous.1.set_lane(lane, x);
         self.length[lane] = 0.0;
-        self.uncertain[lane] = Uncertain::FIRST;
+        self.uncertain[lane] = UncertainSteps::NEW;
         self.is_new[lane] = true;
         self.sliding[lane] = None;
         self.short_passages[lane] = 0;

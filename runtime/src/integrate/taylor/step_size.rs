@@ -10,7 +10,7 @@ use crate::integrate::error::IntegrationError;
 use crate::integrate::projected::allow_least;
 use crate::integrate::singularity::Singularity;
 use crate::integrate::tolerance::Tolerance;
-use crate::limits::taylor::{INNER_CHECKS, LONG_STEP, MIN_AHEAD, NEGLIGIBLE_TERM};
+use crate::limits::taylor::NEGLIGIBLE_TERM;
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -237,59 +237,6 @@ impl Proposal {
             tau
         };
         self.middle * power(longest, half_order) < NEGLIGIBLE_TERM
-    }
-}
-
-/// The steps within which the polynomial is compared with the motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Uncertain {
-    /// The length beyond which steps are long; 0 before the first step.
-    beyond: f64,
-    /// The end of the last step that differed from the motion, and the intervals in which that was noticed. What the step
-    /// met is before its end, and may be as short as an interval.
-    differed: Option<(f64, f64)>,
-}
-
-impl Uncertain {
-    /// The first step of a motion is long.
-    pub(super) const FIRST: Self = Self {
-        beyond: 0.0,
-        differed: None,
-    };
-
-    /// Whether the polynomial is compared within a step of this signed length.
-    #[inline]
-    pub(super) fn contains(self, time: f64, step: f64) -> bool {
-        let may_miss = |(_, interval)| step.abs() > interval;
-        step.abs() > self.beyond || self.ahead(time, step).is_some_and(may_miss)
-    }
-
-    /// Returns the length of a step of this signed length, if it does not pass the end of a step that differed.
-    #[inline]
-    pub(super) fn limited(self, time: f64, step: f64) -> f64 {
-        let ahead = self.ahead(time, step);
-        ahead.map_or(step.abs(), |(ahead, _)| ahead.min(step.abs()))
-    }
-
-    /// Returns the duration until the end of a step that differed, if it is ahead, and the intervals.
-    #[inline]
-    fn ahead(self, time: f64, step: f64) -> Option<(f64, f64)> {
-        let (end, interval) = self.differed?;
-        let ahead = end - time;
-        (ahead / step > MIN_AHEAD).then_some((ahead.abs(), interval))
-    }
-
-    /// Notes the length of an accepted step. One that was cut says little about the next one.
-    #[inline]
-    pub(super) fn accept(&mut self, length: f64, is_cut: bool) {
-        let least = if is_cut { self.beyond } else { 0.0 };
-        self.beyond = least.max(LONG_STEP * length);
-    }
-
-    /// Notes a step that differed from the motion.
-    pub(super) fn reject(&mut self, end: f64, length: f64) {
-        self.differed = Some((end, length / f64::from(INNER_CHECKS + 1)));
     }
 }
 

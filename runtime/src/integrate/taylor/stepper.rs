@@ -7,9 +7,8 @@ mod passing;
 mod projection;
 
 use super::interpolant::TaylorInterpolant;
-use super::step_size::{
-    Proposal, Uncertain, limiting_component, unit_near, weighted_norm, weights,
-};
+use super::step_size::{Proposal, limiting_component, unit_near, weighted_norm, weights};
+use super::uncertain_steps::UncertainSteps;
 use super::{Series, Taylor};
 use crate::integrate::dense_output::{DenseOutput, Interpolant};
 use crate::integrate::dynamics::Dynamics;
@@ -51,7 +50,7 @@ pub struct TaylorStepper<X, const HALF: usize> {
     proposal: Option<Proposal>,
     /// The length of the last step; 0 before the first.
     length: f64,
-    uncertain: Uncertain,
+    uncertain: UncertainSteps,
     /// The time scale of the motion: the one at its start, or the longest step so far.
     time_scale: f64,
     /// Whether the other polynomial belongs to the last step.
@@ -102,7 +101,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             unit: unit_near(FIRST_UNIT * time_scale),
             proposal: None,
             length: 0.0,
-            uncertain: Uncertain::FIRST,
+            uncertain: UncertainSteps::NEW,
             time_scale,
             has_last: false,
             sliding: None,

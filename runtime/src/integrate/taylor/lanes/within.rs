@@ -87,7 +87,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     ) -> [bool; L] {
         let middle = proposals.middle_at(h.abs(), Lanes(self.unit), HALF);
         let is_uncertain = core::array::from_fn(|lane| {
-            let is_uncertain = self.uncertain[lane].contains(self.time[lane], h.0[lane]);
+            let is_uncertain = self.uncertain[lane].contain(self.time[lane], h.0[lane]);
             // The terms of half the order are almost negligible.
             is_uncertain || middle.0[lane] < NEGLIGIBLE_TERM
         });

@@ -142,7 +142,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         tau: S,
     ) -> bool {
         let begin = self.polynomial().time;
-        self.uncertain.contains(begin, end - begin)
+        self.uncertain.contain(begin, end - begin)
             || proposal.is_of_low_degree(tau.abs().largest(), HALF)
     }
 
