@@ -105,7 +105,9 @@ impl<const L: usize, const D: usize> LaneStates<L> for SVector<Lanes<L>, D> {
 
     #[inline]
     fn lane(&self, lane: usize) -> Self::Lane {
-        self.map(|component| component.lane(lane))
+        // One number is read in place: a component that is passed by value is copied to the stack, with all its lanes.
+        let number = |component: &Lanes<L>| component.0.get(lane).copied();
+        SVector::from_fn(|i, _| number(&self[i]).unwrap_or(f64::NAN))
     }
 
     #[inline]

@@ -49,12 +49,12 @@ impl UncertainSteps {
     /// Returns the step that differed, if its end is ahead of a step of this signed length.
     #[inline]
     fn ahead(self, time: f64, step: f64) -> Option<Differed> {
+        // There is none, as a rule.
+        let differed = self.differed?;
+        let ahead = (differed.end - time) * step.signum();
         let least_step = MIN_STEP * f64::EPSILON * time.abs();
-        let is_ahead = |of: &Differed| {
-            let ahead = (of.end - time) * step.signum();
-            ahead > least_step.max(MIN_AHEAD * of.interval)
-        };
-        self.differed.filter(is_ahead)
+        let is_ahead = ahead > least_step.max(MIN_AHEAD * differed.interval);
+        is_ahead.then_some(differed)
     }
 
     /// Notes the length of an accepted step. One whose end was given says little about the next one.

@@ -3,7 +3,7 @@
 use super::arrivals::Arrivals;
 use crate::integrate::taylor::singular_configuration::SingularConfiguration;
 use crate::integrate::taylor::step_size::power;
-use crate::scalar::Lanes;
+use crate::scalar::{Lanes, Scalar};
 
 /// What is known of the motions at the beginning of a step, besides the coefficients of their polynomials.
 pub(super) struct Expansion<X, const L: usize> {
@@ -35,11 +35,9 @@ impl<const L: usize> Proposals<L> {
     /// Returns the larger of the two terms of about half the order at `h`, or at the proposed step if it is longer.
     #[inline]
     pub(super) fn middle_at(&self, h: Lanes<L>, unit: Lanes<L>, half_order: usize) -> Lanes<L> {
-        let longest = Lanes::from_fn(|lane| {
-            let step = self.step[lane];
-            let is_longer = step.is_finite() && step > h.0[lane];
-            if is_longer { step } else { h.0[lane] }
-        });
+        // Without branches, which these comparisons would otherwise become.
+        let finite = |step: f64| if step < f64::INFINITY { step } else { 0.0 };
+        let longest = Scalar::max(Lanes(self.step.map(finite)), h);
         self.middle * power(longest / unit, half_order)
     }
 }
