@@ -53,11 +53,11 @@ use singular_configuration::SingularConfiguration;
 /// relative tolerance alone does not depend on any unit.
 ///
 /// A series cannot anticipate a change of the equations: where a force has a corner, the polynomial continues as before
-/// it. Therefore the derivative at the end of a step is compared with the derivative of the polynomial. In a step that
-/// is more than twice as long as the one before, or for which a polynomial of low degree is enough, they are also
-/// compared at sixteen times within it. Where they differ, the step is shortened, and the next steps are compared as
-/// closely until they have reached its end. If a force acts for a shorter time, such as a pulse of an external function,
-/// set [`max_step`](Self::max_step) to less than its duration. With dual numbers the derivative parts count, too, relative
+/// it. Therefore the derivative at the end of a step is compared with the derivative of the polynomial. In the first
+/// step, in one that is more than twice as long as the one before, and in one for which a polynomial of low degree is
+/// enough, they are also compared at sixteen times within it. Where they differ, the step is rejected, and steps up to
+/// the end of the last attempt are compared at times as close to each other. If a force acts for less than a sixteenth of a step, such as a
+/// pulse of an external function, set [`max_step`](Self::max_step) to less than its duration. With dual numbers the derivative parts count, too, relative
 /// to their largest component, so that a derivative is equally accurate where the value is at rest.
 ///
 /// # Corners and jumps

@@ -15,20 +15,20 @@ pub(crate) const UNIT_CHANGE: f64 = 1.0 / 1_048_576.0;
 /// The number of changes of the unit after which the motion counts as having no Taylor series.
 pub(crate) const UNIT_CHANGES: usize = 6;
 
-/// A step that is this many times as long as the last one is long, and so is the first step: the polynomial is then
-/// checked within the step, too. With 4, motions under a force of two signs, tanh(100 sin 3t), miss some of its changes.
+/// A step that is this many times as long as the last one that did not end early is long, and so is the first step: the
+/// polynomial is then checked within the step, too. With 4, steps pass over changes of the force tanh(100 sin 3t).
 pub(crate) const LONG_STEP: f64 = 2.0;
 
-/// The end of a step that differed from the motion is ahead if it is at least this fraction of an interval away, of which there
-/// are 17 in a step.
+/// If less than this fraction of the time between two checks within a rejected step remains to its end, the motion has
+/// arrived there.
 pub(crate) const MIN_AHEAD: f64 = 1.0 / 1024.0;
 
 /// A term of half the order is negligible below this many tolerances. In a step whose length the tolerance has chosen,
 /// the term is about the square root of the inverse tolerance, in tolerances.
 pub(crate) const NEGLIGIBLE_TERM: f64 = 1024.0;
 
-/// The number of times within a long step that are checked. A force that acts for a sixteenth of a long step is
-/// noticed.
+/// The number of times within a step that are checked if it is long or otherwise uncertain. A force that acts for a sixteenth of
+/// such a step is noticed.
 pub(crate) const INNER_CHECKS: u32 = 16;
 
 /// The number of passages to other branches of the equations that are checked in a step; a step with more of them is

@@ -19,7 +19,7 @@ struct Pushed {
     width: f64,
 }
 
-/// Once a step has met a pulse, no later step passes over it. Most members begin in a lane while others are under way.
+/// Where a step was rejected because of a pulse, no later step passes over it. Most members begin in a lane while others are under way.
 #[test]
 fn pulses_are_not_passed_over() {
     let members: Vec<_> = (0..30)
@@ -41,6 +41,25 @@ fn pulses_are_not_passed_over() {
         let error = (found.q[0] - in_short_steps.q[0]).abs();
         assert!(error < 1e-12, "{index}: {error}");
         assert!(found.statistics.rejected > 0, "{index}");
+    }
+}
+
+/// A force that jumps where the position changes its sign.
+#[derive(Lagrangian)]
+#[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), force(x = -signum(x)))]
+struct Relay;
+
+/// Backwards in time, too, a step to a discontinuity surface is accepted at once.
+#[test]
+fn steps_to_surfaces_are_not_rejected() {
+    let ends = [-10.0, 10.0, -7.0, 7.0, -3.0];
+    let member = |index: usize| {
+        let start = State::new(0.0, [1.0 + 0.1 * number(index)], [0.0]);
+        (Problem::new(&Relay, start), ends[index])
+    };
+    for found in alone_and_together(ends.len(), member, Taylor::new()) {
+        let statistics = found.unwrap().statistics;
+        assert!(statistics.rejected <= statistics.steps, "{statistics:?}");
     }
 }
 
@@ -93,14 +112,15 @@ fn advanced(times: impl IntoIterator<Item = f64>) -> (u64, u64) {
     (statistics.steps, statistics.evaluations)
 }
 
-/// In a loop of short steps each is evaluated at its beginning and at its end, and the first step at sixteen times within it.
+/// In a loop of short steps the equations are evaluated once at the start, at sixteen times within the first step, and at the
+/// beginning and the end of each.
 #[test]
 fn steps_that_land_are_evaluated_twice() {
     let (steps, evaluations) = advanced((1..=500).map(|i| 0.01 * f64::from(i)));
     assert_eq!((steps, evaluations), (500, 2 * 500 + 17));
 }
 
-/// Nor is a step long because the one before it landed.
+/// A step is not long because the one before it landed.
 #[test]
 fn a_step_after_one_that_lands_is_not_long() {
     let (steps, evaluations) = advanced((1..=20).flat_map(|i| [f64::from(i), f64::from(i) + 1e-3]));

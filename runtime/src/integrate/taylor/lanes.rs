@@ -18,7 +18,7 @@ mod start;
 mod verdicts;
 mod within;
 
-use attempt::{Attempt, Expansion};
+use attempt::{Attempt, Expansion, Proposals};
 pub(crate) use within::{SingleMotions, StepOfLane};
 
 use super::coefficients::{TaylorCoefficients, number};
@@ -71,6 +71,7 @@ pub struct TaylorLanes<X, const L: usize, const HALF: usize> {
     previous: ([f64; L], Compensated<X>, [f64; L]),
     /// The lengths of the last steps, 0 before the first.
     length: [f64; L],
+    /// The steps that are checked within.
     uncertain: [UncertainSteps; L],
     /// The time scales of the motions: the ones at their starts, or the longest steps so far.
     time_scale: [f64; L],
@@ -217,7 +218,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         self.step_of((dynamics, &()), ends);
     }
 
-    /// [`step`](Self::step), in which long steps of few lanes are checked by the equations of the motions in them alone.
+    /// Takes this step. Where few lanes are checked within their steps, each is checked by the equations of its motion in all
+    /// lanes.
     pub(crate) fn step_of<D, M>(&mut self, (dynamics, motions): (&D, &M), ends: &[f64; L])
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
@@ -254,7 +256,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
         let passed = expansion.passed.as_ref();
         self.finish(dynamics, &mut attempt, passed, &mut reached.state);
-        self.accept(&attempt, reached.state);
+        self.accept((&attempt, &expansion.proposals), reached.state);
     }
 
     /// Determines the times at which the steps of the pending lanes end, and returns the values of the polynomials
@@ -301,7 +303,11 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
 
     /// Completes a step of the lanes that move.
     #[inline]
-    fn accept(&mut self, attempt: &Attempt<X, L>, state: Compensated<X>) {
+    fn accept(
+        &mut self,
+        (attempt, proposals): (&Attempt<X, L>, &Proposals<L>),
+        state: Compensated<X>,
+    ) {
         (self.previous.0, self.previous.2) = (self.time, self.unit);
         core::mem::swap(&mut self.previous.1, &mut self.state);
         self.state = state;
@@ -324,7 +330,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let time_scale = Scalar::max(Lanes(self.time_scale), length);
         self.length = update(&self.length, length.0);
         for lane in lanes(&moving) {
-            self.uncertain[lane].accept(length.0[lane], attempt.lands[lane]);
+            let proposed = attempt.lands[lane].then_some(proposals.step[lane]);
+            self.uncertain[lane].accept(targets[lane], length.0[lane], proposed);
         }
         self.time_scale = update(&self.time_scale, time_scale.0);
         self.time = update(&self.time, *targets);

@@ -185,7 +185,7 @@ pub(super) struct Proposal {
     /// one is expected to be smaller than the one before. If they are
     /// zero, like every other term of an even motion, the terms before them are used, down to half the order. If these
     /// are zero, too, the motion may be a polynomial, like the motion of a stone, and the step is infinite; whether it
-    /// is one is checked at the end of the step.
+    /// is one is checked at the end of the step. After a rejection, the step that is tried next.
     pub(super) step: f64,
     /// The larger norm of the two terms of about half the order.
     middle: f64,

@@ -50,6 +50,7 @@ pub struct TaylorStepper<X, const HALF: usize> {
     proposal: Option<Proposal>,
     /// The length of the last step; 0 before the first.
     length: f64,
+    /// The steps that are checked within.
     uncertain: UncertainSteps,
     /// The time scale of the motion: the one at its start, or the longest step so far.
     time_scale: f64,
@@ -273,7 +274,8 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
         let least = (MIN_STEP * f64::EPSILON * time.abs()).max(f64::MIN_POSITIVE);
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
         let mut proposal = self.proposal(dynamics)?;
-        let mut step = (proposal.step * self.polynomial().unit).min(longest);
+        let unit = self.polynomial().unit;
+        let mut step = (proposal.step * unit).min(longest);
         step = self.uncertain.limited(time, step.copysign(remaining));
         let passed = self.singular_configuration(dynamics, step.copysign(remaining));
         step = passed.lengthened(step).min(longest);
@@ -291,13 +293,15 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
             let length = (end - time).abs();
             let asked = (!lands && rejected.is_none(), !lands && is_first);
             let beyond = match self.check(dynamics, end, (proposal, passed), asked)? {
-                Verdict::Agrees(proposal) => {
+                Verdict::Agrees(next) => {
                     if step.is_normal() {
                         self.unit = unit_near(step);
                     }
-                    self.proposal = proposal;
+                    self.proposal = next;
                     self.length = length;
-                    self.uncertain.accept(length, lands);
+                    let proposed = proposal.step * unit;
+                    let proposed = lands.then_some(proposed);
+                    self.uncertain.accept(end, length, proposed);
                     self.short_passages = 0;
                     self.accept(length);
                     return Ok(());
@@ -317,11 +321,12 @@ impl<S: Scalar, X: VectorSpace<S>, D: Series<S, State = X> + ?Sized, const HALF:
                 Ok(part) => part * length,
                 Err(component) => {
                     rejected = Some(component);
-                    self.uncertain.reject(end, length);
-                    passed.shortened(length)
+                    self.uncertain.reject(end, end - time);
+                    let shortened = passed.shortened(length);
+                    proposal.step = shortened / unit;
+                    shortened
                 }
             };
-            proposal.step = step / self.polynomial().unit;
         }
     }
 

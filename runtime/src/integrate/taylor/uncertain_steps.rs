@@ -1,73 +1,84 @@
-//! The steps within which a polynomial is compared with the motion.
+//! The steps within which a polynomial is compared with the equations.
 
 use crate::limits::taylor::{INNER_CHECKS, LONG_STEP, MIN_AHEAD, MIN_STEP};
 
-/// The steps of a motion in which the series may miss changes, such as a pulse, so that the polynomial is compared with the
-/// motion within them, too.
+/// The steps of a motion in which the series may miss a change of the equations, such as a pulse, so that the residual is
+/// computed at intermediate times, too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct UncertainSteps {
     /// The length beyond which steps are long; 0 before the first step.
     long: f64,
-    /// The last step that differed from the motion.
-    differed: Option<Differed>,
+    /// The last rejected step, while its end is ahead.
+    rejected: Option<RejectedStep>,
 }
 
-/// A step that differed from the motion.
+/// A step that was rejected because the polynomial differs from the motion within it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-struct Differed {
-    /// The end of the step. What it has met is before it.
+struct RejectedStep {
     end: f64,
-    /// The interval between the times at which the step was compared.
-    interval: f64,
+    /// The signed length.
+    length: f64,
+}
+
+impl RejectedStep {
+    /// Returns the time between two intermediate times in it.
+    fn interval(self) -> f64 {
+        self.length.abs() / f64::from(INNER_CHECKS + 1)
+    }
+
+    /// Whether its end is ahead of a motion in its direction.
+    fn is_ahead(self, time: f64) -> bool {
+        let least_step = MIN_STEP * f64::EPSILON * time.abs();
+        let ahead = (self.end - time) * self.length.signum();
+        ahead > least_step.max(MIN_AHEAD * self.interval())
+    }
 }
 
 impl UncertainSteps {
     /// Before the first step, which is long.
     pub(super) const NEW: Self = Self {
         long: 0.0,
-        differed: None,
+        rejected: None,
     };
 
-    /// Whether a step of this signed length is long, or may pass over what another has met.
+    /// Whether a step of this signed length is long, or may pass over what made another one be rejected.
     #[inline]
     pub(super) fn contain(self, time: f64, step: f64) -> bool {
-        let may_miss = |differed: Differed| step.abs() > differed.interval;
-        step.abs() > self.long || self.ahead(time, step).is_some_and(may_miss)
+        let may_pass_over = |rejected: RejectedStep| step.abs() > rejected.interval();
+        step.abs() > self.long || self.ahead(time, step).is_some_and(may_pass_over)
     }
 
-    /// Returns the length of a step of this signed length that does not pass the end of one that differed.
+    /// Returns the length of a step of this signed length, shortened if it passes the end of a rejected one.
     #[inline]
     pub(super) fn limited(self, time: f64, step: f64) -> f64 {
         let ahead = self.ahead(time, step);
-        ahead.map_or(step.abs(), |differed| {
-            step.abs().min((differed.end - time).abs())
-        })
+        let duration = |rejected: RejectedStep| (rejected.end - time).abs();
+        ahead.map_or(step.abs(), |rejected| step.abs().min(duration(rejected)))
     }
 
-    /// Returns the step that differed, if its end is ahead of a step of this signed length.
+    /// Returns the rejected step whose end is ahead of a step of this signed length.
     #[inline]
-    fn ahead(self, time: f64, step: f64) -> Option<Differed> {
+    fn ahead(self, time: f64, step: f64) -> Option<RejectedStep> {
         // There is none, as a rule.
-        let differed = self.differed?;
-        let ahead = (differed.end - time) * step.signum();
-        let least_step = MIN_STEP * f64::EPSILON * time.abs();
-        let is_ahead = ahead > least_step.max(MIN_AHEAD * differed.interval);
-        is_ahead.then_some(differed)
+        let rejected = self.rejected?;
+        let is_ahead = rejected.length * step > 0.0 && rejected.is_ahead(time);
+        is_ahead.then_some(rejected)
     }
 
-    /// Notes the length of an accepted step. One whose end was given says little about the next one.
+    /// Records a step that was accepted, of this length, to this time. If its end was given, the length that the tolerance
+    /// `proposed` counts, as far as it makes steps long.
     #[inline]
-    pub(super) fn accept(&mut self, length: f64, is_cut: bool) {
-        let least = if is_cut { self.long } else { 0.0 };
-        self.long = least.max(LONG_STEP * length);
+    pub(super) fn accept(&mut self, end: f64, length: f64, proposed: Option<f64>) {
+        let longest = proposed.map_or(0.0, |proposed| self.long.min(LONG_STEP * proposed));
+        self.long = longest.max(LONG_STEP * length);
+        self.rejected = self.rejected.filter(|rejected| rejected.is_ahead(end));
     }
 
-    /// Notes a step of this length that differed from the motion.
+    /// Records a step of this signed length that was rejected because the polynomial differs from the motion.
     pub(super) fn reject(&mut self, end: f64, length: f64) {
-        let interval = length / f64::from(INNER_CHECKS + 1);
-        self.differed = Some(Differed { end, interval });
+        self.rejected = Some(RejectedStep { end, length });
     }
 }
 
@@ -79,34 +90,42 @@ mod tests {
     fn long_steps_are_uncertain() {
         let mut steps = UncertainSteps::NEW;
         assert!(steps.contain(0.0, 1e-9));
-        steps.accept(1.0, false);
+        steps.accept(1.0, 1.0, None);
         assert!(!steps.contain(1.0, 1.9) && steps.contain(1.0, 2.1));
         assert!(!steps.contain(1.0, -1.9) && steps.contain(1.0, -2.1));
-        // One that lands says nothing.
-        steps.accept(0.1, true);
+        // One that lands says nothing, unless the tolerance proposed a shorter step than before.
+        steps.accept(1.1, 0.1, Some(f64::INFINITY));
         assert!(!steps.contain(1.1, 1.9));
-        steps.accept(0.1, false);
-        assert!(steps.contain(1.2, 1.9));
+        steps.accept(1.2, 0.1, Some(0.4));
+        assert!(!steps.contain(1.2, 0.7) && steps.contain(1.2, 0.9));
+        steps.accept(1.3, 0.1, None);
+        assert!(steps.contain(1.3, 0.3));
     }
 
     #[test]
-    fn steps_end_where_one_has_differed() {
+    fn steps_end_where_rejected_ones_did() {
         for sign in [1.0, -1.0] {
             let mut steps = UncertainSteps::NEW;
-            steps.reject(3.4 * sign, 3.4);
-            steps.accept(1.7, false);
-            let at = |time: f64, step: f64| {
+            steps.reject(3.4 * sign, 3.4 * sign);
+            steps.accept(1.7 * sign, 1.7, None);
+            let at = |steps: UncertainSteps, time: f64, step: f64| {
                 let (time, step) = (time * sign, step * sign);
                 (steps.limited(time, step), steps.contain(time, step))
             };
-            assert!((at(1.7, 3.0).0 - 1.7).abs() < 1e-15);
-            assert!((at(1.7, f64::INFINITY).0 - 1.7).abs() < 1e-15);
-            assert!(at(1.7, 1.7).1);
-            // Shorter than the interval of 0.2.
-            assert_eq!(at(1.7, 0.1), (0.1, false));
-            assert_eq!(at(3.4, 3.0), (3.0, false));
-            // Away from it.
-            assert_eq!(at(1.7, -3.0), (3.0, false));
+            assert!((at(steps, 1.7, 3.0).0 - 1.7).abs() < 1e-15);
+            assert!((at(steps, 1.7, f64::INFINITY).0 - 1.7).abs() < 1e-15);
+            assert!(at(steps, 1.7, 1.7).1);
+            // Shorter than the time between two checks, 0.2.
+            assert_eq!(at(steps, 1.7, 0.1), (0.1, false));
+            // In the other direction.
+            assert_eq!(at(steps, 1.7, -3.0), (3.0, false));
+            // A shorter attempt on the way.
+            steps.reject(3.3 * sign, 1.6 * sign);
+            assert!((at(steps, 1.7, 3.0).0 - 1.6).abs() < 1e-15);
+            steps.accept(3.3 * sign, 1.6, None);
+            assert_eq!(at(steps, 3.3, 3.0), (3.0, false));
+            // It is forgotten.
+            assert_eq!(at(steps, 0.0, 3.0), (3.0, false));
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::integrate::taylor::step_size::{limiting_component, too_small};
 use crate::integrate::tolerance::Tolerance;
 use crate::limits::taylor::{BEFORE, MAX_SHORT_PASSAGES, RESOLUTION, SHORT_PASSAGE};
 use crate::linalg::LaneStates;
-use crate::scalar::Lanes;
+use crate::scalar::{Lanes, Scalar as _};
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Returns the fraction of the step of a lane that is to be tried next if it is known, and the component in which the
@@ -102,7 +102,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         };
         let length = (time - self.time[lane]).abs();
         self.length[lane] = self.length[lane].max(length);
-        self.uncertain[lane].accept(length, true);
+        self.uncertain[lane].accept(time, length, Some(f64::INFINITY));
         let scale = time.abs().max(self.time_scale[lane]);
         if length <= SHORT_PASSAGE * f64::EPSILON * scale {
             self.short_passages[lane] += 1;
@@ -139,7 +139,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let only: [bool; L] = core::array::from_fn(|other| other == lane);
         let t = Lanes(self.time) + step * Lanes([before; L]);
         let reached = self.at(&t.0);
-        let allowance = self.allowance(step);
+        let allowance = self.allowance(step.abs());
         if let Some(beyond) = self.check_at(dynamics, (t, &reached), &allowance, &only) {
             return beyond[lane];
         }

@@ -33,14 +33,15 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             attempt.component[lane] = beyond.or(attempt.component[lane]);
             self.statistics[lane].rejected += 1;
             let length = (target - self.time[lane]).abs();
-            if beyond.is_some() {
-                self.uncertain[lane].reject(target, length);
-            }
             attempt.lengths[lane] = match part {
                 Some(part) => part * length,
                 None => expansion.passed(lane).shortened(length),
             };
-            expansion.proposals.step[lane] = attempt.lengths[lane];
+            if beyond.is_some() {
+                let step = target - self.time[lane];
+                self.uncertain[lane].reject(target, step);
+                expansion.proposals.step[lane] = attempt.lengths[lane];
+            }
         }
     }
 

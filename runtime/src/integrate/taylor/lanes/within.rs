@@ -27,9 +27,9 @@ impl<X, const L: usize> SingleMotions<X, L> for () {
 
 /// A step of the motion in one lane.
 pub(crate) struct StepOfLane<'a, X, const L: usize, const HALF: usize> {
-    steppers: &'a mut TaylorLanes<X, L, HALF>,
+    stepper: &'a mut TaylorLanes<X, L, HALF>,
     lane: usize,
-    /// The length.
+    /// The signed length.
     h: f64,
     allowance: Allowance<Lanes<L>>,
 }
@@ -46,15 +46,15 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> StepOfLane<'_, X, L, H
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let mut copies = self.steppers.copies_of(self.lane);
+        let mut copies = self.stepper.copies_of(self.lane);
         let mut numbers = 1..=INNER_CHECKS;
         while !numbers.is_empty() {
-            let numbers: [Option<u32>; L] = core::array::from_fn(|_| numbers.next());
-            let t = numbers.map(|number| {
+            let batch: [Option<u32>; L] = core::array::from_fn(|_| numbers.next());
+            let t = batch.map(|number| {
                 let number = f64::from(number.unwrap_or(INNER_CHECKS));
                 copies.time[0] + self.h * (number / f64::from(INNER_CHECKS + 1))
             });
-            let asked = numbers.map(|number| number.is_some());
+            let asked = batch.map(|number| number.is_some());
             let reached = copies.at(&t);
             let beyond = copies.check_at(equations, (Lanes(t), &reached), &self.allowance, &asked);
             let first = beyond.and_then(|beyond| {
@@ -64,7 +64,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> StepOfLane<'_, X, L, H
             // A single motion is not evaluated after the first difference.
             let evaluated = first.map_or(L, |(number, _)| number + 1);
             let statistics = copies.statistics.iter_mut().take(evaluated);
-            self.steppers.statistics[self.lane].evaluations += statistics
+            self.stepper.statistics[self.lane].evaluations += statistics
                 .map(|of| core::mem::take(of).evaluations)
                 .sum::<u64>();
             if let Some((_, component)) = first {
@@ -77,7 +77,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> StepOfLane<'_, X, L, H
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Returns those of the `asked` lanes whose steps of lengths `h` are so long, or of such a low degree, that the
-    /// series may miss changes within them, or where a longer step has met some.
+    /// series may miss changes within them, or lie before the end of a rejected step.
     #[inline]
     pub(super) fn is_uncertain_within(
         &self,
@@ -108,13 +108,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         M: SingleMotions<X, L>,
     {
         let mut beyond = [None; L];
+        // A lane alone takes INNER_CHECKS/L evaluations, and copies.
         if 2 * lanes(&asked).count() <= L {
             for lane in lanes(&asked) {
                 let step = StepOfLane {
                     h: h.0[lane],
                     allowance: allowance.of_lane(lane),
                     lane,
-                    steppers: self,
+                    stepper: self,
                 };
                 if let Some(checked) = motions.check(step) {
                     (beyond[lane], asked[lane]) = (checked.err(), false);
@@ -140,7 +141,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         beyond
     }
 
-    /// Returns the stepper in which every lane has the state and the polynomial of this one.
+    /// Returns a stepper in which every lane has the state and the polynomial of this one, as if its motion began here.
     #[inline]
     fn copies_of(&self, lane: usize) -> Self {
         let state = self.state.in_every_lane(lane);

@@ -32,7 +32,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     /// Checks that the polynomial is the motion until the time `end`.
     ///
     /// Its derivative is compared with the derivative of the motion at `end`, after each sign change of a switching
-    /// function, and, if the step is long or a polynomial of low degree is enough for it, at times within the step. The
+    /// function, and, if the step is [uncertain](Self::is_uncertain_within), at times within the step. The
     /// polynomial about `end`, whose first coefficient is the derivative there, becomes the other one. Its coefficients
     /// are not computed yet if they are not `needed`. A step that `may_halve` must not end at a singular configuration that
     /// was not found.
@@ -134,7 +134,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     }
 
     /// Whether a step until the time `end` is so long, or a polynomial of such a low degree is enough for it, that the
-    /// series may miss changes within it, or a longer step has met some.
+    /// series may miss changes within it, or it lies before the end of a rejected step.
     pub(super) fn is_uncertain_within<S: Scalar>(
         &self,
         proposal: Proposal,

@@ -64,7 +64,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         self.unit = unit;
         self.proposal = None;
         self.length = self.length.max(length);
-        self.uncertain.accept(length, true);
+        self.uncertain
+            .accept(arrival.time, length, Some(f64::INFINITY));
         let scale = arrival.time.abs().max(self.time_scale);
         if length <= SHORT_PASSAGE * S::machine_epsilon() * scale {
             self.short_passages += 1;
