@@ -56,9 +56,10 @@ use singular_configuration::SingularConfiguration;
 /// it. Therefore the derivative at the end of a step is compared with the derivative of the polynomial. In the first
 /// step, in one that is more than twice as long as the one before, and in one for which a polynomial of low degree is
 /// enough, they are also compared at sixteen times within it. Where they differ, the step is rejected, and steps up to
-/// the end of the last attempt are compared at times as close to each other. If a force acts for less than a sixteenth of a step, such as a
-/// pulse of an external function, set [`max_step`](Self::max_step) to less than its duration. With dual numbers the derivative parts count, too, relative
-/// to their largest component, so that a derivative is equally accurate where the value is at rest.
+/// the end of the last attempt are compared at times as close to each other. If a force acts for less than a sixteenth
+/// of a step, such as a pulse of an external function, set [`max_step`](Self::max_step) to less than its duration. With
+/// dual numbers the derivative parts count, too, relative to their largest component, so that a derivative is equally
+/// accurate where the value is at rest.
 ///
 /// # Corners and jumps
 ///

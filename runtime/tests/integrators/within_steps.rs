@@ -19,7 +19,8 @@ struct Pushed {
     width: f64,
 }
 
-/// Where a step was rejected because of a pulse, no later step passes over it. Most members begin in a lane while others are under way.
+/// Where a step was rejected because of a pulse, no later step passes over it. Most members begin in a lane while others are
+/// under way.
 #[test]
 fn pulses_are_not_passed_over() {
     let members: Vec<_> = (0..30)

@@ -43,7 +43,7 @@ impl UncertainSteps {
         rejected: None,
     };
 
-    /// Whether a step of this signed length is long, or may pass over what made another one be rejected.
+    /// Whether a step of this signed length is long, or may pass over the cause of a rejection.
     #[inline]
     pub(super) fn contain(self, time: f64, step: f64) -> bool {
         let may_pass_over = |rejected: RejectedStep| step.abs() > rejected.interval();
@@ -61,14 +61,14 @@ impl UncertainSteps {
     /// Returns the rejected step whose end is ahead of a step of this signed length.
     #[inline]
     fn ahead(self, time: f64, step: f64) -> Option<RejectedStep> {
-        // There is none, as a rule.
         let rejected = self.rejected?;
         let is_ahead = rejected.length * step > 0.0 && rejected.is_ahead(time);
         is_ahead.then_some(rejected)
     }
 
-    /// Records a step that was accepted, of this length, to this time. If its end was given, the length that the tolerance
-    /// `proposed` counts, as far as it makes steps long.
+    /// Records an accepted step of this length to the time `end`. If the step was cut short, `proposed` is the length that
+    /// the tolerance allows, infinite if it is unknown: steps are then long beyond the limit so far, or beyond twice this
+    /// length if that is less.
     #[inline]
     pub(super) fn accept(&mut self, end: f64, length: f64, proposed: Option<f64>) {
         let longest = proposed.map_or(0.0, |proposed| self.long.min(LONG_STEP * proposed));

@@ -76,8 +76,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> StepOfLane<'_, X, L, H
 }
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// Returns those of the `asked` lanes whose steps of lengths `h` are so long, or of such a low degree, that the
-    /// series may miss changes within them, or lie before the end of a rejected step.
+    /// Returns the `asked` lanes whose steps of lengths `h` are so long, or of such a low degree, that the series may miss
+    /// changes within them, or lie before the end of a rejected step.
     #[inline]
     pub(super) fn is_uncertain_within(
         &self,
