@@ -111,6 +111,10 @@ pub(crate) const RESIDUAL_ROUNDING: f64 = 4096.0;
 /// The number of these rounding errors that are allowed after a sign change of a switching function.
 pub(crate) const CROSSING_ROUNDING: f64 = 64.0;
 
+/// The least tolerance, in machine epsilons, from which on the ends of steps are corrected by the derivatives there. Below it, rounding
+/// errors are about as large as the errors that the correction removes.
+pub(crate) const MIN_CORRECTED: f64 = 1024.0;
+
 /// The factor by which a step is shortened if its derivative differs by more.
 pub(crate) const SHORTENING: f64 = 2.0;
 

@@ -9,6 +9,7 @@ mod constrained;
 
 mod beyond_many_turns;
 mod branches;
+mod corrected_ends;
 mod counted_calls;
 mod driven;
 mod ensemble;

@@ -171,6 +171,7 @@ fn fixed_dop853(step: f64) -> Dop853 {
     method.initial_step(step).max_step(step)
 }
 
+/// Polynomials of degree n, whose ends are corrected by the derivative there: order n + 1.
 fn fixed_taylor<const HALF: usize>(step: f64) -> Taylor<HALF> {
     Taylor::of_half_order()
         .absolute_tolerance(1e9)
@@ -192,14 +193,14 @@ table! {
     midpoint: |h| RungeKutta::new(MIDPOINT, h), in f64, order 2 from step 0.02, RungeKutta::new(MIDPOINT, 2.5e-3), to 1e-5;
     classical: RungeKutta::classical, in f64, order 4 from step 0.1, RungeKutta::classical(0.01), to 1e-8;
     dormand_prince: fixed_dop853, in f64, order 8 from step 0.5, Dop853::new(), to 1e-8;
-    taylor_2: fixed_taylor::<1>, in f64, order 2 from step 0.02, fixed_taylor::<1>(2.5e-3), to 1e-5;
-    taylor_4: fixed_taylor::<2>, in f64, order 4 from step 0.1, fixed_taylor::<2>(0.01), to 1e-8;
-    taylor_6: fixed_taylor::<3>, in f64, order 6 from step 0.25, fixed_taylor::<3>(0.05), to 1e-8;
-    taylor_8: fixed_taylor::<4>, in f64, order 8 from step 0.5, fixed_taylor::<4>(0.1), to 1e-9;
-    taylor_12: fixed_taylor::<6>, in f64, order 12 from step 1.0, Taylor::order_12().relative_tolerance(1e-12), to 1e-9;
-    taylor_16: fixed_taylor::<8>, in f64, order 16 from step 2.0, Taylor::order_16(), to 1e-12;
-    taylor_28: fixed_taylor::<14>, in DoubleDouble, order 28 from step 4.0, Taylor::new(), to 1e-27;
-    taylor_40: fixed_taylor::<20>, in DoubleDouble, order 40 from step 8.0, Taylor::order_40(), to 1e-27;
+    taylor_2: fixed_taylor::<1>, in f64, order 3 from step 0.02, fixed_taylor::<1>(2.5e-3), to 1e-5;
+    taylor_4: fixed_taylor::<2>, in f64, order 5 from step 0.1, fixed_taylor::<2>(0.01), to 1e-8;
+    taylor_6: fixed_taylor::<3>, in f64, order 7 from step 0.25, fixed_taylor::<3>(0.05), to 1e-8;
+    taylor_8: fixed_taylor::<4>, in f64, order 9 from step 0.5, fixed_taylor::<4>(0.1), to 1e-9;
+    taylor_12: fixed_taylor::<6>, in f64, order 13 from step 1.0, Taylor::order_12().relative_tolerance(1e-12), to 1e-9;
+    taylor_16: fixed_taylor::<8>, in f64, order 17 from step 2.0, Taylor::order_16(), to 1e-12;
+    taylor_28: fixed_taylor::<14>, in DoubleDouble, order 29 from step 4.0, Taylor::new(), to 1e-27;
+    taylor_40: fixed_taylor::<20>, in DoubleDouble, order 41 from step 8.0, Taylor::order_40(), to 1e-27;
 }
 
 /// Tolerances of zero, NaN, or beyond the digits of the scalar are values: an error, a stop, or the digits that there are.

@@ -201,7 +201,9 @@ where
             let found = solution.at(sample.t).unwrap();
             assert_eq!(bits(&found.x), bits(&sample.x), "at t = {}", sample.t);
             let before = solution.before(sample.t).unwrap();
-            assert_eq!(bits(&before.x), bits(&sample.x));
+            if sample.t < end {
+                assert_eq!(bits(&before.x), bits(&sample.x));
+            }
             let slope = solution.derivative(sample.t).unwrap().unwrap();
             assert_close(slope[0], sample[1], accuracy);
             assert_close(slope[1], -sample[0], accuracy);

@@ -1,5 +1,6 @@
 //! The Taylor polynomial of a motion.
 
+use super::step_size::power;
 use crate::linalg::{LaneStates, VectorSpace, horner};
 use crate::scalar::{Lanes, Scalar};
 
@@ -141,11 +142,32 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         }
     }
 
-    /// Returns the coefficient of the highest order whose power of τ can divide a change, and that power.
+    /// [`change_end`](Self::change_end) in all lanes, in each as if it was alone.
+    #[inline]
+    pub(super) fn change_ends<const L: usize>(&mut self, tau: Lanes<L>, changes: &X)
+    where
+        X: LaneStates<L>,
+    {
+        let highest = power(tau, Self::ORDER);
+        if divides(highest)
+            && let Some(last) = self.higher_mut().last_mut()
+        {
+            last.add_scaled(Lanes::from_f64(1.0) / highest, changes);
+            return;
+        }
+        for lane in 0..L {
+            self.change_end_in(lane, tau.0[lane], &changes.lane(lane));
+        }
+    }
+
+    /// Returns the coefficient of the highest order whose power of τ [divides] a change, and that power.
     fn last_that_counts<S: Scalar>(&mut self, tau: S) -> Option<(&mut X, S)> {
-        let least = libm::sqrt(S::min_positive().largest());
+        let highest = power(tau, Self::ORDER);
+        if divides(highest) {
+            return Some((self.higher_mut().last_mut()?, highest));
+        }
         let (mut power, mut order) = (tau, 1);
-        while order < Self::ORDER && (power * tau).abs().smallest() > least {
+        while order < Self::ORDER && divides(power * tau) {
             power *= tau;
             order += 1;
         }
@@ -233,6 +255,12 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
             None => [self.initial.clone(), self.initial.clone()],
         }
     }
+}
+
+/// Whether a power of τ divides changes without overflow: its square has all digits.
+#[inline]
+fn divides<S: Scalar>(power: S) -> bool {
+    (power * power).smallest() > S::min_positive().smallest()
 }
 
 /// Returns x + τ · higher.

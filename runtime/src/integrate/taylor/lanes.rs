@@ -7,6 +7,7 @@
 mod arrivals;
 mod attempt;
 mod checks;
+mod correction;
 mod events;
 mod expansion;
 mod last_step;
@@ -246,13 +247,17 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         };
         let mut attempt = Attempt::new(moving, lengths, self.time);
         let mut reached = self.aim(dynamics, &mut attempt, ends);
-        while let Some(verdicts) = self.check((dynamics, motions), &attempt, (&expansion, &reached))
+        while let Some(verdicts) =
+            self.check((dynamics, motions), &mut attempt, (&expansion, &reached))
         {
             self.judge(dynamics, &mut attempt, (&mut expansion, &verdicts), ends);
             if !any(&attempt.pending) {
                 break;
             }
             reached = self.aim(dynamics, &mut attempt, ends);
+        }
+        if let Some(correction) = attempt.correction.take() {
+            self.correct(&attempt, correction, &mut reached);
         }
         let passed = expansion.passed.as_ref();
         self.finish(dynamics, &mut attempt, passed, &mut reached.state);

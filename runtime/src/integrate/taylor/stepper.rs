@@ -1,6 +1,7 @@
 //! The steps of the Taylor series method.
 
 mod checks;
+mod correction;
 mod following;
 mod passage;
 mod passing;

@@ -60,6 +60,8 @@ pub(super) struct Attempt<X, const L: usize> {
     pub(super) component: [Option<usize>; L],
     /// The arrivals of lanes whose steps end at discontinuity surfaces.
     pub(super) arrivals: Option<Arrivals<X, L>>,
+    /// The changes by which the ends of the steps are corrected, if they are.
+    pub(super) correction: Option<X>,
 }
 
 impl<X, const L: usize> Attempt<X, L> {
@@ -75,6 +77,7 @@ impl<X, const L: usize> Attempt<X, L> {
             is_first: true,
             component: [None; L],
             arrivals: None,
+            correction: None,
         }
     }
 }

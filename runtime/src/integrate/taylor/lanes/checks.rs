@@ -7,6 +7,7 @@ use super::within::SingleMotions;
 use super::{Reached, TaylorLanes, any, both, lanes, non_finite, number};
 use crate::integrate::taylor::Series;
 use crate::integrate::taylor::branch_crossings::{BranchCrossings, SearchedStep};
+use crate::integrate::taylor::correction::correction;
 use crate::integrate::taylor::residual::{Allowance, Point};
 use crate::limits::events::MAX_COEFFICIENTS;
 use crate::limits::taylor::{RESIDUAL_ROUNDING, RESOLUTION};
@@ -19,7 +20,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     pub(super) fn check<D, M>(
         &mut self,
         (dynamics, motions): (&D, &M),
-        attempt: &Attempt<X, L>,
+        attempt: &mut Attempt<X, L>,
         (expansion, reached): (&Expansion<X, L>, &Reached<X, L>),
     ) -> Option<[Verdict; L]>
     where
@@ -28,9 +29,9 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     {
         let Attempt {
             targets, pending, ..
-        } = attempt;
-        let h = Lanes(*targets) - Lanes(self.time);
-        let mut verdicts = Verdicts::of(pending);
+        } = *attempt;
+        let h = Lanes(targets) - Lanes(self.time);
+        let mut verdicts = Verdicts::of(&pending);
         verdicts.need_finite(reached.state.value());
         let asked = (reached.tau, &verdicts.open);
         let crossings = self.crossings(dynamics, (&expansion.from, h), asked);
@@ -41,13 +42,18 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             return Some(verdicts.of_lanes);
         }
         let mut allowance = self.allowance(h.abs());
-        let end = self.point(dynamics, (Lanes(*targets), reached));
+        let end = self.point(dynamics, (Lanes(targets), reached));
         if let Some(passed) = &expansion.passed {
             let growth = |lane: usize| passed[lane].growth(h.0[lane].abs(), Self::ORDER);
             allowance.roundings *= Lanes::from_fn(growth);
             self.reject_overlooked(dynamics, attempt, (passed, &end.state), &mut verdicts);
         }
-        let end = (end, reached.state.value());
+        let derivative = dynamics.derivative(end.t, &end.state);
+        if self.method.corrects::<Lanes<L>>() {
+            let slopes = [&end.slope, &derivative];
+            attempt.correction = Some(correction(h, slopes, Self::ORDER));
+        }
+        let end = (end, derivative, reached.state.value());
         if let Some(found) = self.check_point(dynamics, end, &allowance, &verdicts.open) {
             verdicts.put_ends(&found, crossings.as_ref());
         }
@@ -61,7 +67,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             let found = self.check_within((dynamics, motions), (h, &allowance), inner);
             verdicts.put_differences(&found);
         }
-        (verdicts.open != *pending).then_some(verdicts.of_lanes)
+        (verdicts.open != pending).then_some(verdicts.of_lanes)
     }
 
     /// Returns the sign changes of switching functions in the steps of lengths `h` of the lanes that are asked for; `None`
@@ -187,7 +193,9 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
         let point = self.point(dynamics, (t, reached));
-        self.check_point(dynamics, (point, reached.state.value()), allowance, asked)
+        let derivative = dynamics.derivative(t, &point.state);
+        let point = (point, derivative, reached.state.value());
+        self.check_point(dynamics, point, allowance, asked)
     }
 
     /// Returns the reduced values of the polynomials at a time in each lane, and their derivatives.
@@ -204,21 +212,19 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         }
     }
 
-    /// Compares the derivatives of the polynomials with the equations of motion at a point in each lane, whose `state` before its
-    /// reduction is given, too. A difference is accepted if rounding or the tolerance explains it. Returns `None` if the
+    /// Compares the derivatives of the polynomials with the derivatives of the motions at a point in each lane, whose `state`
+    /// before its reduction is given, too. A difference is accepted if rounding or the tolerance explains it. Returns `None` if the
     /// polynomials agree with the motions in all lanes that are asked for.
     fn check_point<D>(
         &mut self,
         dynamics: &D,
-        (point, state): (Point<Lanes<L>, X>, &X),
+        (point, derivative, state): (Point<Lanes<L>, X>, X, &X),
         allowance: &Allowance<Lanes<L>>,
         asked: &[bool; L],
     ) -> Option<Beyond<L>>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let t = point.t;
-        let derivative = dynamics.derivative(t, &point.state);
         let [residual, allowed] = allowance.residual(dynamics, &point, &derivative);
         for (statistics, asked) in self.statistics.iter_mut().zip(asked) {
             statistics.evaluations += u64::from(*asked);

@@ -34,7 +34,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     /// Its derivative is compared with the derivative of the motion at `end`, after each sign change of a switching
     /// function, and, if the step is [uncertain](Self::is_uncertain_within), at times within the step. The
     /// polynomial about `end`, whose first coefficient is the derivative there, becomes the other one. Its coefficients
-    /// are not computed yet if they are not `needed`. A step that `may_halve` must not end at a singular configuration that
+    /// are not computed yet if they are not `needed`, or if `end` is corrected. A step that `may_halve` must not end at a singular configuration that
     /// was not found.
     ///
     /// # Errors
@@ -67,7 +67,12 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             return Ok(Verdict::Crosses(crossing));
         }
         let t = S::from_f64(end);
-        let projection = dynamics.project(t, state.value());
+        let corrects = self.method.corrects::<S>();
+        let mut projection = if corrects {
+            None
+        } else {
+            dynamics.project(t, state.value())
+        };
         let point = Point {
             t,
             state: reduced_on_manifold(dynamics, &state, projection.as_ref()),
@@ -79,7 +84,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         self.polynomials[next].time = end;
         self.polynomials[next].from = state;
         let mut next_proposal = None;
-        if needed && h.is_normal() {
+        if needed && !corrects && h.is_normal() {
             let about_end = (next, &point.state);
             next_proposal = self.expand(dynamics, about_end, unit_near(h), h).ok();
         }
@@ -101,6 +106,10 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             && let Err(component) = self.check_within(dynamics, end, &allowance)
         {
             return Ok(Verdict::Differs(component));
+        }
+        if corrects {
+            self.correct_end(&point, &derivative, tau);
+            projection = dynamics.project(t, self.polynomials[next].from.value());
         }
         if let Some(projection) = projection {
             self.project_end(dynamics, &projection, passed.limits_corrections())?;
