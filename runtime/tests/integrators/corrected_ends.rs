@@ -104,7 +104,7 @@ fn motions_in_lanes_are_corrected_as_they_are_alone() {
                 l: 1.0 + 0.2 * number(index),
                 g: 9.81,
                 rate: 1.0 + number(index + 1),
-                push: 0.5 * number(index + 2) * f64::from(u8::from(index % 3 == 0)),
+                push: 0.5 * number(index + 2) * f64::from(u8::from(index.is_multiple_of(3))),
             };
             let start = State::new(
                 0.0,

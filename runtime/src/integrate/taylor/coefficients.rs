@@ -1,6 +1,5 @@
 //! The Taylor polynomial of a motion.
 
-use super::step_size::power;
 use crate::linalg::{LaneStates, VectorSpace, horner};
 use crate::scalar::{Lanes, Scalar};
 
@@ -269,6 +268,20 @@ fn with_higher<S: Scalar, X: VectorSpace<S>>(x: &X, tau: S, higher: &X) -> X {
     let mut sum = x.clone();
     sum.add_scaled(tau, higher);
     sum
+}
+
+/// Returns a power by repeated squaring.
+#[inline]
+pub(super) fn power<S: Scalar>(x: S, exponent: usize) -> S {
+    let (mut product, mut square, mut exponent) = (S::one(), x, exponent);
+    while exponent > 0 {
+        if exponent % 2 == 1 {
+            product *= square;
+        }
+        square = square * square;
+        exponent /= 2;
+    }
+    product
 }
 
 /// Converts an order to a floating-point number.

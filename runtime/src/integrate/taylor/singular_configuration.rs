@@ -6,8 +6,7 @@
 //! power −k. Steps chosen from these coefficients would end at the configuration or become ever shorter on the way to it.
 //! Steps are therefore chosen by the distance itself.
 
-use super::coefficients::number;
-use super::step_size::power;
+use super::coefficients::{number, power};
 use crate::integrate::binary_logarithm::{exp2, log2};
 use crate::limits::passing::SMALL_SINE;
 use crate::limits::taylor::SHORTENING;

@@ -1,7 +1,7 @@
 //! The length of a step of the Taylor series method.
 
 use super::TaylorCoefficients;
-use super::coefficients::number;
+use super::coefficients::{number, power};
 use super::interpolant::TaylorInterpolant;
 use crate::integrate::binary_logarithm::{EXPONENT, exp2, log2};
 use crate::integrate::component_name::ComponentName;
@@ -238,20 +238,6 @@ impl Proposal {
         };
         self.middle * power(longest, half_order) < NEGLIGIBLE_TERM
     }
-}
-
-/// Returns a power by repeated squaring.
-#[inline]
-pub(super) fn power<S: Scalar>(x: S, exponent: usize) -> S {
-    let (mut product, mut square, mut exponent) = (S::one(), x, exponent);
-    while exponent > 0 {
-        if exponent % 2 == 1 {
-            product *= square;
-        }
-        square = square * square;
-        exponent /= 2;
-    }
-    product
 }
 
 /// Returns the error for a step that is too small.

@@ -1,8 +1,8 @@
 //! The steps that are tried in lanes.
 
 use super::arrivals::Arrivals;
+use crate::integrate::taylor::coefficients::power;
 use crate::integrate::taylor::singular_configuration::SingularConfiguration;
-use crate::integrate::taylor::step_size::power;
 use crate::scalar::{Lanes, Scalar};
 
 /// What is known of the motions at the beginning of a step, besides the coefficients of their polynomials.
