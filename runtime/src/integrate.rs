@@ -74,8 +74,8 @@ pub use stepper::{Advance, Statistics, Stepper};
 pub use taylor::TaylorLanes;
 pub use taylor::recurrences;
 pub use taylor::{
-    BranchVisitor, Series, SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant,
-    TaylorStepper,
+    BranchVisitor, Series, SeriesMemory, SwitchingFunction, Taylor, TaylorCoefficients,
+    TaylorInterpolant, TaylorStepper,
 };
 pub(crate) use taylor::{
     Convolutions, FewConvolutions, OnlineConvolutions, PairedConvolutions, UnrolledConvolutions,

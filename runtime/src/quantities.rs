@@ -17,6 +17,7 @@
 //! }
 //! ```
 
+pub use crate::integrate::SeriesMemory;
 pub use crate::model::{
     Constraints, DirectionalDerivatives, Energies, EnergyBalance, Events, FieldDescription,
     FieldElement, FieldReader, FieldValue, Hamiltonian, Impacts, Inputs, InvalidNumbers,

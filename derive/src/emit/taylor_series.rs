@@ -72,6 +72,7 @@ impl Emitter<'_> {
                 #prepared
                 unit: #scalar,
                 coefficients: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
+                memory: ::core::option::Option<&mut #root::quantities::SeriesMemory>,
             ) {
                 #orders
                 #body
@@ -153,7 +154,7 @@ impl Emitter<'_> {
                 #more
                 let invariants: [#scalar; #count] = [#(#invariants),*];
                 #root::__private::#expansion::<_, #n, #of_variables #factors, #count_of_pairs, #lanes, HALF>(
-                    state, unit, accelerations, coefficients, { #pairs }, #arrange, |term| { #next_inputs #term },
+                    state, unit, accelerations, (coefficients, memory), { #pairs }, #arrange, |term| { #next_inputs #term },
                 );
             }
         })

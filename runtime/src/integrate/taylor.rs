@@ -15,6 +15,7 @@ mod paired_convolutions;
 mod residual;
 pub mod recurrences;
 mod series;
+mod series_memory;
 mod singular_configuration;
 mod step_size;
 mod stepper;
@@ -30,6 +31,7 @@ pub use lanes::TaylorLanes;
 pub(super) use lanes::{SingleMotions, StepOfLane};
 pub(crate) use paired_convolutions::PairedConvolutions;
 pub use series::{Series, SwitchingFunction};
+pub use series_memory::SeriesMemory;
 pub use stepper::TaylorStepper;
 pub(crate) use unrolled_convolutions::UnrolledConvolutions;
 

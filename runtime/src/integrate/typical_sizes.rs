@@ -5,7 +5,7 @@ use super::dynamics::{Dynamics, forward_dynamics};
 use super::error::IntegrationError;
 use super::projection::Projection;
 use super::singularity::Singularity;
-use super::taylor::{BranchVisitor, Series, SwitchingFunction, TaylorCoefficients};
+use super::taylor::{BranchVisitor, Series, SeriesMemory, SwitchingFunction, TaylorCoefficients};
 use crate::linalg::{ErrorTolerance, VectorSpace};
 use crate::scalar::Scalar;
 
@@ -109,6 +109,17 @@ impl<S: Scalar, D: Series<S>> Series<S> for WithSizes<D, D::State> {
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     ) {
         self.dynamics.series(t, x, unit, coefficients);
+    }
+
+    #[inline]
+    fn series_in<const HALF: usize>(
+        &self,
+        memory: &mut SeriesMemory,
+        begin: (S, &Self::State),
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        self.dynamics.series_in(memory, begin, unit, coefficients);
     }
 
     fn branches<const HALF: usize>(

@@ -6,7 +6,9 @@ use super::law::{LawSeries, LawStates as _};
 use super::phase::Phase;
 use super::quantities::Quantities;
 use super::state::State;
-use crate::integrate::{BranchVisitor, Series, SwitchingFunction, TaylorCoefficients};
+use crate::integrate::{
+    BranchVisitor, Dynamics, Series, SeriesMemory, SwitchingFunction, TaylorCoefficients,
+};
 use crate::scalar::Scalar;
 
 /// A model whose declaration has the clause `taylor`, with recurrences for the Taylor coefficients of its motions.
@@ -21,7 +23,7 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     /// Computes the Taylor polynomial of the motion through a state, in the given unit of time.
     ///
     /// The inputs are u(t + τ·unit) = Σ uₖ τᵏ; `inputs` holds the coefficients of order 0, 1, …, and missing ones are
-    /// 0, so that a single coefficient is a held input.
+    /// 0, so that a single coefficient is a held input. The terms of convolutions are kept in `memory`, if it is given.
     fn taylor_series<const HALF: usize>(
         &self,
         state: &State<S, N>,
@@ -29,6 +31,7 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
         prepared: &Self::Prepared,
         unit: S,
         coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+        memory: Option<&mut SeriesMemory>,
     );
 
     /// The descriptions of the switching functions of [`branch_series`](Self::branch_series), in order.
@@ -66,6 +69,31 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     }
 }
 
+impl<M, S, const N: usize, L> EquationsOfMotion<M, S, N, L>
+where
+    M: Lagrangian<N, S, Model: MotionSeries<N, S>>,
+    S: Scalar,
+    L: LawSeries<N, InputsOf<M, S, N>, S>,
+{
+    /// Computes the series of the motion through (t, x), in `memory` if it is given.
+    #[inline]
+    fn expand<const HALF: usize>(
+        &self,
+        (t, x): (S, &<Self as Dynamics<S>>::State),
+        unit: S,
+        coefficients: &mut TaylorCoefficients<<Self as Dynamics<S>>::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
+    ) {
+        let (model, state) = (self.model.model(), x.at_time(t));
+        self.law
+            .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, states| {
+                L::States::expand(x, states, coefficients, |motion| {
+                    model.taylor_series(&state, inputs, &self.prepared, unit, motion, memory);
+                });
+            });
+    }
+}
+
 impl<M, S, const N: usize, L> Series<S> for EquationsOfMotion<M, S, N, L>
 where
     M: Lagrangian<N, S, Model: MotionSeries<N, S>>,
@@ -80,13 +108,18 @@ where
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     ) {
-        let (model, state) = (self.model.model(), x.at_time(t));
-        self.law
-            .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, states| {
-                L::States::expand(x, states, coefficients, |motion| {
-                    model.taylor_series(&state, inputs, &self.prepared, unit, motion);
-                });
-            });
+        self.expand((t, x), unit, coefficients, None);
+    }
+
+    #[inline]
+    fn series_in<const HALF: usize>(
+        &self,
+        memory: &mut SeriesMemory,
+        begin: (S, &Self::State),
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        self.expand(begin, unit, coefficients, Some(memory));
     }
 
     fn branches<const HALF: usize>(

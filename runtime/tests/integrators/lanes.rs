@@ -3,7 +3,8 @@
 use crate::common::{Pendulum, assert_close};
 use lagrangian::num_traits::Zero;
 use lagrangian::prelude::*;
-use lagrangian::{Factorization, Lanes};
+use lagrangian::quantities::SeriesMemory;
+use lagrangian::{Factorization, Lanes, Series, TaylorCoefficients};
 use nalgebra::{SMatrix, SVector};
 
 const PENDULUM: Pendulum = Pendulum {
@@ -207,4 +208,56 @@ fn a_lane_at_rest_needs_no_absolute_tolerance() {
     assert_close(end.q[0].0[0], 0.0, 0.0);
     let alone = Problem::new(&PENDULUM, State::new(0.0, [0.5], [0.0])).solve(1.0, Dop853::new());
     assert_close(end.q[0].0[1], alone.unwrap().q[0], 1e-8);
+}
+
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(a, b),
+    kinetic = dot(a).powi(2) + 0.5 * dot(b).powi(2) + dot(a) * dot(b) * cos(a - b),
+    potential = -2.0 * cos(a) - cos(b) - 0.1 * a * sin(t),
+)]
+struct DoublePendulum;
+
+/// So many products that their sums are in a loop.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(y[5]),
+    kinetic = (0..5).map(|i| (2.0 + cos(y[i])) * dot(y[i]).powi(2)).sum(),
+    potential = (0..4).map(|i| y[i].powi(2) * y[i + 1].powi(2) * exp(y[i])).sum(),
+)]
+struct Chain;
+
+/// Memory that is kept from one series to the next, of other motions, of another order, or of another model, changes no digit.
+#[test]
+fn series_in_kept_memory_are_those_in_new_memory() {
+    fn check<const HALF: usize, const N: usize>(
+        equations: &impl Series<Lanes<4>, State = Phase<Lanes<4>, N>>,
+        memory: &mut SeriesMemory,
+    ) {
+        for member in 0..3 {
+            let angle = |i: usize, lane: usize| {
+                f64::from(u32::try_from(7 * i + 5 * lane + 11 * member).unwrap())
+            };
+            let component = |i: usize| Lanes::from_fn(|lane| angle(i, lane).sin());
+            let x = Phase::new(
+                core::array::from_fn(component),
+                core::array::from_fn(|i| component(N + i)),
+            );
+            let (t, unit) = (component(2 * N), Lanes([0.5; 4]));
+            let mut expected = TaylorCoefficients::<_, HALF>::new(x);
+            equations.series(t, &x, unit, &mut expected);
+            let mut found = TaylorCoefficients::<_, HALF>::new(x);
+            equations.series_in(memory, (t, &x), unit, &mut found);
+            assert_eq!(found, expected);
+        }
+    }
+
+    let memory = &mut SeriesMemory::default();
+    check::<6, 2>(&DoublePendulum.dynamics(), memory);
+    check::<14, 2>(&DoublePendulum.dynamics(), memory);
+    check::<6, 2>(&DoublePendulum.dynamics(), memory);
+    check::<6, 5>(&Chain.dynamics(), memory);
+    check::<6, 2>(&DoublePendulum.dynamics(), memory);
 }

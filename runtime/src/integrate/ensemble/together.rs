@@ -13,7 +13,7 @@ use crate::integrate::problem::{Found, Keep, Member, Problem};
 use crate::integrate::reactions::Reactions;
 use crate::integrate::stepper::{Statistics, Stepper as _};
 use crate::integrate::taylor::{
-    Series, SingleMotions, StepOfLane, Taylor, TaylorLanes, TaylorStepper,
+    Series, SeriesMemory, SingleMotions, StepOfLane, Taylor, TaylorLanes, TaylorStepper,
 };
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
@@ -60,10 +60,11 @@ where
     report: F,
 }
 
-/// The steppers of all lanes, and the parameters for their equations.
+/// The steppers of all lanes, the parameters for their equations, and the memory for their series.
 type Steppers<D, const L: usize, const HALF: usize> = (
     TaylorLanes<<D as InLanes<L>>::States, L, HALF>,
     <D as InLanes<L>>::Parameters,
+    SeriesMemory,
 );
 
 /// A member in a lane.
@@ -91,8 +92,11 @@ where
     K: Keep<f64, D, TaylorStepper<D::State, HALF>>,
 {
     /// Sets a lane to the time, the state and the parameters of the member.
-    fn set<const L: usize>(&mut self, lane: usize, (lanes, parameters): &mut Steppers<D, L, HALF>)
-    where
+    fn set<const L: usize>(
+        &mut self,
+        lane: usize,
+        (lanes, parameters, _): &mut Steppers<D, L, HALF>,
+    ) where
         D: InLanes<L>,
     {
         let stepper = self.member.stepper();
@@ -172,7 +176,7 @@ where
             let steppers = self.steppers.get_or_insert_with(|| {
                 let (dynamics, stepper) = (begun.member.dynamics(), begun.member.stepper());
                 let lanes = TaylorLanes::new(self.method, stepper.time(), stepper.state());
-                (lanes, dynamics.parameters())
+                (lanes, dynamics.parameters(), SeriesMemory::default())
             });
             begun.set(lane, steppers);
         }
@@ -205,7 +209,7 @@ where
 
     /// Moves free lanes to the state of a busy one, so that they are at no singularity; they stay there.
     fn park(&mut self) {
-        let Some((lanes, parameters)) = &mut self.steppers else {
+        let Some((lanes, parameters, _)) = &mut self.steppers else {
             return;
         };
         let busy = self.members.iter().enumerate().find_map(|(lane, place)| {
@@ -268,7 +272,7 @@ where
 /// neither led to a singularity nor passed one, and the lanes whose members pass over it.
 fn steps<D, K, C, R, O, const L: usize, const HALF: usize>(
     members: &mut [Option<InLane<D, K, C, R, O, HALF>>; L],
-    (lanes, parameters): &mut Steppers<D, L, HALF>,
+    (lanes, parameters, memory): &mut Steppers<D, L, HALF>,
 ) -> (bool, [bool; L])
 where
     D: InLanes<L>,
@@ -291,7 +295,7 @@ where
         };
         let one_signed = {
             let equations = any.member.dynamics().together(parameters);
-            lanes.step_of((&equations, &*members), &targets);
+            lanes.step_of((&equations, &*members), &targets, memory);
             if !is_regular(&equations, lanes, min_pivot) {
                 return (false, [false; L]);
             }

@@ -14,6 +14,17 @@ pub(crate) trait OnlineConvolutions<S, const FACTORS: usize, const PAIRS: usize>
     fn advance<P: FactorPairs<PAIRS>>(&mut self, factors: &[S; FACTORS]) -> [S; PAIRS];
 }
 
+impl<S, C, const FACTORS: usize, const PAIRS: usize> OnlineConvolutions<S, FACTORS, PAIRS>
+    for &mut C
+where
+    C: OnlineConvolutions<S, FACTORS, PAIRS>,
+{
+    #[inline(always)]
+    fn advance<P: FactorPairs<PAIRS>>(&mut self, factors: &[S; FACTORS]) -> [S; PAIRS] {
+        (**self).advance::<P>(factors)
+    }
+}
+
 /// The pairs of factors whose products are summed, as code instead of a table: where the code is inlined, each row of terms has a
 /// constant address.
 pub trait FactorPairs<const PAIRS: usize> {
@@ -61,6 +72,12 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
             pairs: P::each(&mut Indices),
             order: 1,
         }
+    }
+
+    /// Returns to order 1. The terms of higher orders are written before they are read.
+    #[inline]
+    pub(crate) fn restart(&mut self) {
+        self.order = 1;
     }
 
     /// Updates the sums of each pair from the terms that are known.

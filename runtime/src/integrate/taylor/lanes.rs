@@ -24,6 +24,7 @@ pub(crate) use within::{SingleMotions, StepOfLane};
 
 use super::coefficients::{TaylorCoefficients, number};
 use super::interpolant::difference;
+use super::series_memory::SeriesMemory;
 use super::step_size::near_normal;
 use super::uncertain_steps::UncertainSteps;
 use super::{Series, Taylor};
@@ -216,13 +217,17 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        self.step_of((dynamics, &()), ends);
+        self.step_of((dynamics, &()), ends, &mut SeriesMemory::default());
     }
 
-    /// Takes this step. Where few lanes are checked within their steps, each is checked by the equations of its motion in all
+    /// Takes this step, with the series in this memory. Where few lanes are checked within their steps, each is checked by the equations of its motion in all
     /// lanes.
-    pub(crate) fn step_of<D, M>(&mut self, (dynamics, motions): (&D, &M), ends: &[f64; L])
-    where
+    pub(crate) fn step_of<D, M>(
+        &mut self,
+        (dynamics, motions): (&D, &M),
+        ends: &[f64; L],
+        memory: &mut SeriesMemory,
+    ) where
         D: Series<Lanes<L>, State = X> + ?Sized,
         M: SingleMotions<X, L>,
     {
@@ -232,7 +237,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             return;
         }
         let from = self.state.reduced(dynamics);
-        let proposals = self.expand(dynamics, &from, &mut moving);
+        let proposals = self.expand((dynamics, memory), &from, &mut moving);
         let longest = self.method.max_step.unwrap_or(f64::INFINITY);
         let mut lengths = core::array::from_fn(|lane| {
             let step = proposals.step[lane].min(longest);

@@ -2,6 +2,7 @@
 
 use super::branch_crossings::BranchVisitor;
 use super::coefficients::TaylorCoefficients;
+use super::series_memory::SeriesMemory;
 use crate::integrate::dynamics::Dynamics;
 use crate::scalar::Scalar;
 
@@ -23,6 +24,19 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     );
+
+    /// Does what [`series`](Self::series) does, in memory that a stepper keeps for the next series. By default the memory is not
+    /// used.
+    fn series_in<const HALF: usize>(
+        &self,
+        memory: &mut SeriesMemory,
+        (t, x): (S, &Self::State),
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        let _ = memory;
+        self.series(t, x, unit, coefficients);
+    }
 
     /// Visits the Taylor coefficients of each switching function along the motion through (t, x) with the coefficients
     /// `motion`.
@@ -79,6 +93,17 @@ impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for &D {
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     ) {
         (**self).series(t, x, unit, coefficients);
+    }
+
+    #[inline]
+    fn series_in<const HALF: usize>(
+        &self,
+        memory: &mut SeriesMemory,
+        begin: (S, &Self::State),
+        unit: S,
+        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+    ) {
+        (**self).series_in(memory, begin, unit, coefficients);
     }
 
     fn branches<const HALF: usize>(

@@ -39,6 +39,12 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
         }
     }
 
+    /// Returns to order 1. The terms of higher orders are written before they are read.
+    #[inline]
+    pub(crate) fn restart(&mut self) {
+        self.order = 1;
+    }
+
     /// Returns the sums of the next order; `STAGE` is the present order up to 4, then 5, 6, 7, 8, 5, ….
     #[inline(always)]
     fn sums<P: FactorPairs<PAIRS>, const STAGE: usize>(

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::integrate::{
     BranchVisitor, Convolutions, FactorPairs, FewConvolutions, OnlineConvolutions,
-    PairedConvolutions, TaylorCoefficients, UnrolledConvolutions,
+    PairedConvolutions, SeriesMemory, TaylorCoefficients, UnrolledConvolutions,
 };
 use crate::limits::taylor::{MAX_PAIRED_CONVOLUTIONS, MAX_UNROLLED_CONVOLUTIONS, MIN_CONVOLUTIONS};
 use crate::model::{Events, Phase, State};
@@ -52,6 +52,12 @@ pub struct Term<S: Scalar, const N: usize, const W: usize, const PAIRS: usize> {
     pub convolutions: [S; PAIRS],
 }
 
+/// The place of a Taylor polynomial, and the memory for the terms of its convolutions.
+type Expansion<'a, S, const N: usize, const HALF: usize> = (
+    &'a mut TaylorCoefficients<Phase<S, N>, HALF>,
+    Option<&'a mut SeriesMemory>,
+);
+
 /// Computes the Taylor polynomial of a motion.
 ///
 /// `term` computes the accelerations of order k and the factors of the convolutions; the accelerations of order 0 are
@@ -68,7 +74,7 @@ pub fn taylor_series<
     state: &State<S, N>,
     unit: S,
     accelerations: SVector<S, N>,
-    coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    (coefficients, memory): Expansion<'_, S, N, HALF>,
     pairs: impl FactorPairs<PAIRS>,
     arrange: impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
     mut term: impl FnMut(&Term<S, N, N, PAIRS>) -> (SVector<S, N>, [S; FACTORS]),
@@ -79,7 +85,7 @@ pub fn taylor_series<
     };
     expand::<_, _, _, _, _, LANES, HALF>(
         (state, unit, accelerations),
-        coefficients,
+        (coefficients, memory),
         (pairs, arrange),
         Some,
         term,
@@ -103,14 +109,14 @@ pub fn taylor_series_in_quasi_velocities<
     state: &State<S, N>,
     unit: S,
     rates: SVector<S, W>,
-    coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    (coefficients, memory): Expansion<'_, S, N, HALF>,
     pairs: impl FactorPairs<PAIRS>,
     arrange: impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
     term: impl FnMut(&Term<S, N, W, PAIRS>) -> (SVector<S, N>, SVector<S, W>, [S; FACTORS]),
 ) {
     expand::<_, _, _, _, _, LANES, HALF>(
         (state, unit, rates),
-        coefficients,
+        (coefficients, memory),
         (pairs, arrange),
         |_| None,
         term,
@@ -130,7 +136,7 @@ fn expand<
     const HALF: usize,
 >(
     (state, unit, rates): (&State<S, N>, S, SVector<S, W>),
-    coefficients: &mut TaylorCoefficients<Phase<S, N>, HALF>,
+    (coefficients, memory): Expansion<'_, S, N, HALF>,
     (pairs, arrange): (
         impl FactorPairs<PAIRS>,
         impl Fn(&[S; FACTORS]) -> [[S; PAIRS]; 2],
@@ -145,11 +151,30 @@ fn expand<
         let convolutions = PairedConvolutions::<S, PAIRS, LANES, HALF, _>::new(arrange);
         orders_of(unit, first, higher, pairs, convolutions, velocities, term);
     } else if PAIRS <= MAX_UNROLLED_CONVOLUTIONS {
-        let convolutions = UnrolledConvolutions::<S, FACTORS, PAIRS, HALF>::new();
+        let (mut new, mut own) = (UnrolledConvolutions::<S, FACTORS, PAIRS, HALF>::new, None);
+        let convolutions = kept(memory, &mut own, &mut new);
+        convolutions.restart();
         orders_of(unit, first, higher, pairs, convolutions, velocities, term);
     } else {
-        let convolutions = Convolutions::<S, FACTORS, PAIRS, HALF>::of(&pairs);
+        let mut own = None;
+        let mut new = || Convolutions::<S, FACTORS, PAIRS, HALF>::of(&pairs);
+        let convolutions = kept(memory, &mut own, &mut new);
+        convolutions.restart();
         orders_of(unit, first, higher, pairs, convolutions, velocities, term);
+    }
+}
+
+/// Returns what is kept in the memory if it is given, or else makes it in the place that is its own.
+#[inline]
+fn kept<'a, C: 'static>(
+    memory: Option<&'a mut SeriesMemory>,
+    own: &'a mut Option<C>,
+    new: &mut impl FnMut() -> C,
+) -> &'a mut C {
+    let kept = memory.and_then(|memory| memory.keep(&mut *new));
+    match kept {
+        Some(kept) => kept,
+        None => own.insert(new()),
     }
 }
 

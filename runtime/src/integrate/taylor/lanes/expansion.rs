@@ -5,8 +5,8 @@ use super::{TaylorLanes, any, lanes, non_finite, number};
 use crate::integrate::binary_logarithm::{are_normal, exp2_of_each, log2, log2_of_each};
 use crate::integrate::error::IntegrationError;
 use crate::integrate::projected::allow_least;
-use crate::integrate::taylor::Series;
 use crate::integrate::taylor::step_size::{decrease, reached};
+use crate::integrate::taylor::{Series, SeriesMemory};
 use crate::integrate::tolerance::{Tolerance, largest_ratios};
 use crate::limits::taylor::{FIRST_UNIT, UNIT_CHANGE, UNIT_CHANGES, VELOCITY_TIMES};
 use crate::linalg::{ErrorTolerance, LaneStates};
@@ -18,7 +18,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     #[inline]
     pub(super) fn expand<D>(
         &mut self,
-        dynamics: &D,
+        (dynamics, memory): (&D, &mut SeriesMemory),
         from: &X,
         moving: &mut [bool; L],
     ) -> Proposals<L>
@@ -33,7 +33,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let mut change = UNIT_CHANGE;
         for _ in 0..UNIT_CHANGES {
             let (t, unit) = (Lanes(self.time), Lanes(self.unit));
-            dynamics.series(t, from, unit, &mut self.coefficients);
+            dynamics.series_in(memory, (t, from), unit, &mut self.coefficients);
             let weights = Tolerance::weights(&self.allowed(dynamics));
             let proposed = self.proposed(&weights);
             proposals.middle = self.middle(&weights);
