@@ -261,9 +261,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             }
             reached = self.aim(dynamics, &mut attempt, ends);
         }
-        if let Some(correction) = attempt.correction.take() {
-            self.correct(&attempt, correction, &mut reached);
-        }
+        self.correct(&mut attempt, &mut reached);
         let passed = expansion.passed.as_ref();
         self.finish(dynamics, &mut attempt, passed, &mut reached.state);
         self.accept((&attempt, &expansion.proposals), reached.state);
@@ -319,8 +317,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         state: Compensated<X>,
     ) {
         (self.previous.0, self.previous.2) = (self.time, self.unit);
-        core::mem::swap(&mut self.previous.1, &mut self.state);
-        self.state = state;
+        self.previous.1 = core::mem::replace(&mut self.state, state);
         let mut moving = attempt.moving;
         for (statistics, moving) in self.statistics.iter_mut().zip(moving) {
             statistics.steps += u64::from(moving);

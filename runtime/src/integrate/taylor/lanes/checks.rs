@@ -53,8 +53,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             let slopes = [&end.slope, &derivative];
             attempt.correction = Some(correction(h, slopes, Self::ORDER));
         }
-        let end = (end, derivative, reached.state.value());
-        if let Some(found) = self.check_point(dynamics, end, &allowance, &verdicts.open) {
+        let point = (&end, &derivative, reached.state.value());
+        if let Some(found) = self.check_point(dynamics, point, &allowance, &verdicts.open) {
             verdicts.put_ends(&found, crossings.as_ref());
         }
         let mut inner = self.is_uncertain_within(h, &expansion.proposals, &verdicts.open);
@@ -194,7 +194,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     {
         let point = self.point(dynamics, (t, reached));
         let derivative = dynamics.derivative(t, &point.state);
-        let point = (point, derivative, reached.state.value());
+        let point = (&point, &derivative, reached.state.value());
         self.check_point(dynamics, point, allowance, asked)
     }
 
@@ -218,14 +218,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     fn check_point<D>(
         &mut self,
         dynamics: &D,
-        (point, derivative, state): (Point<Lanes<L>, X>, X, &X),
+        (point, derivative, state): (&Point<Lanes<L>, X>, &X, &X),
         allowance: &Allowance<Lanes<L>>,
         asked: &[bool; L],
     ) -> Option<Beyond<L>>
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        let [residual, allowed] = allowance.residual(dynamics, &point, &derivative);
+        let [residual, allowed] = allowance.residual(dynamics, point, derivative);
         for (statistics, asked) in self.statistics.iter_mut().zip(asked) {
             statistics.evaluations += u64::from(*asked);
         }
@@ -252,7 +252,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     fn explain<D>(
         &mut self,
         dynamics: &D,
-        difference: Difference<X, L>,
+        difference: Difference<'_, X, L>,
         allowance: &Allowance<Lanes<L>>,
         mut failing: [bool; L],
     ) -> Option<Beyond<L>>
@@ -265,7 +265,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             residual,
             mut allowed,
         } = difference;
-        allowance.allow_condition(dynamics, &point, &derivative, &mut allowed);
+        allowance.allow_condition(dynamics, point, derivative, &mut allowed);
         for lane in lanes(&failing) {
             self.statistics[lane].evaluations += 2;
         }
@@ -279,9 +279,9 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
 }
 
 /// A difference between the derivatives of the polynomials and the motions that the tolerance does not explain.
-struct Difference<X, const L: usize> {
-    point: Point<Lanes<L>, X>,
-    derivative: X,
+struct Difference<'a, X, const L: usize> {
+    point: &'a Point<Lanes<L>, X>,
+    derivative: &'a X,
     residual: X,
     allowed: X,
 }
