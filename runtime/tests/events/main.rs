@@ -18,6 +18,7 @@ mod events;
 mod hostile_events;
 mod hostile_motions;
 mod in_lanes;
+mod loose_tolerances;
 mod projected_steps;
 mod reactions;
 mod rounding;

@@ -11,6 +11,7 @@ use crate::integrate::event::{
     EventDynamics, EventFunctions, LastStep, MetConditions, Occurring, SingleNumber,
 };
 use crate::integrate::stepper::Advance;
+use crate::limits::events::NEWTON_STEPS_OF_FUNCTION;
 
 /// What is known of the events in a step: the next one, or `None` if there are no more.
 type Known = Option<Occurring>;
@@ -135,18 +136,25 @@ impl<const K: usize> DeclaredEvents<K> {
             (t, this.values(step.dynamics(), t, &there.x))
         };
         let (mut at, mut found) = (zero.at, evaluated(self, window.time(zero.at)));
-        // The polynomial lacks further terms, and its coefficients are rounded: a step of Newton's method with the function.
-        let shift = before * found.1[event] / zero.slope;
-        if shift.is_nan() || shift.abs() > zero.until - zero.at {
-            return None;
+        // The polynomial lacks further terms, and its coefficients are rounded.
+        let mut is_located = false;
+        for _ in 0..NEWTON_STEPS_OF_FUNCTION {
+            at += before * found.1[event] / zero.slope;
+            if at.is_nan() || (at - zero.at).abs() > zero.until - zero.at {
+                return None;
+            }
+            at = at.clamp(0.0, 1.0);
+            let time = window.time(at);
+            if time - found.0 != 0.0 {
+                found = evaluated(self, time);
+            }
+            let steps = found.0 / (window.end - window.begin);
+            is_located = zero.is_rounding_error(found.1[event], steps);
+            if is_located {
+                break;
+            }
         }
-        at = (at + shift).clamp(0.0, 1.0);
-        let time = window.time(at);
-        if time - found.0 != 0.0 {
-            found = evaluated(self, time);
-        }
-        let steps = found.0 / (window.end - window.begin);
-        if !zero.is_rounding_error(found.1[event], steps) {
+        if !is_located {
             return None;
         }
         if before * found.1[event] > 0.0 {
