@@ -10,9 +10,10 @@ use crate::lower::scope::Scope;
 use crate::plan::PARAMETERS;
 
 /// The names of variables where Taylor coefficients are computed.
-const SERIES: [&str; 8] = [
+const SERIES: [&str; 9] = [
     "unit",
     "coefficients",
+    "memory",
     "invariants",
     "term",
     "convolutions",

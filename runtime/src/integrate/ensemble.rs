@@ -82,7 +82,7 @@ impl<P, const L: usize> Ensemble<P, L> {
     /// the problems end. `end` is a time for all problems, or a function of the position.
     ///
     /// At most as many problems are in progress as there are lanes. Nothing is allocated except for what the problems
-    /// keep.
+    /// keep, and once for the terms of series.
     #[allow(clippy::needless_pass_by_value)] // By value, as in `Problem::solve`.
     pub fn solve_each<S, D, K, C, R, O, I>(
         self,

@@ -26,6 +26,16 @@ impl Tolerance {
         }
     }
 
+    /// Returns the relative tolerance, or if it is 0 the absolute one, which then counts as the tolerance of a component of size 1.
+    #[inline]
+    pub(crate) fn of_size(self) -> f64 {
+        if self.relative > 0.0 {
+            self.relative
+        } else {
+            self.absolute
+        }
+    }
+
     /// Returns the tolerances of a motion with this time scale, a positive number.
     #[inline]
     pub(crate) fn over<S: Scalar>(self, time_scale: S) -> ErrorTolerance<S> {

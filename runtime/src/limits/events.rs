@@ -68,12 +68,12 @@ pub(crate) const LEADING_HALF_ORDER: usize = 3;
 pub(crate) const MIN_REMAINING_PART: f64 = 0.25;
 
 /// The largest part of a step in which the sign of an event function may be uncertain behind a zero that is located by
-/// Newton's method. The slope of the terms that a series omits is then below a hundredth of the slope of the function.
+/// Newton's method. The slope of the terms that the series omits is then small beside the slope of the function.
 pub(crate) const MAX_ZERO_WIDTH: f64 = 1e-3;
 
-/// The number of steps of Newton's method with values of the function itself, from the zero of its polynomial. As the slope is known to
-/// a hundredth at worst, each adds two digits or more; in most cases one is enough.
-pub(crate) const NEWTON_STEPS_OF_FUNCTION: u32 = 4;
+/// The number of steps of the simplified Newton method from the zero of a polynomial to the zero of its function, with the slope of
+/// the polynomial. In most cases one is enough; where these are not, the zero is searched for.
+pub(crate) const SIMPLIFIED_NEWTON_STEPS: u32 = 4;
 
 /// The largest number of steps of Newton's method; bisection alone needs 53.
 pub(crate) const MAX_NEWTON_STEPS: u32 = 64;

@@ -111,8 +111,8 @@ pub(crate) const RESIDUAL_ROUNDING: f64 = 4096.0;
 /// The number of these rounding errors that are allowed after a sign change of a switching function.
 pub(crate) const CROSSING_ROUNDING: f64 = 64.0;
 
-/// The least tolerance, in machine epsilons, from which on the ends of steps are corrected by the derivatives there. Below it, rounding
-/// errors are about as large as the errors that the correction removes.
+/// The least tolerance, in machine epsilons, at which the ends of steps are corrected by the derivatives there. By judgement: at smaller
+/// ones rounding errors count, and the series about the end, which the next step needs, tells the derivative at no cost.
 pub(crate) const MIN_CORRECTED: f64 = 1024.0;
 
 /// The factor by which a step is shortened if its derivative differs by more.

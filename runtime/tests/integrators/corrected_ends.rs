@@ -3,7 +3,7 @@
 use crate::common::{Oscillator, assert_close};
 use crate::members::number;
 use lagrangian::prelude::*;
-use lagrangian::{Series, TaylorCoefficients};
+use lagrangian::{Series, StateTransition, TaylorCoefficients};
 
 /// One step of this length.
 fn one_step<const HALF: usize>(step: f64) -> Taylor<HALF> {
@@ -12,7 +12,7 @@ fn one_step<const HALF: usize>(step: f64) -> Taylor<HALF> {
         .max_step(step)
 }
 
-/// Of equations that are linear, the end is the value of the polynomial of one degree more.
+/// For linear equations, the end is the value of the polynomial of one degree more.
 #[test]
 fn linear_motions_have_one_more_term() {
     let start = At {
@@ -77,42 +77,41 @@ fn the_error_is_a_fraction_of_the_next_term() {
     }
 }
 
-/// A swing whose length is pumped, and which is pushed by a force that jumps where it passes the middle.
+/// A swing whose length is pumped.
 #[derive(Lagrangian, Clone)]
 #[lagrangian(
     taylor,
     coordinates(theta, x),
     kinetic = 0.5 * (l + 0.1 * sin(rate * t)).powi(2) * dot(theta).powi(2) + 0.5 * dot(x).powi(2),
     potential = -g * l * cos(theta) + 0.5 * (x - theta).powi(2),
-    force(x = -push * signum(x)),
     event(middle = theta),
 )]
 struct Swing {
     l: f64,
     g: f64,
     rate: f64,
-    push: f64,
 }
 
-/// Each motion alone, and in lanes that take steps of their own, some of which arrive at discontinuity surfaces or at ends: to
-/// rounding, which is far below the corrections.
+impl Swing {
+    fn numbered(index: usize) -> (Self, State<f64, 2>, f64) {
+        let swing = Self {
+            l: 1.0 + 0.2 * number(index),
+            g: 9.81,
+            rate: 1.0 + number(index + 1),
+        };
+        let q = [0.5 + number(index + 3), number(index + 4)];
+        let start = State::new(0.0, q, [0.0, number(index + 5)]);
+        let sign = if index % 4 == 1 { -1.0 } else { 1.0 };
+        (swing, start, sign * (0.02 + 3.0 * number(index + 6)))
+    }
+}
+
+/// Each motion alone, and in lanes that take steps of their own: to rounding, which is far below the corrections.
 #[test]
 fn motions_in_lanes_are_corrected_as_they_are_alone() {
     fn check<const HALF: usize>(method: Taylor<HALF>) {
         let member = |index: usize| {
-            let swing = Swing {
-                l: 1.0 + 0.2 * number(index),
-                g: 9.81,
-                rate: 1.0 + number(index + 1),
-                push: 0.5 * number(index + 2) * f64::from(u8::from(index.is_multiple_of(3))),
-            };
-            let start = State::new(
-                0.0,
-                [0.5 + number(index + 3), number(index + 4)],
-                [0.0, number(index + 5)],
-            );
-            let sign = if index % 4 == 1 { -1.0 } else { 1.0 };
-            let end = sign * (0.02 + 3.0 * number(index + 6));
+            let (swing, start, end) = Swing::numbered(index);
             let problem = Problem::new(swing, start).on(Swing::MIDDLE).record();
             (problem.save(Every(0.21)), end)
         };
@@ -128,6 +127,7 @@ fn motions_in_lanes_are_corrected_as_they_are_alone() {
             for (found, alone) in events {
                 assert_close(found.t, alone.t, 1e-12);
             }
+            assert_eq!(found.samples().len(), alone.samples().len());
             let samples = found.samples().iter().zip(alone.samples());
             for (found, alone) in samples.chain([(&found.last, &alone.last)]) {
                 assert!((found.q - alone.q).norm() < 1e-12, "{index}, {}", found.t);
@@ -139,6 +139,61 @@ fn motions_in_lanes_are_corrected_as_they_are_alone() {
     check(Taylor::order_16().absolute_tolerance(1e-9));
 }
 
+/// A step as short as a rounding error of the time has a polynomial, too.
+#[test]
+fn the_shortest_steps_have_polynomials() {
+    let (swing, mut start, _) = Swing::numbered(2);
+    for time in [0.0, 0.3] {
+        start.t = time;
+        for length in [f64::MIN_POSITIVE, 1e-310, 1e-200, 1e-16, 1e-9] {
+            let end = (time + length).max(time.next_up());
+            let method = Taylor::order_12().relative_tolerance(1e-8);
+            let problem = Problem::new(&swing, start).on(Swing::MIDDLE).record();
+            let found = problem.save(Dense).solve(end, method).unwrap();
+            for t in [time, end] {
+                let [before, at] = [found.before(t), found.at(t)].map(Result::unwrap);
+                assert!((before.q - start.q).norm() < 1e-7, "{time} {length}");
+                assert!((at.q - start.q).norm() < 1e-7, "{time} {length}");
+            }
+        }
+    }
+}
+
+/// Derivatives of motions are corrected, too.
+#[test]
+fn transition_matrices_are_corrected() {
+    let (swing, start, _) = Swing::numbered(5);
+    let transition = |method: Taylor<6>| {
+        let found = StateTransition::<2, 4>::over(&method, &swing.dynamics(), &start, 3.0);
+        found.unwrap().matrix::<4>()
+    };
+    let expected = transition(Taylor::order_12().relative_tolerance(1e-13));
+    let error = |tolerance| {
+        (transition(Taylor::order_12().relative_tolerance(tolerance)) - expected).norm()
+    };
+    assert!(error(1e-6) < 1e-7 && error(1e-9) < 1e-11);
+}
+
+/// An oscillator for x > 0.
+#[derive(Lagrangian)]
+#[lagrangian(taylor, coordinates(x), kinetic = 0.5 * dot(x).powi(2), force(x = -abs(x)))]
+struct Branches;
+
+/// A correction could move an end across a discontinuity surface: the end is the value of the polynomial of degree 4.
+#[test]
+fn equations_with_branches_are_not_corrected() {
+    let start = State::new(0.0, [1.0], [0.0]);
+    let member = || Problem::new(&Branches, start);
+    let method = one_step::<2>(1.0);
+    let together = Ensemble::new([member()]).solve(1.0, method);
+    for found in together.into_iter().chain([member().solve(1.0, method)]) {
+        let found = found.unwrap();
+        assert_eq!(found.statistics.steps, 1);
+        assert_close(found.q[0], 1.0 - 1.0 / 2.0 + 1.0 / 24.0, 1e-15);
+        assert_close(found.v[0], -1.0 + 1.0 / 6.0, 1e-15);
+    }
+}
+
 /// The polynomial of a step ends where the next one begins.
 #[test]
 fn solutions_are_continuous() {
@@ -146,7 +201,6 @@ fn solutions_are_continuous() {
         l: 1.0,
         g: 9.81,
         rate: 3.0,
-        push: 0.0,
     };
     let start = State::new(0.0, [1.0, 0.0], [0.0, 1.0]);
     let method = Taylor::order_12().relative_tolerance(1e-6);

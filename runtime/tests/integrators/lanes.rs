@@ -229,6 +229,16 @@ struct DoublePendulum;
 )]
 struct Chain;
 
+/// As many products, of other factors.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(y[5]),
+    kinetic = (0..5).map(|i| (2.0 + cos(y[i])) * dot(y[i]).powi(2)).sum(),
+    potential = (0..4).map(|i| y[i].powi(2) * y[i + 1].powi(2) * exp(y[i + 1])).sum(),
+)]
+struct OtherChain;
+
 /// Memory that is kept from one series to the next, of other motions, of another order, or of another model, changes no digit.
 #[test]
 fn series_in_kept_memory_are_those_in_new_memory() {
@@ -259,5 +269,6 @@ fn series_in_kept_memory_are_those_in_new_memory() {
     check::<14, 2>(&DoublePendulum.dynamics(), memory);
     check::<6, 2>(&DoublePendulum.dynamics(), memory);
     check::<6, 5>(&Chain.dynamics(), memory);
+    check::<6, 5>(&OtherChain.dynamics(), memory);
     check::<6, 2>(&DoublePendulum.dynamics(), memory);
 }

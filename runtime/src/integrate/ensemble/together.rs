@@ -295,7 +295,7 @@ where
         };
         let one_signed = {
             let equations = any.member.dynamics().together(parameters);
-            lanes.step_of((&equations, &*members), &targets, memory);
+            lanes.step_of((&equations, &*members), &targets, Some(memory));
             if !is_regular(&equations, lanes, min_pivot) {
                 return (false, [false; L]);
             }

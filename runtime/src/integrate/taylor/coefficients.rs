@@ -141,25 +141,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
         }
     }
 
-    /// [`change_end`](Self::change_end) in all lanes, in each as if it was alone.
-    #[inline]
-    pub(super) fn change_ends<const L: usize>(&mut self, tau: Lanes<L>, changes: &X)
-    where
-        X: LaneStates<L>,
-    {
-        let highest = power(tau, Self::ORDER);
-        if divides(highest)
-            && let Some(last) = self.higher_mut().last_mut()
-        {
-            last.add_scaled(Lanes::from_f64(1.0) / highest, changes);
-            return;
-        }
-        for lane in 0..L {
-            self.change_end_in(lane, tau.0[lane], &changes.lane(lane));
-        }
-    }
-
-    /// Returns the coefficient of the highest order whose power of τ [divides] a change, and that power.
+    /// Returns the coefficient of the highest order whose power of τ [divides] a change, or else of order 1, and that power.
     fn last_that_counts<S: Scalar>(&mut self, tau: S) -> Option<(&mut X, S)> {
         let highest = power(tau, Self::ORDER);
         if divides(highest) {
@@ -258,7 +240,7 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
 
 /// Whether a power of τ divides changes without overflow: its square has all digits.
 #[inline]
-fn divides<S: Scalar>(power: S) -> bool {
+pub(super) fn divides<S: Scalar>(power: S) -> bool {
     (power * power).smallest() > S::min_positive().smallest()
 }
 

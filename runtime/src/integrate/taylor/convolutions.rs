@@ -74,10 +74,10 @@ impl<S: Scalar, const FACTORS: usize, const PAIRS: usize, const HALF: usize>
         }
     }
 
-    /// Returns to order 1. The terms of higher orders are written before they are read.
+    /// Returns to order 1, with these pairs. The terms of higher orders are written before they are read.
     #[inline]
-    pub(crate) fn restart(&mut self) {
-        self.order = 1;
+    pub(crate) fn restart<P: FactorPairs<PAIRS>>(&mut self, _: &P) {
+        (self.pairs, self.order) = (P::each(&mut Indices), 1);
     }
 
     /// Updates the sums of each pair from the terms that are known.

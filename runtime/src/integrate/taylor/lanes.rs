@@ -217,16 +217,16 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     where
         D: Series<Lanes<L>, State = X> + ?Sized,
     {
-        self.step_of((dynamics, &()), ends, &mut SeriesMemory::default());
+        self.step_of((dynamics, &()), ends, None);
     }
 
-    /// Takes this step, with the series in this memory. Where few lanes are checked within their steps, each is checked by the equations of its motion in all
-    /// lanes.
+    /// Takes this step, with the series in this memory if it is given. Where few lanes are checked within their steps, each is
+    /// checked by the equations of its motion in all lanes.
     pub(crate) fn step_of<D, M>(
         &mut self,
         (dynamics, motions): (&D, &M),
         ends: &[f64; L],
-        memory: &mut SeriesMemory,
+        memory: Option<&mut SeriesMemory>,
     ) where
         D: Series<Lanes<L>, State = X> + ?Sized,
         M: SingleMotions<X, L>,

@@ -6,7 +6,10 @@ use alloc::boxed::Box;
 use core::any::Any;
 
 /// Memory in which [`Series::series_in`](crate::Series::series_in) keeps the terms of convolutions, so that they need not be
-/// cleared for each series. Without the feature `alloc` it keeps nothing.
+/// cleared for each series.
+///
+/// An [`Ensemble`](crate::Ensemble) has one for its lanes. Series on `f64` do not use it, and without the feature `alloc` it keeps
+/// nothing.
 #[derive(Debug, Default)]
 pub struct SeriesMemory {
     #[cfg(feature = "alloc")]

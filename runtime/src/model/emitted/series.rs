@@ -159,7 +159,7 @@ fn expand<
         let mut own = None;
         let mut new = || Convolutions::<S, FACTORS, PAIRS, HALF>::of(&pairs);
         let convolutions = kept(memory, &mut own, &mut new);
-        convolutions.restart();
+        convolutions.restart(&pairs);
         orders_of(unit, first, higher, pairs, convolutions, velocities, term);
     }
 }

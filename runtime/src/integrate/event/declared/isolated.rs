@@ -11,7 +11,7 @@ use crate::integrate::event::{
     EventDynamics, EventFunctions, LastStep, MetConditions, Occurring, SingleNumber,
 };
 use crate::integrate::stepper::Advance;
-use crate::limits::events::NEWTON_STEPS_OF_FUNCTION;
+use crate::limits::events::SIMPLIFIED_NEWTON_STEPS;
 
 /// What is known of the events in a step: the next one, or `None` if there are no more.
 type Known = Option<Occurring>;
@@ -138,7 +138,7 @@ impl<const K: usize> DeclaredEvents<K> {
         let (mut at, mut found) = (zero.at, evaluated(self, window.time(zero.at)));
         // The polynomial lacks further terms, and its coefficients are rounded.
         let mut is_located = false;
-        for _ in 0..NEWTON_STEPS_OF_FUNCTION {
+        for _ in 0..SIMPLIFIED_NEWTON_STEPS {
             at += before * found.1[event] / zero.slope;
             if at.is_nan() || (at - zero.at).abs() > zero.until - zero.at {
                 return None;

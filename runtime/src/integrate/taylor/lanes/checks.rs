@@ -49,7 +49,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
             self.reject_overlooked(dynamics, attempt, (passed, &end.state), &mut verdicts);
         }
         let derivative = dynamics.derivative(end.t, &end.state);
-        if self.method.corrects::<Lanes<L>>() {
+        if self.method.corrects::<Lanes<L>>() && crossings.is_none() {
             let slopes = [&end.slope, &derivative];
             attempt.correction = Some(correction(h, slopes, Self::ORDER));
         }

@@ -2,28 +2,28 @@
 
 use super::attempt::Attempt;
 use super::{Reached, TaylorLanes, lanes};
+use crate::integrate::taylor::coefficients::{divides, power};
 use crate::linalg::{LaneStates, VectorSpace as _};
+use crate::scalar::{Lanes, Scalar as _};
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
-    /// Corrects the ends of the steps of the lanes that move, unless they end at discontinuity surfaces, and changes their
-    /// polynomials to end there.
+    /// Corrects the ends of the steps of the lanes that move, and changes their polynomials to end there, as
+    /// [`TaylorStepper`](crate::TaylorStepper) does.
     #[inline]
     pub(super) fn correct(&mut self, attempt: &mut Attempt<X, L>, reached: &mut Reached<X, L>) {
         let Some(correction) = &mut attempt.correction else {
             return;
         };
-        let mut is_uncorrected = attempt.moving.map(|moving| !moving);
-        if let Some(arrivals) = &attempt.arrivals {
-            for (is_uncorrected, time) in is_uncorrected.iter_mut().zip(&arrivals.time) {
-                *is_uncorrected |= time.is_some();
-            }
-        }
-        let mut tau = reached.tau;
+        let mut highest = power(reached.tau, Self::ORDER);
+        let is_uncorrected: [_; L] =
+            core::array::from_fn(|lane| !attempt.moving[lane] | !divides(highest.0[lane]));
         for lane in lanes(&is_uncorrected) {
             correction.set_lane(lane, &correction.lane(lane).zeroed());
-            tau.0[lane] = 1.0;
+            highest.0[lane] = 1.0;
         }
-        self.coefficients.change_ends(tau, correction);
+        if let Some(last) = self.coefficients.higher_mut().last_mut() {
+            last.add_scaled(Lanes::from_f64(1.0) / highest, correction);
+        }
         reached.state = reached.state.plus(correction.clone());
     }
 }

@@ -18,7 +18,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     #[inline]
     pub(super) fn expand<D>(
         &mut self,
-        (dynamics, memory): (&D, &mut SeriesMemory),
+        (dynamics, mut memory): (&D, Option<&mut SeriesMemory>),
         from: &X,
         moving: &mut [bool; L],
     ) -> Proposals<L>
@@ -33,7 +33,12 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let mut change = UNIT_CHANGE;
         for _ in 0..UNIT_CHANGES {
             let (t, unit) = (Lanes(self.time), Lanes(self.unit));
-            dynamics.series_in(memory, (t, from), unit, &mut self.coefficients);
+            match memory.as_deref_mut() {
+                Some(memory) => {
+                    dynamics.series_in(memory, (t, from), unit, &mut self.coefficients);
+                }
+                None => dynamics.series(t, from, unit, &mut self.coefficients),
+            }
             let weights = Tolerance::weights(&self.allowed(dynamics));
             let proposed = self.proposed(&weights);
             proposals.middle = self.middle(&weights);

@@ -34,8 +34,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
     /// Its derivative is compared with the derivative of the motion at `end`, after each sign change of a switching
     /// function, and, if the step is [uncertain](Self::is_uncertain_within), at times within the step. The
     /// polynomial about `end`, whose first coefficient is the derivative there, becomes the other one. Its coefficients
-    /// are not computed yet if they are not `needed`, or if `end` is corrected. A step that `may_halve` must not end at a singular configuration that
-    /// was not found.
+    /// are not computed yet if they are not `needed`, or if `end` is corrected. A step that `may_halve` must not end at a
+    /// singular configuration that was not found.
     ///
     /// # Errors
     ///
@@ -59,7 +59,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let h = (end - self.polynomials[present].time).abs();
         let mut allowance = self.allowance(h);
         allowance.roundings *= S::from_f64(passed.growth(h, 2 * HALF));
-        let crossings = self.crossings(dynamics, end);
+        let (crossings, has_branches) = self.crossings(dynamics, end);
         if crossings.converging < 1.0 {
             return Ok(Verdict::Shorten(crossings.converging));
         }
@@ -67,7 +67,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             return Ok(Verdict::Crosses(crossing));
         }
         let t = S::from_f64(end);
-        let corrects = self.method.corrects::<S>();
+        let corrects = self.method.corrects::<S>() && !has_branches;
         let mut projection = if corrects {
             None
         } else {
@@ -112,7 +112,12 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
             projection = dynamics.project(t, self.polynomials[next].from.value());
         }
         if let Some(projection) = projection {
-            self.project_end(dynamics, &projection, passed.limits_corrections())?;
+            let projected = self.project_end(dynamics, &projection, passed.limits_corrections());
+            if corrects && projected.is_err() {
+                // The polynomial of the step has been changed.
+                self.proposal = None;
+            }
+            projected?;
         }
         Ok(Verdict::Agrees(next_proposal))
     }
@@ -234,12 +239,12 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         checked
     }
 
-    /// Returns the sign changes of switching functions in a step.
+    /// Returns the sign changes of switching functions in a step, and whether there are such functions.
     fn crossings<S: Scalar, D: Series<S, State = X> + ?Sized>(
         &self,
         dynamics: &D,
         end: f64,
-    ) -> BranchCrossings
+    ) -> (BranchCrossings, bool)
     where
         X: VectorSpace<S>,
     {
@@ -248,7 +253,7 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let epsilon = S::machine_epsilon();
         let h = (end - polynomial.time).abs();
         let resolution = RESOLUTION * epsilon * (polynomial.time.abs() + h) / h;
-        let mut crossings = BranchCrossings::none(resolution);
+        let (mut crossings, mut has_branches) = (BranchCrossings::none(resolution), false);
         let tau: S = polynomial.argument(end);
         let step = SearchedStep {
             length: tau.largest(),
@@ -259,8 +264,9 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let from = polynomial.from.reduced(dynamics);
         let motion = &polynomial.coefficients;
         dynamics.branches(t, &from, unit, motion, &mut |function| {
+            has_branches = true;
             crossings.add(function.map(Scalar::largest), &step);
         });
-        crossings
+        (crossings, has_branches)
     }
 }
