@@ -55,9 +55,9 @@ use singular_configuration::SingularConfiguration;
 /// both tolerances are the machine epsilon of the scalar, since full accuracy costs little more with this method. A
 /// relative tolerance alone does not depend on any unit.
 ///
-/// At relative tolerances of 1024 machine epsilons and more, the derivative of the motion at the end of a step corrects this end, unless
-/// the equations have branches, such as |u|. The order is then 2·`HALF` + 1, and local errors are smaller than the last terms. A
-/// corrected step costs one more evaluation of the equations.
+/// At relative tolerances of 1024 machine epsilons and more, the derivative of the motion at the end of a step corrects
+/// this end, unless the equations have branches, such as |u|. The order is then 2·`HALF` + 1, and local errors are smaller
+/// than the last terms. A corrected step costs one more evaluation of the equations.
 ///
 /// A series cannot anticipate a change of the equations: where a force has a corner, the polynomial continues as before
 /// it. Therefore the derivative at the end of a step is compared with the derivative of the polynomial. In the first

@@ -26,9 +26,9 @@ impl Tolerance {
         }
     }
 
-    /// Returns the relative tolerance, or if it is 0 the absolute one, which then counts as the tolerance of a component of size 1.
+    /// Returns the relative tolerance, or the absolute one if there is no relative one: the tolerance of a component of size 1.
     #[inline]
-    pub(crate) fn of_size(self) -> f64 {
+    pub(crate) fn relative_or_absolute(self) -> f64 {
         if self.relative > 0.0 {
             self.relative
         } else {

@@ -112,7 +112,7 @@ pub(crate) const RESIDUAL_ROUNDING: f64 = 4096.0;
 pub(crate) const CROSSING_ROUNDING: f64 = 64.0;
 
 /// The least tolerance, in machine epsilons, at which the ends of steps are corrected by the derivatives there. By judgement: at smaller
-/// ones rounding errors count, and the series about the end, which the next step needs, tells the derivative at no cost.
+/// ones rounding errors count, and the series about the end, which the next step needs, contains the derivative.
 pub(crate) const MIN_CORRECTED: f64 = 1024.0;
 
 /// The factor by which a step is shortened if its derivative differs by more.

@@ -143,10 +143,6 @@ impl<X: Clone, const HALF: usize> TaylorCoefficients<X, HALF> {
 
     /// Returns the coefficient of the highest order whose power of τ [divides] a change, or else of order 1, and that power.
     fn last_that_counts<S: Scalar>(&mut self, tau: S) -> Option<(&mut X, S)> {
-        let highest = power(tau, Self::ORDER);
-        if divides(highest) {
-            return Some((self.higher_mut().last_mut()?, highest));
-        }
         let (mut power, mut order) = (tau, 1);
         while order < Self::ORDER && divides(power * tau) {
             power *= tau;

@@ -19,7 +19,7 @@ use crate::scalar::Scalar;
 impl<const HALF: usize> Taylor<HALF> {
     /// Whether the ends of steps are corrected, unless the equations have branches.
     pub(super) fn corrects<S: Scalar>(&self) -> bool {
-        let part = self.tolerance::<S>().of_size();
+        let part = self.tolerance::<S>().relative_or_absolute();
         part >= MIN_CORRECTED * S::machine_epsilon() && !self.passes_singularities
     }
 }

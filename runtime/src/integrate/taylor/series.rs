@@ -25,8 +25,8 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
     );
 
-    /// Does what [`series`](Self::series) does, in memory that a stepper keeps for the next series. By default the memory is not
-    /// used.
+    /// Sets `coefficients` as [`series`](Self::series) does, using memory that a stepper keeps for the next series. By default the
+    /// memory is not used.
     fn series_in<const HALF: usize>(
         &self,
         memory: &mut SeriesMemory,

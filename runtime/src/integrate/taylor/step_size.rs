@@ -57,7 +57,8 @@ pub(super) fn reached<S: Scalar, X: VectorSpace<S>, const HALF: usize>(
 /// follows from the term of order p − 1 alone, and is too long where that term passes zero.
 #[inline]
 pub(super) fn decrease(tolerance: Tolerance, order: usize) -> f64 {
-    log2(tolerance.of_size().clamp(f64::MIN_POSITIVE, 1.0)) / number(order - 1)
+    let part = tolerance.relative_or_absolute();
+    log2(part.clamp(f64::MIN_POSITIVE, 1.0)) / number(order - 1)
 }
 
 /// 2⁻⁵⁰⁰.

@@ -164,7 +164,7 @@ fn expand<
     }
 }
 
-/// Returns what is kept in the memory if it is given, or else makes it in the place that is its own.
+/// Returns the convolutions that the memory keeps; without a memory, makes them in `own`.
 #[inline]
 fn kept<'a, C: 'static>(
     memory: Option<&'a mut SeriesMemory>,
