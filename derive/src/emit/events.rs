@@ -65,9 +65,12 @@ impl Emitter<'_> {
                 prepared: &#prepared,
                 #others
                 end: (#state, &#inputs),
-                visit: &mut dyn ::core::ops::FnMut(&#root::TaylorCoefficients<#scalar, HALF>, #scalar),
+                visitor: (
+                    #root::MetConditions,
+                    &mut impl ::core::ops::FnMut(usize, &#root::TaylorCoefficients<#scalar, HALF>, #scalar),
+                ),
             ) {
-                #root::__private::visit_events(self, begin, prepared, (unit, motion), end, visit);
+                #root::__private::visit_events(self, begin, prepared, (unit, motion), end, visitor);
             }
         })
     }

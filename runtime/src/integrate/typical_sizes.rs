@@ -3,6 +3,7 @@
 use super::component_name::ComponentName;
 use super::dynamics::{Dynamics, forward_dynamics};
 use super::error::IntegrationError;
+use super::event::MetConditions;
 use super::projection::Projection;
 use super::singularity::Singularity;
 use super::taylor::{BranchVisitor, Series, SeriesMemory, SwitchingFunction, TaylorCoefficients};
@@ -144,9 +145,12 @@ impl<S: Scalar, D: Series<S>> Series<S> for WithSizes<D, D::State> {
         unit: S,
         motion: &TaylorCoefficients<Self::State, OF_MOTION>,
         end: (S, &Self::State),
-        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+        (watched, visit): (
+            MetConditions,
+            &mut impl FnMut(usize, &TaylorCoefficients<S, HALF>, S),
+        ),
     ) {
         self.dynamics
-            .events_in_step(begin, unit, motion, end, visit);
+            .events_in_step(begin, unit, motion, end, (watched, visit));
     }
 }

@@ -59,17 +59,26 @@ pub(crate) const SHORT_PART: f64 = 0.125;
 pub(crate) const MAX_COEFFICIENTS: usize = 65;
 
 /// Half of the order up to which the series of an event function is computed first. The sums of order k have k
-/// products, so that all orders up to 6 cost a twentieth of all orders up to 28. By judgement.
-pub(crate) const LEADING_HALF_ORDER: usize = 3;
+/// products, so that all orders up to 8 cost a tenth of all orders up to 28. By judgement.
+pub(crate) const LEADING_HALF_ORDER: usize = 4;
 
 /// The smallest value of an event function in a step, relative to its value at the beginning, for which the first
 /// few terms exclude a zero. It guards against terms of higher order that have an effect within a step but not at
 /// its end. By judgement.
-pub(crate) const MIN_REMAINING_PART: f64 = 0.25;
+pub(crate) const MIN_REMAINING_PART: f64 = 0.125;
 
 /// The largest part of a step in which the sign of an event function may be uncertain behind a zero that is located by
 /// Newton's method. The slope of the terms that the series omits is then small beside the slope of the function.
 pub(crate) const MAX_ZERO_WIDTH: f64 = 1e-3;
+
+/// The largest number of zeros of an event function in a step that are isolated in the arithmetic of `f64`. By judgement: a step
+/// is shorter than half a period of the fastest oscillation of the motion, and a function of two of its coordinates may oscillate
+/// twice as fast.
+pub(crate) const MAX_ISOLATED_ZEROS: usize = 4;
+
+/// The smallest part of a step that is halved to isolate zeros in the arithmetic of `f64`. Zeros that are closer to each other are
+/// searched for in double-doubles. By judgement.
+pub(crate) const MIN_ISOLATING_PART: f64 = 1.0 / 16.0;
 
 /// The number of steps of the simplified Newton method from the zero of a polynomial to the zero of its function, with the slope of
 /// the polynomial. In most cases one is enough; where these are not, the zero is searched for.

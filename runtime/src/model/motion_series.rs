@@ -7,7 +7,8 @@ use super::phase::Phase;
 use super::quantities::Quantities;
 use super::state::State;
 use crate::integrate::{
-    BranchVisitor, Dynamics, Series, SeriesMemory, SwitchingFunction, TaylorCoefficients,
+    BranchVisitor, Dynamics, MetConditions, Series, SeriesMemory, SwitchingFunction,
+    TaylorCoefficients,
 };
 use crate::scalar::Scalar;
 
@@ -63,9 +64,12 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
         unit: S,
         motion: &TaylorCoefficients<Phase<S, N>, OF_MOTION>,
         end: (&State<S, N>, &Self::Inputs),
-        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+        (watched, visit): (
+            MetConditions,
+            &mut impl FnMut(usize, &TaylorCoefficients<S, HALF>, S),
+        ),
     ) {
-        let _ = (begin, prepared, unit, motion, end, visit);
+        let _ = (begin, prepared, unit, motion, end, watched, visit);
     }
 }
 
@@ -151,7 +155,10 @@ where
         unit: S,
         motion: &TaylorCoefficients<Self::State, OF_MOTION>,
         (end, last): (S, &Self::State),
-        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+        (watched, visit): (
+            MetConditions,
+            &mut impl FnMut(usize, &TaylorCoefficients<S, HALF>, S),
+        ),
     ) {
         let (model, state) = (self.model.model(), x.at_time(t));
         let (inputs_at_end, _) = self.law.evaluate(&self.inputs, end, last);
@@ -160,7 +167,8 @@ where
             .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, _| {
                 L::States::of_motion(motion, |motion| {
                     let begin = (&state, inputs);
-                    model.events_in_step(begin, &self.prepared, unit, motion, end, visit);
+                    let (prepared, visitor) = (&self.prepared, (watched, &mut *visit));
+                    model.events_in_step(begin, prepared, unit, motion, end, visitor);
                 });
             });
     }

@@ -9,8 +9,8 @@ use super::phase::Phase;
 use super::routhian::{Routhian, RouthianSeries};
 use super::state::State;
 use crate::integrate::{
-    BranchVisitor, ComponentName, Dynamics, EventDynamics, Series, Singularity, SwitchingFunction,
-    TaylorCoefficients,
+    BranchVisitor, ComponentName, Dynamics, EventDynamics, MetConditions, Series, Singularity,
+    SwitchingFunction, TaylorCoefficients,
 };
 use crate::linalg::ErrorTolerance;
 use crate::model::law::LawStates as _;
@@ -167,11 +167,15 @@ where
         unit: S,
         motion: &TaylorCoefficients<Self::State, OF_MOTION>,
         (end, last): (S, &Self::State),
-        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+        (watched, visit): (
+            MetConditions,
+            &mut impl FnMut(usize, &TaylorCoefficients<S, HALF>, S),
+        ),
     ) {
         let (begin, end) = ((t, &x.motion()), (end, &last.motion()));
         SVector::of_motion(motion, |motion| {
-            self.reduced.events_in_step(begin, unit, motion, end, visit);
+            self.reduced
+                .events_in_step(begin, unit, motion, end, (watched, visit));
         });
     }
 }

@@ -76,6 +76,10 @@ where
                 memory.arrive(step.end());
                 return None;
             }
+            if step.comes_before(memory.until, memory.window) {
+                // No event is left up to the window.
+                memory.arrive(memory.window);
+            }
             if self.excludes_events(memory, step) {
                 return None;
             }

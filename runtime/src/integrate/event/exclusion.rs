@@ -37,7 +37,7 @@ where
             let sign = terms.sign(MIN_REMAINING_PART)?;
             // If the last terms of a function vanish, a few terms tell nothing about the others.
             let is_cut = terms.tail() > terms.rounding();
-            (is_cut && terms.is_near(1.0, last) && sign * last > 0.0).then_some(sign)
+            (is_cut && terms.ends_near(last) && sign * last > 0.0).then_some(sign)
         };
         self.0.examined((t, unit), motion, MIN_REMAINING_PART, sign)
     }

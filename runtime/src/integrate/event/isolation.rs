@@ -1,4 +1,4 @@
-//! Event functions that have at most one zero in a step, so that the step isolates their zeros.
+//! Event functions whose zeros in a step are isolated from each other.
 
 use super::event_dynamics::{EventDynamics, SingleNumber};
 use super::functions_in_step::FunctionsInStep;
@@ -6,13 +6,14 @@ use super::simple_zero::SimpleZero;
 use super::terms::Terms;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;
+use crate::limits::events::{MAX_ISOLATED_ZEROS, MIN_ISOLATING_PART};
 
-/// A function that has at most one zero in a step.
+/// A function whose zeros in a step are known, few and simple.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Isolated {
-    /// The sign at the beginning.
-    pub(super) sign: f64,
-    pub(super) zero: Option<SimpleZero>,
+    /// The sign at the beginning of the step.
+    sign: f64,
+    zeros: Zeros,
     /// The value of its polynomial in the middle of the step.
     pub(super) in_middle: f64,
     /// By how much a value of the function may differ from the polynomial.
@@ -20,23 +21,72 @@ pub(super) struct Isolated {
 }
 
 impl Isolated {
-    /// Returns the function with these terms and this value at the end of the step; `None` if it may have more zeros, or differs
+    /// Returns the function with these terms and this value at the end of the step; `None` if it may have other zeros, or differs
     /// from its polynomial.
     fn of<const HALF: usize>(terms: &Terms<f64, HALF>, last: f64) -> Option<Self> {
-        let sign = terms.first().signum();
-        let (zero, sign_at_end) = match terms.sign_changes(0.0)? {
-            0 => (None, sign),
-            1 => (Some(SimpleZero::of(terms)?), -sign),
-            _ => return None,
-        };
-        let agrees = terms.is_near(1.0, last) && last * sign_at_end > 0.0;
-        agrees.then(|| Self {
-            sign,
-            zero,
+        let function = Self {
+            sign: terms.first().signum(),
+            zeros: zeros(terms)?,
             in_middle: terms.value(0.5),
             allowed: terms.allowed(),
-        })
+        };
+        let agrees = terms.ends_near(last) && last * function.sign_at(1.0) > 0.0;
+        agrees.then_some(function)
     }
+
+    /// Returns the sign at a fraction of the step.
+    pub(super) fn sign_at(&self, fraction: f64) -> f64 {
+        let zeros = self.zeros.iter().flatten();
+        let passed = zeros.take_while(|zero| zero.at <= fraction);
+        passed.fold(self.sign, |sign, _| -sign)
+    }
+
+    /// Returns the zeros behind a fraction of the step.
+    pub(super) fn zeros_behind(&self, fraction: f64) -> impl Iterator<Item = SimpleZero> {
+        let zeros = self.zeros.into_iter().flatten();
+        zeros.skip_while(move |zero| zero.at <= fraction)
+    }
+}
+
+/// The zeros of a function in a step, in their order.
+type Zeros = [Option<SimpleZero>; MAX_ISOLATED_ZEROS];
+
+/// Returns the zeros of a function with these terms; `None` if there are too many, or if one cannot be isolated because of rounding
+/// or further terms.
+#[inline]
+fn zeros<const HALF: usize>(terms: &Terms<f64, HALF>) -> Option<Zeros> {
+    let step = [0.0, 1.0];
+    let mut zeros = Zeros::default();
+    match terms.sign_changes(step, 0.0) {
+        Some(0) => Some(zeros),
+        Some(1) => {
+            zeros[0] = Some(SimpleZero::of(terms, step)?);
+            Some(zeros)
+        }
+        _ => zeros_in_parts(terms),
+    }
+}
+
+/// Returns the zeros, each alone in a part of the step: a part is halved until it has no more than one (Collins & Akritas 1976, as
+/// for [`Terms::sign_changes`]).
+#[inline(never)]
+fn zeros_in_parts<const HALF: usize>(terms: &Terms<f64, HALF>) -> Option<Zeros> {
+    let mut zeros = Zeros::default();
+    let mut places = zeros.iter_mut();
+    let mut part = [0.0, 0.5];
+    while part[0] < 1.0 {
+        let [from, to] = part;
+        match terms.sign_changes(part, 0.0) {
+            Some(0) => part = [to, 1.0],
+            Some(1) => {
+                *places.next()? = Some(SimpleZero::of(terms, part)?);
+                part = [to, 1.0];
+            }
+            _ if to - from > MIN_ISOLATING_PART => part[1] = 0.5 * (from + to),
+            _ => return None,
+        }
+    }
+    Some(zeros)
 }
 
 /// Finds the zeros of event functions from all terms of their series.
@@ -49,7 +99,7 @@ where
     S: SingleNumber,
     D: EventDynamics<S> + ?Sized,
 {
-    /// `None` if one of the functions may have more zeros or differs from its polynomial, or if one of the functions at whose
+    /// `None` if one of the functions may have other zeros or differs from its polynomial, or if one of the functions at whose
     /// zeros they have corners may have a zero.
     type Output = Option<[Isolated; K]>;
 
@@ -77,7 +127,7 @@ mod tests {
         *series.initial_mut() = 1.0;
         series.higher_mut()[..2].copy_from_slice(&[1e6, -1e6]);
         let terms = Terms::new(&series, 1.0, (f64::EPSILON, 7.0));
-        assert!(terms.is_near(1.0, -5.0));
+        assert!(terms.ends_near(-5.0));
         assert!(Isolated::of(&terms, 1.0).is_some());
         assert!(Isolated::of(&terms, -5.0).is_none());
     }

@@ -293,7 +293,8 @@ impl<V: Values> Memory<V> {
         agrees
     }
 
-    /// Records that the function of an event has the only zero of a step at `t`, and the signs behind it, up to the end.
+    /// Records that the function of an event has the only zero of a part of a step at `t`, and the signs behind it, up to the end of
+    /// the part.
     pub(super) fn pass_zero(&mut self, signs: V, event: usize, (t, end): (f64, f64)) {
         (self.signs, self.window) = (signs, end);
         self.arrive(end);

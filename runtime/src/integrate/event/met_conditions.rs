@@ -79,7 +79,13 @@ impl MetConditions {
 
     /// Returns the indices in ascending order.
     pub fn indices(self) -> impl Iterator<Item = usize> {
-        (0..64).filter(move |i| self.contains(*i))
+        let mut rest = self.0;
+        core::iter::from_fn(move || {
+            let first = (rest != 0).then(|| rest.trailing_zeros() as usize);
+            // The lowest bit is removed.
+            rest &= rest.wrapping_sub(1);
+            first
+        })
     }
 
     /// Returns the indices of this set that are not in another one.

@@ -1,4 +1,4 @@
-//! The only zero of a polynomial in the unit interval.
+//! A zero of a polynomial in an interval in which it is the only one.
 
 use super::terms::Terms;
 use crate::limits::events::{
@@ -19,10 +19,10 @@ pub(super) struct SimpleZero {
 }
 
 impl SimpleZero {
-    /// Returns the only zero of a function with these terms in a step; `None` if rounding or further terms leave its position in
-    /// doubt.
-    pub(super) fn of<const HALF: usize>(terms: &Terms<f64, HALF>) -> Option<Self> {
-        let (at, slope) = newton(terms);
+    /// Returns the only zero of a function with these terms between two fractions of a step; `None` if rounding or further terms
+    /// leave its position in doubt.
+    pub(super) fn of<const HALF: usize>(terms: &Terms<f64, HALF>, ends: [f64; 2]) -> Option<Self> {
+        let (at, slope) = newton(terms, ends);
         let width = 2.0 * terms.least(0.0) / slope.abs();
         // The comparison is false for NaN.
         (width <= MAX_ZERO_WIDTH).then(|| Self {
@@ -43,6 +43,11 @@ impl SimpleZero {
         }
     }
 
+    /// Returns the fraction up to which the sign before the zero is certain.
+    pub(super) fn from(&self) -> f64 {
+        self.at - (self.until - self.at)
+    }
+
     /// Whether a value of the function near the zero is a rounding error: of the value, of a fraction of the step, or of a time,
     /// which is given in steps.
     pub(super) fn is_rounding_error(&self, value: f64, time: f64) -> bool {
@@ -53,10 +58,13 @@ impl SimpleZero {
 
 /// Returns the zero by Newton's method, kept between ends with different signs by bisection (W. H. Press et al., *Numerical
 /// Recipes*, 3rd edition 2007, section 9.4), and the slope next to it. The error is about the square of the last step.
-fn newton<const HALF: usize>(terms: &Terms<f64, HALF>) -> (f64, f64) {
-    let (mut low, mut high) = (0.0, 1.0);
-    let (first, last) = (terms.first(), terms.value(1.0));
-    let (mut u, mut slope) = (first / (first - last), last - first);
+fn newton<const HALF: usize>(
+    terms: &Terms<f64, HALF>,
+    [mut low, mut high]: [f64; 2],
+) -> (f64, f64) {
+    let [first, last] = [low, high].map(|end| terms.value(end));
+    let mut slope = (last - first) / (high - low);
+    let mut u = low - first / slope;
     for _ in 0..MAX_NEWTON_STEPS {
         let value = terms.value(u);
         if value * first > 0.0 {
@@ -92,7 +100,8 @@ mod tests {
         *series.initial_mut() = coefficients[0];
         series.higher_mut()[..4].copy_from_slice(&coefficients[1..]);
         let terms = Terms::new(&series, length, (f64::EPSILON, 7.0));
-        (terms.sign_changes(0.0) == Some(1)).then(|| SimpleZero::of(&terms))?
+        let step = [0.0, 1.0];
+        (terms.sign_changes(step, 0.0) == Some(1)).then(|| SimpleZero::of(&terms, step))?
     }
 
     #[test]

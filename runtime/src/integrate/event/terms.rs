@@ -6,7 +6,7 @@
 
 use crate::integrate::bernstein::{self, ROUNDINGS, Variations, as_number};
 use crate::integrate::taylor::TaylorCoefficients;
-use crate::limits::events::{LEADING_HALF_ORDER, MAX_COEFFICIENTS, NEAR, UNCERTAINTY};
+use crate::limits::events::{MAX_COEFFICIENTS, NEAR, UNCERTAINTY};
 use crate::scalar::{Lanes, Scalar};
 
 /// The terms aₖ of a function up to the order 2·`HALF`, at the end of the step: in one motion, or in lanes.
@@ -81,11 +81,27 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
         self.first.abs() - (self.sum + self.least(kept))
     }
 
-    /// Returns the value of the polynomial at a fraction of the step.
+    /// Returns the value of the polynomial at the end of the step.
+    #[inline]
+    fn value_at_end(&self) -> S {
+        let mut sums = [S::zero(); 2];
+        for [odd, even] in &self.higher {
+            sums = [sums[0] + *odd, sums[1] + *even];
+        }
+        self.first + (sums[0] + sums[1])
+    }
+
+    /// Returns the value of the polynomial at a fraction of the step, from the sums of even and of odd powers, which a processor
+    /// computes at once (Knuth, *The Art of Computer Programming* **2**, 3rd edition (1997), section 4.6.4, second-order Horner's
+    /// rule).
     #[inline]
     pub(super) fn value(&self, u: S) -> S {
-        let terms = self.higher.as_flattened().iter().rev();
-        terms.fold(S::zero(), |sum, a| (sum + *a) * u) + self.first
+        let square = u * u;
+        let mut sums = [S::zero(); 2];
+        for [odd, even] in self.higher.iter().rev() {
+            sums = [sums[0] * square + *odd, sums[1] * square + *even];
+        }
+        self.first + (sums[0] * u + sums[1] * square)
     }
 
     /// Copies all terms.
@@ -103,50 +119,57 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
         self.tail() + S::from_f64(NEAR) * (self.sum + self.first.abs())
     }
 
-    /// Returns by how much the polynomial at a fraction of the step differs from `value` beyond what is allowed: a positive
-    /// number shows that it is not the function.
+    /// Returns by how much the polynomial at the end of the step differs from `value` beyond what is allowed: a positive number
+    /// shows that it is not the function.
     #[inline]
-    pub(crate) fn difference(&self, u: S, value: S) -> S {
-        (self.value(u) - value).abs() - self.allowed()
+    pub(crate) fn difference_at_end(&self, value: S) -> S {
+        (self.value_at_end() - value).abs() - self.allowed()
     }
 }
 
 impl<const HALF: usize> Terms<f64, HALF> {
-    /// Returns the number of sign changes of the Bernstein coefficients on the step, if they are certain and keep this part of
-    /// the first term away from zero. If it is 0, the function keeps its sign in the step; if it is 1, it has one zero there
-    /// (Descartes' rule of signs: G. E. Collins & A. G. Akritas, *Polynomial Real Root Isolation Using Descarte's Rule of
+    /// Returns the number of sign changes of the Bernstein coefficients between two fractions of the step, if they are certain
+    /// and keep this part of the first term away from zero. If it is 0, the function keeps its sign there; if it is 1, it has one
+    /// zero (Descartes' rule of signs: G. E. Collins & A. G. Akritas, *Polynomial Real Root Isolation Using Descarte's Rule of
     /// Signs*, SYMSAC 1976).
-    pub(super) fn sign_changes(&self, kept: f64) -> Option<u32> {
+    #[inline]
+    pub(super) fn sign_changes(&self, [from, to]: [f64; 2], kept: f64) -> Option<u32> {
         if self.margin(kept) > 0.0 {
             return Some(0);
         }
         let mut all = [0.0; MAX_COEFFICIENTS];
         let all = all.get_mut(..=2 * HALF)?;
         self.copy_to(all);
-        bernstein::between(all, 0.0, 1.0);
+        bernstein::between(all, from, to);
         let variations = Variations::of(all.iter().copied(), self.least(kept));
         (!variations.is_uncertain).then_some(variations.count)
     }
 
     /// Returns the sign in the whole step, if it is certain.
     pub(crate) fn sign(&self, kept: f64) -> Option<f64> {
-        let keeps = self.sign_changes(kept)? == 0;
+        let keeps = self.sign_changes([0.0, 1.0], kept)? == 0;
         keeps.then(|| self.first.signum())
     }
 
-    /// Whether the polynomial at `u` agrees with `value`, up to further terms and a small part of the terms.
-    pub(crate) fn is_near(&self, u: f64, value: f64) -> bool {
-        self.difference(u, value) <= 0.0
+    /// Whether the polynomial agrees with the value at the end of the step, up to further terms and a small part of the terms.
+    pub(crate) fn ends_near(&self, value: f64) -> bool {
+        self.difference_at_end(value) <= 0.0
     }
 
     /// Returns the derivative with respect to the fraction of the step.
     pub(super) fn slope(&self, u: f64) -> f64 {
-        let terms = self.higher.as_flattened().iter().enumerate().rev();
-        terms.fold(0.0, |sum, (k, a)| sum * u + as_number(k + 1) * a)
+        let square = u * u;
+        let (mut sums, mut order) = ([0.0; 2], as_number(2 * HALF));
+        for [odd, even] in self.higher.iter().rev() {
+            let derived = [(order - 1.0) * odd, order * even];
+            sums = [sums[0] * square + derived[0], sums[1] * square + derived[1]];
+            order -= 2.0;
+        }
+        sums[0] + sums[1] * u
     }
 }
 
-impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
+impl<const L: usize, const HALF: usize> Terms<Lanes<L>, HALF> {
     /// Returns the sign that the function has in the whole step of each lane, as [`sign`](Terms::sign) does; 0 if it is not
     /// certain.
     #[inline]
@@ -155,9 +178,12 @@ impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
         if margin.0.iter().all(|margin| *margin > 0.0) {
             return self.first.0.map(f64::signum);
         }
-        let mut all = [Lanes([0.0; L]); 1 + 2 * LEADING_HALF_ORDER];
-        self.copy_to(&mut all);
-        bernstein::between(&mut all, 0.0, 1.0);
+        let mut all = [Lanes([0.0; L]); MAX_COEFFICIENTS];
+        let Some(all) = all.get_mut(..=2 * HALF) else {
+            return [0.0; L];
+        };
+        self.copy_to(all);
+        bernstein::between(all, 0.0, 1.0);
         let least = self.least(kept);
         core::array::from_fn(|lane| {
             let (sign, least) = (self.first.0[lane].signum(), least.0[lane]);

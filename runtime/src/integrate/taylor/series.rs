@@ -4,6 +4,7 @@ use super::branch_crossings::BranchVisitor;
 use super::coefficients::TaylorCoefficients;
 use super::series_memory::SeriesMemory;
 use crate::integrate::dynamics::Dynamics;
+use crate::integrate::event::MetConditions;
 use crate::scalar::Scalar;
 
 /// A system of differential equations with recurrences for the Taylor coefficients of its solutions.
@@ -66,8 +67,9 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         SwitchingFunction::default()
     }
 
-    /// Visits each function of [`EventDynamics`](crate::EventDynamics) in a step: its first Taylor coefficients along
-    /// the motion from `begin`, (t, x), with the coefficients `motion`, and its value at the end of the step.
+    /// Visits each of the functions of [`EventDynamics`](crate::EventDynamics) that are watched, in a step: its index, its first
+    /// Taylor coefficients along the motion from `begin`, (t, x), with the coefficients `motion`, and its value at the end of the
+    /// step.
     ///
     /// An [`Ensemble`](crate::Ensemble) thereby finds the lanes in which no event can occur, in all lanes at once. Without
     /// this method, the step of each lane is examined by itself.
@@ -77,9 +79,12 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         unit: S,
         motion: &TaylorCoefficients<Self::State, OF_MOTION>,
         end: (S, &Self::State),
-        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+        (watched, visit): (
+            MetConditions,
+            &mut impl FnMut(usize, &TaylorCoefficients<S, HALF>, S),
+        ),
     ) {
-        let _ = (begin, unit, motion, end, visit);
+        let _ = (begin, unit, motion, end, watched, visit);
     }
 }
 
@@ -128,9 +133,12 @@ impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for &D {
         unit: S,
         motion: &TaylorCoefficients<Self::State, OF_MOTION>,
         end: (S, &Self::State),
-        visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+        (watched, visit): (
+            MetConditions,
+            &mut impl FnMut(usize, &TaylorCoefficients<S, HALF>, S),
+        ),
     ) {
-        (**self).events_in_step(begin, unit, motion, end, visit);
+        (**self).events_in_step(begin, unit, motion, end, (watched, visit));
     }
 }
 

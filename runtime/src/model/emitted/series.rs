@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::integrate::{
-    BranchVisitor, Convolutions, FactorPairs, FewConvolutions, OnlineConvolutions,
+    BranchVisitor, Convolutions, FactorPairs, FewConvolutions, MetConditions, OnlineConvolutions,
     PairedConvolutions, SeriesMemory, TaylorCoefficients, UnrolledConvolutions,
 };
 use crate::limits::taylor::{MAX_PAIRED_CONVOLUTIONS, MAX_UNROLLED_CONVOLUTIONS, MIN_CONVOLUTIONS};
@@ -326,7 +326,7 @@ pub fn visit_branches<S: Scalar, const B: usize, const HALF: usize>(
     }
 }
 
-/// Visits the series of the event functions of a model, and their values at the end of a step.
+/// Visits the series of the event functions of a model that are watched, and their values at the end of a step.
 #[inline]
 pub fn visit_events<M, S, const N: usize, const HALF: usize, const OF_MOTION: usize>(
     model: &M,
@@ -334,7 +334,10 @@ pub fn visit_events<M, S, const N: usize, const HALF: usize, const OF_MOTION: us
     prepared: &M::Prepared,
     (unit, motion): (S, &TaylorCoefficients<Phase<S, N>, OF_MOTION>),
     (end, inputs_at_end): (&State<S, N>, &M::Inputs),
-    visit: &mut dyn FnMut(&TaylorCoefficients<S, HALF>, S),
+    (watched, visit): (
+        MetConditions,
+        &mut impl FnMut(usize, &TaylorCoefficients<S, HALF>, S),
+    ),
 ) where
     M: Events<N, S>,
     S: Scalar,
@@ -343,10 +346,10 @@ pub fn visit_events<M, S, const N: usize, const HALF: usize, const OF_MOTION: us
     let Some(series) = series else { return };
     let last = model.event_functions(end, inputs_at_end, prepared);
     for (index, last) in last.as_ref().iter().enumerate() {
-        let of_event = |values: &M::EventValues| values.as_ref().get(index).copied();
-        visit(
-            &series.map(|values| of_event(values).unwrap_or_else(S::zero)),
-            *last,
-        );
+        if watched.contains(index) {
+            let of_event = |values: &M::EventValues| values.as_ref().get(index).copied();
+            let series = series.map(|values| of_event(values).unwrap_or_else(S::zero));
+            visit(index, &series, *last);
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! Steps in which at most one event function has a zero, a simple one.
+//! Steps in which the zeros of event functions are few, simple and isolated from each other.
 
 use super::DeclaredEvents;
 use crate::integrate::event::isolation::{Isolated, Isolation};
@@ -16,9 +16,18 @@ use crate::limits::events::SIMPLIFIED_NEWTON_STEPS;
 /// What is known of the events in a step: the next one, or `None` if there are no more.
 type Known = Option<Occurring>;
 
+/// A zero of the function of an event, alone in a part of a step.
+#[derive(Clone, Copy)]
+struct ZeroInPart {
+    event: usize,
+    zero: SimpleZero,
+    /// The time of the end of the part.
+    end: f64,
+}
+
 impl<const K: usize> DeclaredEvents<K> {
-    /// Returns what is known of the events in a step that has not been searched yet, if it has at most one zero of an event
-    /// function; `None` if the step has to be searched.
+    /// Returns what is known of the events in the rest of a step, if the zeros of the event functions are isolated there; `None` if
+    /// it has to be searched.
     pub(super) fn isolated<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
@@ -29,29 +38,56 @@ impl<const K: usize> DeclaredEvents<K> {
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        if !memory.is_plain_at(step.begin()) {
+        if !memory.is_plain_at(memory.window) {
             return None;
         }
         let functions = self.functions_in(step)?;
         let (end, dynamics, last) = (step.end(), step.dynamics(), functions.last);
-        let found = step.polynomial(Isolation(functions))??;
-        let signs = found.map(|function| function.sign);
-        if !memory.agrees_with(&signs) || !self.agrees_in_middle(step, &found) {
+        let functions = step.polynomial(Isolation(functions))??;
+        if !self.agrees_in_middle(step, &functions) {
             return None;
         }
-        let mut zeros = (0..K).filter_map(|event| Some((event, found[event].zero?)));
-        match (zeros.next(), zeros.next()) {
-            (None, _) => memory.keep_signs(signs, end).then_some(None),
-            // The zero of a function that is not certain at the end of the step may be a rounding error. Functions of a scalar
-            // with other digits are searched.
-            (Some((event, zero)), None) if S::machine_epsilon() - f64::EPSILON == 0.0 => {
-                let [_, to] = step.ends()?;
-                let noise = rounding(self, dynamics, (end, to), &last)[event];
-                let is_certain = last[event].abs() > 2.0 * noise;
-                let zero = is_certain.then(|| zero.with_noise(noise))?;
-                self.with_zero(memory, step, (event, zero), (&found, last))
+        let window = Window {
+            begin: step.begin(),
+            end,
+            corner: None,
+            last,
+            is_known: true,
+        };
+        let mut noise = None;
+        loop {
+            let from = window.fraction(memory.window);
+            let signs = functions.map(|function| function.sign_at(from));
+            if !memory.agrees_with(&signs) {
+                return None;
             }
-            _ => None,
+            let [Some((event, zero)), second] = first_zeros(&functions, from) else {
+                return memory.keep_signs(signs, end).then_some(None);
+            };
+            // Functions of a scalar with other digits are searched.
+            if S::machine_epsilon() - f64::EPSILON != 0.0 {
+                return None;
+            }
+            if noise.is_none() {
+                let [_, to] = step.ends()?;
+                noise = Some(rounding(self, dynamics, (end, to), &last));
+            }
+            let noise = noise?;
+            // The zero of a function that is not certain at the end of the step may be a rounding error.
+            let is_certain = last[event].abs() > 2.0 * noise[event];
+            let zero = is_certain.then(|| zero.with_noise(noise[event]))?;
+            let end = match second {
+                None => end,
+                Some((event, second)) => {
+                    let next = second.with_noise(noise[event]).from();
+                    (zero.until < next).then(|| window.time(0.5 * (zero.until + next)))?
+                }
+            };
+            let zero = ZeroInPart { event, zero, end };
+            let known = self.with_zero(memory, step, zero, (&functions, signs), window)?;
+            if known.is_some() || end - window.end == 0.0 {
+                return Some(known);
+            }
         }
     }
 
@@ -59,7 +95,7 @@ impl<const K: usize> DeclaredEvents<K> {
     fn agrees_in_middle<S, D, T>(
         &mut self,
         step: &mut LastStep<'_, S, D, T>,
-        isolated: &[Isolated; K],
+        functions: &[Isolated; K],
     ) -> bool
     where
         S: SingleNumber,
@@ -68,39 +104,44 @@ impl<const K: usize> DeclaredEvents<K> {
     {
         let middle = step.at(step.begin() + 0.5 * (step.end() - step.begin()));
         let values = self.values(step.dynamics(), middle.t, &middle.x);
-        let mut pairs = values.iter().zip(isolated);
+        let mut pairs = values.iter().zip(functions);
         pairs.all(|(value, function)| (value - function.in_middle).abs() <= function.allowed)
     }
 
-    /// Returns what is known of a step with one zero, of the function of this event.
+    /// Returns the event at a zero that is alone in its part of a step, before which the functions have these signs; `None` inside
+    /// if it crosses in a direction that is not watched.
     fn with_zero<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
         step: &mut LastStep<'_, S, D, T>,
-        (event, zero): (usize, SimpleZero),
-        (isolated, last): (&[Isolated; K], [f64; K]),
+        part: ZeroInPart,
+        (functions, mut signs): (&[Isolated; K], [f64; K]),
+        window: Window<K>,
     ) -> Option<Known>
     where
         S: SingleNumber,
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        let before = isolated[event].sign;
-        let (t, values) = self.located(step, (event, before), zero, last)?;
+        let ZeroInPart { event, zero, end } = part;
+        let before = signs[event];
+        let (t, values) = self.located(step, (event, before), zero, window)?;
+        // What follows within the resolution of time occurs together with the event.
+        if step.comes_before(end, step.after(t)) {
+            return None;
+        }
         let agrees = |other: usize| {
-            let (value, function) = (values[other], &isolated[other]);
             if other == event {
-                value.abs() <= function.allowed
+                values[other].abs() <= functions[other].allowed
             } else {
-                value * function.sign > 0.0
+                values[other] * signs[other] > 0.0
             }
         };
         if !(0..K).all(agrees) {
             return None;
         }
-        let mut signs = isolated.map(|function| function.sign);
         signs[event] = -before;
-        memory.pass_zero(signs, event, (t, step.end()));
+        memory.pass_zero(signs, event, (t, end));
         if !self.event(event).crossing().between(before, -before) {
             return Some(None);
         }
@@ -117,20 +158,13 @@ impl<const K: usize> DeclaredEvents<K> {
         step: &mut LastStep<'_, S, D, T>,
         (event, before): (usize, f64),
         zero: SimpleZero,
-        last: [f64; K],
+        window: Window<K>,
     ) -> Option<(f64, [f64; K])>
     where
         S: SingleNumber,
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        let window = Window {
-            begin: step.begin(),
-            end: step.end(),
-            corner: None,
-            last,
-            is_known: true,
-        };
         let mut evaluated = |this: &mut Self, t: f64| {
             let there = step.at(t);
             (t, this.values(step.dynamics(), t, &there.x))
@@ -170,4 +204,25 @@ impl<const K: usize> DeclaredEvents<K> {
         }
         Some(found)
     }
+}
+
+/// Returns the first two zeros of event functions behind a fraction of a step, with their events.
+fn first_zeros<const K: usize>(
+    functions: &[Isolated; K],
+    from: f64,
+) -> [Option<(usize, SimpleZero)>; 2] {
+    let mut first = [None::<(usize, SimpleZero)>; 2];
+    for (event, function) in functions.iter().enumerate() {
+        for zero in function.zeros_behind(from).take(2) {
+            let is_before = |other: &Option<(usize, SimpleZero)>| {
+                other.is_none_or(|(_, other)| zero.at < other.at)
+            };
+            if is_before(&first[0]) {
+                first = [Some((event, zero)), first[0]];
+            } else if is_before(&first[1]) {
+                first[1] = Some((event, zero));
+            }
+        }
+    }
+    first
 }

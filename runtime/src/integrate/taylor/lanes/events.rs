@@ -3,7 +3,7 @@
 use super::TaylorLanes;
 use crate::integrate::bernstein::as_number;
 use crate::integrate::event::{MetConditions, OneSigned, Terms};
-use crate::integrate::taylor::Series;
+use crate::integrate::taylor::{Series, TaylorCoefficients};
 use crate::limits::events::{LEADING_HALF_ORDER, MIN_REMAINING_PART};
 use crate::linalg::LaneStates;
 use crate::scalar::Lanes;
@@ -24,16 +24,14 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let ends = ((t, from.value()), (end, self.state.value()));
         let length = (end - t) / unit;
         let accuracy = (f64::EPSILON, as_number(1 + Self::ORDER));
-        let mut index = 0;
-        dynamics.events_in_step(ends.0, unit, motion, ends.1, &mut |function, last| {
-            if watched.contains(index) {
+        let mut insert =
+            |index: usize, function: &TaylorCoefficients<_, LEADING_HALF_ORDER>, last| {
                 let terms = Terms::new(function, length, accuracy);
                 for (found, sign) in found.iter_mut().zip(signs(&terms, last)) {
                     found.insert(index, sign);
                 }
-            }
-            index += 1;
-        });
+            };
+        dynamics.events_in_step(ends.0, unit, motion, ends.1, (watched, &mut insert));
         found
     }
 }
@@ -43,7 +41,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
 #[inline]
 fn signs<const L: usize>(terms: &Terms<Lanes<L>, LEADING_HALF_ORDER>, last: Lanes<L>) -> [f64; L] {
     let signs = terms.sign_of_lanes(MIN_REMAINING_PART);
-    let difference = terms.difference(Lanes([1.0; L]), last);
+    let difference = terms.difference_at_end(last);
     // If the last terms of a function vanish, a few terms tell nothing about the others.
     let excess = terms.tail() - terms.rounding();
     core::array::from_fn(|lane| {
