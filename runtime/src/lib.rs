@@ -88,9 +88,9 @@ pub use integrate::{
     DeclaredEvent, DenseOutput, Dop853, Dop853Interpolant, Dop853Stepper, Dynamics, EventDynamics,
     EventValues, IntegrationError, Integrator, Interpolant, MetConditions, ObservationKind,
     Occurrence, Progress, Resume, RungeKutta, RungeKuttaMemory, RungeKuttaStepper, Series,
-    SetTypicalSizes, SingleNumber, Singularity, Statistics, StepPolynomial, Stepper, StopReason,
-    SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper, TypicalSizes,
-    WithSizes,
+    SeriesMemory, SetTypicalSizes, SingleNumber, Singularity, Statistics, StepPolynomial, Stepper,
+    StopReason, SwitchingFunction, Taylor, TaylorCoefficients, TaylorInterpolant, TaylorStepper,
+    TypicalSizes, WithSizes,
 };
 pub use integrate::{Ensemble, InLanes, TaylorLanes, recurrences};
 pub use integrate::{Partial, Problem, Solution};

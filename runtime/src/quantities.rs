@@ -17,7 +17,6 @@
 //! }
 //! ```
 
-pub use crate::integrate::SeriesMemory;
 pub use crate::model::{
     Constraints, DirectionalDerivatives, Energies, EnergyBalance, Events, FieldDescription,
     FieldElement, FieldReader, FieldValue, Hamiltonian, Impacts, Inputs, InvalidNumbers,

@@ -30,7 +30,7 @@ fn terms<S: Scalar, const N: usize>(
     let state = Phase::from(State::new(S::zero(), q, v));
     let mut series = TaylorCoefficients::<_, HALF>::new(state);
     let unit = S::from_f64(black_box(0.5));
-    dynamics.series(S::zero(), &state, unit, &mut series);
+    dynamics.series((S::zero(), &state), unit, &mut series, None);
     let numbers = |x: SVector<S, N>| x.map(Scalar::largest).into();
     let terms = series.higher().iter();
     terms

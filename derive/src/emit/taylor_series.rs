@@ -72,7 +72,7 @@ impl Emitter<'_> {
                 #prepared
                 unit: #scalar,
                 coefficients: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
-                memory: ::core::option::Option<&mut #root::quantities::SeriesMemory>,
+                memory: ::core::option::Option<&mut #root::SeriesMemory>,
             ) {
                 #orders
                 #body

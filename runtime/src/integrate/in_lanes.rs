@@ -18,7 +18,7 @@ use crate::scalar::Lanes;
 ///
 /// ```
 /// use lagrangian::prelude::*;
-/// use lagrangian::{InLanes, Lanes, Series, TaylorCoefficients};
+/// use lagrangian::{InLanes, Lanes, Series, SeriesMemory, TaylorCoefficients};
 ///
 /// /// ẋ = −rate · x.
 /// #[derive(Clone, Copy)]
@@ -37,10 +37,10 @@ use crate::scalar::Lanes;
 /// impl<S: Scalar> Series<S> for Decay<S> {
 ///     fn series<const HALF: usize>(
 ///         &self,
-///         _: S,
-///         x: &Self::State,
+///         (_, x): (S, &Self::State),
 ///         unit: S,
 ///         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+///         _: Option<&mut SeriesMemory>,
 ///     ) {
 ///         *coefficients.initial_mut() = *x;
 ///         let (mut last, mut order) = (*x, S::zero());

@@ -104,23 +104,12 @@ impl<S: Scalar, D: Series<S>> Series<S> for WithSizes<D, D::State> {
     #[inline]
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
-        unit: S,
-        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
-    ) {
-        self.dynamics.series(t, x, unit, coefficients);
-    }
-
-    #[inline]
-    fn series_in<const HALF: usize>(
-        &self,
-        memory: &mut SeriesMemory,
         begin: (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
     ) {
-        self.dynamics.series_in(memory, begin, unit, coefficients);
+        self.dynamics.series(begin, unit, coefficients, memory);
     }
 
     fn branches<const HALF: usize>(

@@ -7,8 +7,7 @@ use super::phase::Phase;
 use super::quantities::Quantities;
 use super::state::State;
 use crate::integrate::{
-    BranchVisitor, Dynamics, MetConditions, Series, SeriesMemory, SwitchingFunction,
-    TaylorCoefficients,
+    BranchVisitor, MetConditions, Series, SeriesMemory, SwitchingFunction, TaylorCoefficients,
 };
 use crate::scalar::Scalar;
 
@@ -73,31 +72,6 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
     }
 }
 
-impl<M, S, const N: usize, L> EquationsOfMotion<M, S, N, L>
-where
-    M: Lagrangian<N, S, Model: MotionSeries<N, S>>,
-    S: Scalar,
-    L: LawSeries<N, InputsOf<M, S, N>, S>,
-{
-    /// Computes the series of the motion through (t, x), in `memory` if it is given.
-    #[inline]
-    fn expand<const HALF: usize>(
-        &self,
-        (t, x): (S, &<Self as Dynamics<S>>::State),
-        unit: S,
-        coefficients: &mut TaylorCoefficients<<Self as Dynamics<S>>::State, HALF>,
-        memory: Option<&mut SeriesMemory>,
-    ) {
-        let (model, state) = (self.model.model(), x.at_time(t));
-        self.law
-            .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, states| {
-                L::States::expand(x, states, coefficients, |motion| {
-                    model.taylor_series(&state, inputs, &self.prepared, unit, motion, memory);
-                });
-            });
-    }
-}
-
 impl<M, S, const N: usize, L> Series<S> for EquationsOfMotion<M, S, N, L>
 where
     M: Lagrangian<N, S, Model: MotionSeries<N, S>>,
@@ -107,23 +81,18 @@ where
     #[inline]
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
+        (t, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
     ) {
-        self.expand((t, x), unit, coefficients, None);
-    }
-
-    #[inline]
-    fn series_in<const HALF: usize>(
-        &self,
-        memory: &mut SeriesMemory,
-        begin: (S, &Self::State),
-        unit: S,
-        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
-    ) {
-        self.expand(begin, unit, coefficients, Some(memory));
+        let (model, state) = (self.model.model(), x.at_time(t));
+        self.law
+            .series::<HALF, ()>(&self.inputs, (t, x), unit, |inputs, states| {
+                L::States::expand(x, states, coefficients, |motion| {
+                    model.taylor_series(&state, inputs, &self.prepared, unit, motion, memory);
+                });
+            });
     }
 
     fn branches<const HALF: usize>(

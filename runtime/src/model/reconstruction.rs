@@ -9,8 +9,8 @@ use super::phase::Phase;
 use super::routhian::{Routhian, RouthianSeries};
 use super::state::State;
 use crate::integrate::{
-    BranchVisitor, ComponentName, Dynamics, EventDynamics, MetConditions, Series, Singularity,
-    SwitchingFunction, TaylorCoefficients,
+    BranchVisitor, ComponentName, Dynamics, EventDynamics, MetConditions, Series, SeriesMemory,
+    Singularity, SwitchingFunction, TaylorCoefficients,
 };
 use crate::linalg::ErrorTolerance;
 use crate::model::law::LawStates as _;
@@ -121,14 +121,15 @@ where
 {
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
+        (t, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
     ) {
         let state = x.at_time(t);
         let mut motion = TaylorCoefficients::<Phase<S, N>, HALF>::new(x.motion());
-        self.reduced.series(t, &x.motion(), unit, &mut motion);
+        self.reduced
+            .series((t, &x.motion()), unit, &mut motion, memory);
         let model = self.reduced.model;
         let prepared = &self.reduced.prepared;
         let rates = model.ignorable_velocity_series(&state, prepared, unit, &motion);

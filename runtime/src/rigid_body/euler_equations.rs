@@ -12,7 +12,7 @@ use super::moments::{Moment, MomentSeries, NoMoment};
 use super::rotation_state::RotationState;
 use crate::integrate::recurrences::{Product, Square};
 use crate::integrate::{
-    ComponentName, Dynamics, Projection, Series, SingleNumber, TaylorCoefficients,
+    ComponentName, Dynamics, Projection, Series, SeriesMemory, SingleNumber, TaylorCoefficients,
 };
 use crate::limits::rigid_bodies::NO_INERTIA;
 use crate::linalg::Factorization;
@@ -288,10 +288,10 @@ impl<S: Scalar, const HALF: usize> Recurrence<S, HALF> {
 impl<S: Scalar, M: MomentSeries<S>> Series<S> for EulerEquations<S, M> {
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &RotationState<S>,
+        (t, x): (S, &RotationState<S>),
         unit: S,
         coefficients: &mut TaylorCoefficients<RotationState<S>, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         let mut recurrence = Recurrence::<S, HALF>::new();
         let mut of_moment = self.moment.recurrence::<HALF>();

@@ -91,7 +91,7 @@ fn check_series<M: MomentSeries<D>>(moment: M) {
         .with_moment(moment);
     let mut polynomial = TaylorCoefficients::<_, HALF>::new(state());
     let unit = d(0.5);
-    body.series(d(0.3), &state(), unit, &mut polynomial);
+    body.series((d(0.3), &state()), unit, &mut polynomial, None);
     for tau in [0.0, 0.0625, -0.0625] {
         let tau = d(tau);
         let mut x = state::<D>();

@@ -6,7 +6,7 @@ use lagrangian::prelude::*;
 use lagrangian::problem::Projection;
 use lagrangian::recurrences::{Product, Quotient, Square};
 use lagrangian::rigid_body::{EulerEquations, RotationState};
-use lagrangian::{BranchVisitor, Series, TaylorCoefficients};
+use lagrangian::{BranchVisitor, Series, SeriesMemory, TaylorCoefficients};
 use nalgebra::SVector;
 
 /// A mass on a rod about the origin, as equations of index 1 in (x, y, ẋ, ẏ): ẍ = λ x, ÿ = λ y − g, with the multiplier λ from the
@@ -128,10 +128,10 @@ impl<S: Scalar> Dynamics<S> for Rod {
 impl<S: Scalar> Series<S> for Rod {
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
+        (t, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         let gravity = S::from_f64(self.gravity);
         let force = -S::from_f64(self.friction) * x[0].signum();
@@ -203,11 +203,11 @@ impl<S: Scalar> Dynamics<S> for UnitQuaternion<S> {
 impl<S: Scalar> Series<S> for UnitQuaternion<S> {
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
+        begin: (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
     ) {
-        self.body.series(t, x, unit, coefficients);
+        self.body.series(begin, unit, coefficients, memory);
     }
 }

@@ -2,7 +2,7 @@
 #![allow(dead_code, unreachable_pub)] // Every binary has a copy of it, and none uses all.
 
 use lagrangian::prelude::*;
-use lagrangian::{InLanes, Series, TaylorCoefficients};
+use lagrangian::{InLanes, Series, SeriesMemory, TaylorCoefficients};
 use nalgebra::{SMatrix, SVector};
 
 /// Fails unless |a − b| ≤ tolerance; a value that is not finite is never close.
@@ -259,10 +259,10 @@ impl<S: Scalar> Dynamics<S> for Oscillator {
 impl<S: Scalar> Series<S> for Oscillator {
     fn series<const HALF: usize>(
         &self,
-        _: S,
-        x: &Self::State,
+        (_, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         *coefficients.initial_mut() = *x;
         let mut order = S::zero();

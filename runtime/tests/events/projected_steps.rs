@@ -5,7 +5,8 @@ use crate::random_numbers::Random;
 use lagrangian::prelude::*;
 use lagrangian::problem::Projection;
 use lagrangian::{
-    DeclaredEvent, EventDynamics, Integrator, ObservationKind, Series, TaylorCoefficients,
+    DeclaredEvent, EventDynamics, Integrator, ObservationKind, Series, SeriesMemory,
+    TaylorCoefficients,
 };
 use nalgebra::SVector;
 
@@ -132,12 +133,12 @@ impl Dynamics for Level {
 impl Series for Level {
     fn series<const HALF: usize>(
         &self,
-        t: f64,
-        x: &Self::State,
+        begin: (f64, &Self::State),
         unit: f64,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
     ) {
-        ROD.series(t, x, unit, coefficients);
+        ROD.series(begin, unit, coefficients, memory);
     }
 }
 

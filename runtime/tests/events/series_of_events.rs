@@ -3,7 +3,9 @@
 use std::cell::RefCell;
 
 use lagrangian::prelude::*;
-use lagrangian::{DeclaredEvent, Dynamics, EventDynamics, Series, TaylorCoefficients};
+use lagrangian::{
+    DeclaredEvent, Dynamics, EventDynamics, Series, SeriesMemory, TaylorCoefficients,
+};
 
 /// A heavy top: none of the first three events ever occurs.
 #[derive(Lagrangian)]
@@ -53,12 +55,12 @@ impl<D: Dynamics<f64>> Dynamics<f64> for Counted<'_, D> {
 impl<D: Series<f64>> Series<f64> for Counted<'_, D> {
     fn series<const HALF: usize>(
         &self,
-        t: f64,
-        x: &D::State,
+        begin: (f64, &D::State),
         unit: f64,
         coefficients: &mut TaylorCoefficients<D::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
     ) {
-        self.dynamics.series(t, x, unit, coefficients);
+        self.dynamics.series(begin, unit, coefficients, memory);
     }
 }
 
@@ -172,12 +174,12 @@ impl<D: Dynamics<f64>> Dynamics<f64> for Interrupted<D> {
 impl<D: Series<f64>> Series<f64> for Interrupted<D> {
     fn series<const HALF: usize>(
         &self,
-        t: f64,
-        x: &D::State,
+        begin: (f64, &D::State),
         unit: f64,
         coefficients: &mut TaylorCoefficients<D::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
     ) {
-        self.dynamics.series(t, x, unit, coefficients);
+        self.dynamics.series(begin, unit, coefficients, memory);
     }
 }
 

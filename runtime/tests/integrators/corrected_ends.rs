@@ -3,7 +3,7 @@
 use crate::common::{Oscillator, assert_close};
 use crate::members::number;
 use lagrangian::prelude::*;
-use lagrangian::{Series, StateTransition, TaylorCoefficients};
+use lagrangian::{Series, SeriesMemory, StateTransition, TaylorCoefficients};
 
 /// One step of this length.
 fn one_step<const HALF: usize>(step: f64) -> Taylor<HALF> {
@@ -46,10 +46,10 @@ impl<S: Scalar> Dynamics<S> for Square {
 impl<S: Scalar> Series<S> for Square {
     fn series<const HALF: usize>(
         &self,
-        _: S,
-        x: &Self::State,
+        (_, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         *coefficients.initial_mut() = *x;
         let mut last = *x;

@@ -5,7 +5,7 @@ use core::cell::Cell;
 use crate::common::in_lanes;
 use lagrangian::nalgebra::SVector;
 use lagrangian::prelude::*;
-use lagrangian::{BranchVisitor, Scalar, Series, TaylorCoefficients};
+use lagrangian::{BranchVisitor, Scalar, Series, SeriesMemory, TaylorCoefficients};
 
 /// ẍ = −x − k max(x − ½, 0), with the calls that are made.
 #[derive(Default)]
@@ -46,10 +46,10 @@ impl<S: Scalar> Dynamics<S> for Counted {
 impl<S: Scalar> Series<S> for Counted {
     fn series<const HALF: usize>(
         &self,
-        _: S,
-        x: &Self::State,
+        (_, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         Self::count(&self.series);
         let [weight, excess] = Self::slope(x[0]);

@@ -3,7 +3,7 @@
 use crate::common::{assert_close, in_lanes};
 use lagrangian::prelude::*;
 use lagrangian::signals::Constant;
-use lagrangian::{InLanes, Lanes, Series, TaylorCoefficients, TaylorLanes};
+use lagrangian::{InLanes, Lanes, Series, SeriesMemory, TaylorCoefficients, TaylorLanes};
 use nalgebra::SVector;
 
 /// From x = ẋ = x₀ the motion is x₀/(1 − x₀ t).
@@ -39,10 +39,10 @@ impl<S: Scalar> Dynamics<S> for Broken {
 impl<S: Scalar> Series<S> for Broken {
     fn series<const HALF: usize>(
         &self,
-        _: S,
-        x: &Self::State,
+        (_, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         *coefficients.initial_mut() = *x;
         let mut next = unit;

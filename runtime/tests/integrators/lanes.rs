@@ -3,8 +3,7 @@
 use crate::common::{Pendulum, assert_close};
 use lagrangian::num_traits::Zero;
 use lagrangian::prelude::*;
-use lagrangian::quantities::SeriesMemory;
-use lagrangian::{Factorization, Lanes, Series, TaylorCoefficients};
+use lagrangian::{Factorization, Lanes, Series, SeriesMemory, TaylorCoefficients};
 use nalgebra::{SMatrix, SVector};
 
 const PENDULUM: Pendulum = Pendulum {
@@ -257,9 +256,9 @@ fn series_in_kept_memory_are_those_in_new_memory() {
             );
             let (t, unit) = (component(2 * N), Lanes([0.5; 4]));
             let mut expected = TaylorCoefficients::<_, HALF>::new(x);
-            equations.series(t, &x, unit, &mut expected);
+            equations.series((t, &x), unit, &mut expected, None);
             let mut found = TaylorCoefficients::<_, HALF>::new(x);
-            equations.series_in(memory, (t, &x), unit, &mut found);
+            equations.series((t, &x), unit, &mut found, Some(memory));
             assert_eq!(found, expected);
         }
     }

@@ -3,7 +3,9 @@
 
 use crate::common::{Oscillator, assert_close};
 use lagrangian::prelude::*;
-use lagrangian::{ButcherTableau, DoubleDouble, Series, SingleNumber, TaylorCoefficients};
+use lagrangian::{
+    ButcherTableau, DoubleDouble, Series, SeriesMemory, SingleNumber, TaylorCoefficients,
+};
 
 type X<S> = SVector<S, 2>;
 
@@ -28,10 +30,10 @@ impl<S: Scalar> Dynamics<S> for Power {
 impl<S: Scalar> Series<S> for Power {
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &X<S>,
+        (t, x): (S, &X<S>),
         unit: S,
         coefficients: &mut TaylorCoefficients<X<S>, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         *coefficients.initial_mut() = *x;
         // (t + u)ᵖ⁺¹ by the binomial theorem.

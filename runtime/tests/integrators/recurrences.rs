@@ -7,7 +7,7 @@ use lagrangian::recurrences::{
     HyperbolicTangent, InverseHyperbolicCosine, InverseHyperbolicSine, InverseHyperbolicTangent,
     Logarithm, Power, Product, Quotient, SineCosine, Square, SquareRoot, Tangent,
 };
-use lagrangian::{DoubleDouble, Lanes, Series, TaylorCoefficients};
+use lagrangian::{DoubleDouble, Lanes, Series, SeriesMemory, TaylorCoefficients};
 use nalgebra::SVector;
 
 const HALF: usize = 12;
@@ -175,10 +175,10 @@ impl<S: Scalar> Dynamics<S> for ByHand {
 impl<S: Scalar> Series<S> for ByHand {
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
+        (t, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         let mut angle = SineCosine::<S, HALF>::new();
         let mut time = SineCosine::<S, HALF>::new();

@@ -3,7 +3,7 @@
 use crate::common::in_lanes;
 use lagrangian::nalgebra::SVector;
 use lagrangian::prelude::*;
-use lagrangian::{Series, TaylorCoefficients};
+use lagrangian::{Series, SeriesMemory, TaylorCoefficients};
 
 /// A mass of 1 on rails, with an event at a gate.
 #[derive(Lagrangian)]
@@ -190,10 +190,10 @@ impl<S: Scalar> Dynamics<S> for Zigzag {
 impl<S: Scalar> Series<S> for Zigzag {
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
+        (t, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         coefficients.higher_mut().fill(SVector::zeros());
         coefficients.higher_mut()[0] = self.derivative(t, x) * unit;

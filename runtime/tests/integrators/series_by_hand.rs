@@ -3,7 +3,7 @@
 use crate::common::{assert_close, in_lanes};
 use lagrangian::prelude::*;
 use lagrangian::recurrences::Square;
-use lagrangian::{ComponentName, Series, TaylorCoefficients};
+use lagrangian::{ComponentName, Series, SeriesMemory, TaylorCoefficients};
 use nalgebra::SVector;
 
 /// ẋ = x², whose solution from 1 is 1/(1 − t), written with the building blocks.
@@ -20,10 +20,10 @@ impl<S: Scalar> Dynamics<S> for Riccati {
 impl<S: Scalar> Series<S> for Riccati {
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
+        (t, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         let mut square = Square::<S, HALF>::new();
         coefficients.solve(t, x, unit, |_, x| SVector::from([square.next(x[0])]));
@@ -70,10 +70,10 @@ impl<S: Scalar> Dynamics<S> for DecayAndPole {
 impl<S: Scalar> Series<S> for DecayAndPole {
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
+        (t, x): (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        _: Option<&mut SeriesMemory>,
     ) {
         let mut square = Square::<S, HALF>::new();
         coefficients.solve(t, x, unit, |_, x| SVector::from([-x[0], square.next(x[1])]));

@@ -144,7 +144,7 @@ fn series_of_an_angle_have_its_coefficients() {
         let mut series = TaylorCoefficients::<_, 4>::new(Phase::from(state));
         Swept
             .dynamics()
-            .series(0.0, &state.into(), 1.0, &mut series);
+            .series((0.0, &state.into()), 1.0, &mut series, None);
         let orders = [1.0, 2.0, 3.0, 4.0, 5.0].into_iter();
         let found = orders
             .zip(series.higher())
@@ -164,7 +164,8 @@ fn series_of_a_rate_have_its_coefficients() {
         let [x, y] = at;
         let state = State::new(0.0, [x, y, 0.0], [0.25 * x, -0.5 * y, 0.0]);
         let mut series = TaylorCoefficients::<_, 4>::new(Phase::from(state));
-        Rate.dynamics().series(0.0, &state.into(), 1.0, &mut series);
+        Rate.dynamics()
+            .series((0.0, &state.into()), 1.0, &mut series, None);
         let found: Vec<_> = series.higher()[..4].iter().map(|term| term.v[2]).collect();
         assert_all_near(&found, &coefficients[1..], "coefficients", at);
     }
@@ -197,7 +198,7 @@ fn slopes_and_series_on_f32_are_those_of_the_angle() {
             let mut series = TaylorCoefficients::<_, 4>::new(Phase::from(state));
             Swept
                 .dynamics()
-                .series(0.0, &state.into(), 1.0, &mut series);
+                .series((0.0, &state.into()), 1.0, &mut series, None);
             let mut terms = series.higher();
             let mut term = |order: f32| {
                 let (first, rest) = terms.split_first().unwrap();

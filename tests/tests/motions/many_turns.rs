@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 
 use lagrangian::prelude::*;
 use lagrangian::{
-    DoubleDouble, EquationsOfMotion, ErrorTolerance, Lanes, Series, TaylorCoefficients,
+    DoubleDouble, EquationsOfMotion, ErrorTolerance, Lanes, Series, SeriesMemory,
+    TaylorCoefficients,
 };
 
 /// A heavy top with three different moments of inertia, of which ψ matters.
@@ -77,12 +78,12 @@ impl<S: Scalar, D: Dynamics<S>> Dynamics<S> for Unreduced<D> {
 impl<S: Scalar, D: Series<S>> Series<S> for Unreduced<D> {
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
+        begin: (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
     ) {
-        self.0.series(t, x, unit, coefficients);
+        self.0.series(begin, unit, coefficients, memory);
     }
 }
 

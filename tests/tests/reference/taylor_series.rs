@@ -230,9 +230,10 @@ where
     let dynamics = model.dynamics();
     let mut polynomial = TaylorCoefficients::<_, HALF>::new(Phase::from(state));
     let one = DoubleDouble::from_f64(1.0);
-    dynamics.series(state.t, &state.into(), one, &mut polynomial);
+    let begin = (state.t, &state.into());
+    dynamics.series(begin, one, &mut polynomial, None);
     let unit = DoubleDouble::from_f64(time_of_comparison(&polynomial));
-    dynamics.series(state.t, &state.into(), unit, &mut polynomial);
+    dynamics.series(begin, unit, &mut polynomial, None);
     let mut x = Phase::from(state);
     x.add_scaled(one, &polynomial.change(one));
     let expected = dynamics.derivative(state.t + unit, &x);

@@ -103,7 +103,7 @@ where
     let mut found = Vec::new();
     let mut add = |value: Lanes<LANES>| found.push(value.lane(lane).to_bits());
     let mut motion = TaylorCoefficients::<Phase<Lanes<LANES>, N>, 8>::new(*x);
-    equations.series(t, x, unit, &mut motion);
+    equations.series((t, x), unit, &mut motion, None);
     for Phase { q, v, .. } in [&equations.derivative(t, x)]
         .into_iter()
         .chain(orders(&motion))

@@ -21,7 +21,7 @@ impl Fallback<'_> {
                 _: &[#scalar; 0],
                 _: #scalar,
                 _: &mut #root::TaylorCoefficients<#root::Phase<#scalar, #n>, HALF>,
-                _: ::core::option::Option<&mut #root::quantities::SeriesMemory>,
+                _: ::core::option::Option<&mut #root::SeriesMemory>,
             ) {
                 ::core::unreachable!()
             }

@@ -261,7 +261,7 @@ impl<S: Scalar, D: Series<S> + ?Sized, const HALF: usize> StepToSurface<'_, S, D
         let mut unit = self.unit;
         let mut change = UNIT_CHANGE;
         for _ in 0..UNIT_CHANGES {
-            self.dynamics.series(t, x, unit, coefficients);
+            self.dynamics.series((t, x), unit, coefficients, None);
             *evaluations += 1;
             let mut last = coefficients.higher().iter().rev().take(2);
             let is_finite = |x: &D::State| x.components().all(|x| self.read(x).is_finite());

@@ -16,7 +16,7 @@
 //! ```
 //! use lagrangian::prelude::*;
 //! use lagrangian::recurrences::{Power, Product, Square};
-//! use lagrangian::{Series, TaylorCoefficients};
+//! use lagrangian::{Series, SeriesMemory, TaylorCoefficients};
 //!
 //! struct Kepler;
 //!
@@ -33,10 +33,10 @@
 //! impl<S: Scalar> Series<S> for Kepler {
 //!     fn series<const HALF: usize>(
 //!         &self,
-//!         t: S,
-//!         x: &Self::State,
+//!         (t, x): (S, &Self::State),
 //!         unit: S,
 //!         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+//!         _: Option<&mut SeriesMemory>,
 //!     ) {
 //!         let mut squares = [Square::<S, HALF>::new(), Square::new()];
 //!         let mut power = Power::<S, HALF>::new(S::from_f64(-1.5));

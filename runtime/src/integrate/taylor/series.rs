@@ -17,27 +17,17 @@ use crate::scalar::Scalar;
             others"
 )]
 pub trait Series<S: Scalar = f64>: Dynamics<S> {
-    /// Sets `coefficients` to the Taylor polynomial of the solution through (t, x), in this unit of time.
+    /// Sets `coefficients` to the Taylor polynomial of the solution through `begin`, (t, x), in this unit of time.
+    ///
+    /// An [`Ensemble`](crate::Ensemble) keeps the `memory` from one series of its lanes to the next. The coefficients do not depend on
+    /// it: a handwritten series ignores it, and a wrapper passes it on.
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
+        begin: (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
     );
-
-    /// Sets `coefficients` as [`series`](Self::series) does, using memory that a stepper keeps for the next series. By default the
-    /// memory is not used.
-    fn series_in<const HALF: usize>(
-        &self,
-        memory: &mut SeriesMemory,
-        (t, x): (S, &Self::State),
-        unit: S,
-        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
-    ) {
-        let _ = memory;
-        self.series(t, x, unit, coefficients);
-    }
 
     /// Visits the Taylor coefficients of each switching function along the motion through (t, x) with the coefficients
     /// `motion`.
@@ -92,23 +82,12 @@ impl<S: Scalar, D: Series<S> + ?Sized> Series<S> for &D {
     #[inline]
     fn series<const HALF: usize>(
         &self,
-        t: S,
-        x: &Self::State,
-        unit: S,
-        coefficients: &mut TaylorCoefficients<Self::State, HALF>,
-    ) {
-        (**self).series(t, x, unit, coefficients);
-    }
-
-    #[inline]
-    fn series_in<const HALF: usize>(
-        &self,
-        memory: &mut SeriesMemory,
         begin: (S, &Self::State),
         unit: S,
         coefficients: &mut TaylorCoefficients<Self::State, HALF>,
+        memory: Option<&mut SeriesMemory>,
     ) {
-        (**self).series_in(memory, begin, unit, coefficients);
+        (**self).series(begin, unit, coefficients, memory);
     }
 
     fn branches<const HALF: usize>(

@@ -5,7 +5,7 @@ use alloc::boxed::Box;
 #[cfg(feature = "alloc")]
 use core::any::Any;
 
-/// Memory in which [`Series::series_in`](crate::Series::series_in) keeps the terms of convolutions, so that they need not be
+/// Memory in which [`Series::series`](crate::Series::series) keeps the terms of convolutions, so that they need not be
 /// cleared for each series.
 ///
 /// An [`Ensemble`](crate::Ensemble) has one for its lanes. Series on `f64` do not use it, and without the feature `alloc` it keeps

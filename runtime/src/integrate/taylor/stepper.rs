@@ -145,7 +145,8 @@ impl<X, const HALF: usize> TaylorStepper<X, HALF> {
         let mut change = UNIT_CHANGE;
         for _ in 0..UNIT_CHANGES {
             polynomial.unit = unit;
-            dynamics.series(t, from, S::from_f64(unit), &mut polynomial.coefficients);
+            let coefficients = &mut polynomial.coefficients;
+            dynamics.series((t, from), S::from_f64(unit), coefficients, None);
             self.statistics.evaluations += 1;
             let mut last = polynomial.coefficients.higher().iter().rev().take(2);
             non_finite = last.find_map(VectorSpace::first_non_finite);

@@ -101,7 +101,9 @@ where
     let x = Phase::new(exact([0.7, -0.2]), exact([1.9, 0.6]));
     let mut polynomial = TaylorCoefficients::<_, HALF>::new(x);
     let [t, unit] = exact([0.7, 0.25]);
-    model.dynamics().series(t, &x, unit, &mut polynomial);
+    model
+        .dynamics()
+        .series((t, &x), unit, &mut polynomial, None);
     let higher = polynomial.higher().iter();
     let phases = higher.flat_map(|x| x.q.iter().chain(&x.v));
     phases.copied().collect()

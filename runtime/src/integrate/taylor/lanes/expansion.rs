@@ -33,12 +33,8 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let mut change = UNIT_CHANGE;
         for _ in 0..UNIT_CHANGES {
             let (t, unit) = (Lanes(self.time), Lanes(self.unit));
-            match memory.as_deref_mut() {
-                Some(memory) => {
-                    dynamics.series_in(memory, (t, from), unit, &mut self.coefficients);
-                }
-                None => dynamics.series(t, from, unit, &mut self.coefficients),
-            }
+            let memory = memory.as_deref_mut();
+            dynamics.series((t, from), unit, &mut self.coefficients, memory);
             let weights = Tolerance::weights(&self.allowed(dynamics));
             let proposed = self.proposed(&weights);
             proposals.middle = self.middle(&weights);
