@@ -23,6 +23,7 @@ mod projected_steps;
 mod reactions;
 mod rounding;
 mod series_of_events;
+mod several_in_a_step;
 mod short_runs;
 
 mod stopping_reactions;

@@ -169,10 +169,10 @@ where
             if self.members[lane].is_some() {
                 continue;
             }
-            let Some(begun) = self.next() else {
+            self.begin_next(lane);
+            let Some(begun) = &mut self.members[lane] else {
                 break;
             };
-            let begun = self.members[lane].insert(begun);
             let steppers = self.steppers.get_or_insert_with(|| {
                 let (dynamics, stepper) = (begun.member.dynamics(), begun.member.stepper());
                 let lanes = TaylorLanes::new(self.method, stepper.time(), stepper.state());
@@ -184,27 +184,33 @@ where
         self.members.iter().any(Option::is_some)
     }
 
-    /// Returns the next member that takes a step. Members that end before their first step are reported.
+    /// Puts the next member that takes a step into a free lane. Members that end before their first step are reported. A member
+    /// contains its stepper and is large: it begins where it stays.
     #[inline]
-    fn next(&mut self) -> Option<InLane<D, K, C, R, O, HALF>> {
+    fn begin_next(&mut self, lane: usize) {
+        let place = &mut self.members[lane];
         for (index, (problem, end)) in self.waiting.by_ref() {
             let found = match problem.into_member(end, self.method) {
-                Ok(mut member) => match member.go_on(Steps::Shared) {
-                    Some(target) => {
-                        return Some(InLane {
-                            index,
-                            member,
-                            target,
-                            before: Statistics::default(),
-                        });
+                Ok(member) => {
+                    let begun = place.insert(InLane {
+                        index,
+                        member,
+                        target: end,
+                        before: Statistics::default(),
+                    });
+                    if let Some(target) = begun.member.go_on(Steps::Shared) {
+                        begun.target = target;
+                        return;
                     }
-                    None => member.finish(),
-                },
+                    match place.take() {
+                        Some(ended) => ended.member.finish(),
+                        None => continue,
+                    }
+                }
                 Err(found) => found,
             };
             (self.report)(index, found);
         }
-        None
     }
 
     /// Moves free lanes to the state of a busy one, so that they are at no singularity; they stay there.

@@ -116,9 +116,65 @@ where
 
 #[cfg(test)]
 mod tests {
+    use alloc::vec;
+    use alloc::vec::Vec;
+
     use super::Isolated;
     use crate::integrate::event::terms::Terms;
     use crate::integrate::taylor::TaylorCoefficients;
+
+    /// The isolated function ∏ (u − root) of a step.
+    fn with_roots(roots: &[f64]) -> Option<Isolated> {
+        let mut series = TaylorCoefficients::<f64, 4>::new(0.0);
+        *series.initial_mut() = 1.0;
+        for (degree, root) in roots.iter().enumerate() {
+            for k in (0..=degree).rev() {
+                let lower = if k == 0 {
+                    *series.initial()
+                } else {
+                    series.higher()[k - 1]
+                };
+                series.higher_mut()[k] = lower - root * series.higher()[k];
+            }
+            *series.initial_mut() *= -root;
+        }
+        let terms = Terms::new(&series, 1.0, (f64::EPSILON, 9.0));
+        let last = roots.iter().fold(1.0, |value, root| value * (1.0 - root));
+        Isolated::of(&terms, last)
+    }
+
+    #[test]
+    fn zeros_are_isolated_in_parts_of_a_step() {
+        for roots in [
+            vec![],
+            vec![0.7],
+            vec![0.3, 0.6],
+            vec![0.2, 0.5, 0.9],
+            vec![0.05, 0.125, 0.5, 0.95],
+        ] {
+            let function = with_roots(&roots).unwrap();
+            let found: Vec<f64> = function.zeros_behind(0.0).map(|zero| zero.at).collect();
+            assert_eq!(found.len(), roots.len(), "{found:?}");
+            for (found, expected) in found.iter().zip(&roots) {
+                assert!((found - expected).abs() < 1e-13, "{found:?}");
+            }
+            let behind = function.zeros_behind(0.55).count();
+            assert_eq!(behind, roots.iter().filter(|root| **root > 0.55).count());
+            for fraction in [0.0, 0.1, 0.4, 0.55, 0.8, 1.0] {
+                let value = roots
+                    .iter()
+                    .fold(1.0, |value, root| value * (fraction - root));
+                assert!(value * function.sign_at(fraction) > 0.0, "{roots:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn zeros_that_are_close_together_or_too_many_are_left_to_the_search() {
+        assert!(with_roots(&[0.3, 0.31]).is_none());
+        assert!(with_roots(&[0.5, 0.5]).is_none());
+        assert!(with_roots(&[0.1, 0.3, 0.5, 0.7, 0.9]).is_none());
+    }
 
     /// The value at the end is near the polynomial relative to its terms, but on the other side of zero.
     #[test]

@@ -56,7 +56,7 @@ fn signs<const L: usize>(terms: &Terms<Lanes<L>, LEADING_HALF_ORDER>, last: Lane
 
 #[cfg(test)]
 mod tests {
-    use super::signs;
+    use super::{LEADING_HALF_ORDER, signs};
     use crate::integrate::event::Terms;
     use crate::integrate::taylor::TaylorCoefficients;
     use crate::scalar::Lanes;
@@ -65,11 +65,12 @@ mod tests {
     /// terms differ from zero.
     #[test]
     fn lanes_have_the_signs_that_their_first_terms_prove() {
-        let mut series = TaylorCoefficients::<Lanes<4>, 3>::new(Lanes([0.0; 4]));
+        let mut series = TaylorCoefficients::<Lanes<4>, LEADING_HALF_ORDER>::new(Lanes([0.0; 4]));
         *series.initial_mut() = Lanes([-1.0, 1.0, 1.0, 1.0]);
         let parabola = [[-1e6, 1e6, -5.0, 0.0], [1e6, -1e6, 4.5, 0.0]].map(Lanes);
         series.higher_mut()[..2].copy_from_slice(&parabola);
-        series.higher_mut()[4..].copy_from_slice(&[Lanes([1e-8, 1e-8, 1e-8, 0.0]); 2]);
+        series.higher_mut()[2 * LEADING_HALF_ORDER - 2..]
+            .copy_from_slice(&[Lanes([1e-8, 1e-8, 1e-8, 0.0]); 2]);
         let terms = Terms::new(&series, Lanes([1.0; 4]), (f64::EPSILON, 17.0));
         let signs = |last| Lanes(signs(&terms, Lanes(last)));
         assert_eq!(signs([-1.0, -5.0, 0.5, 1.0]), Lanes([-1.0, 0.0, 0.0, 0.0]));
