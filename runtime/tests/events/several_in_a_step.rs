@@ -2,6 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
+use lagrangian::DoubleDouble;
 use lagrangian::prelude::*;
 
 use crate::random_numbers::Random;
@@ -80,4 +81,93 @@ fn each_zero_of_a_step_is_found() {
         check(Taylor::new(), index % 2 == 0, &mut random);
         check(Taylor::<20>::of_half_order(), index % 2 == 1, &mut random);
     }
+}
+
+/// A driven pendulum, with functions that oscillate several times as fast as it.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(theta),
+    kinetic = 0.5 * dot(theta).powi(2),
+    potential = -g * cos(theta) - 0.5 * theta * cos(2.0 * t),
+    event(
+        wave = sin(k * theta + shift) - level,
+        beat = cos(k * dot(theta)) - 0.3 * theta - level,
+        product = sin(theta) * sin(0.5 * k * theta - t) - 0.4 * level,
+    ),
+)]
+struct Driven<T: Scalar> {
+    g: T,
+    k: T,
+    shift: T,
+    level: T,
+}
+
+/// The events of a motion with these parameters and initial values, in numbers of this scalar: their numbers and times.
+macro_rules! events {
+    ($scalar:ty, $parameters:expr, $initial:expr) => {{
+        let [g, k, shift, level] = $parameters.map(<$scalar>::from_f64);
+        let ([theta, rate], end): ([f64; 2], f64) = $initial;
+        let driven = Driven { g, k, shift, level };
+        let [theta, rate] = [theta, rate].map(<$scalar>::from_f64);
+        let motion = Problem::new(
+            &driven,
+            State::new(<$scalar>::from_f64(0.0), [theta], [rate]),
+        )
+        .on([Driven::<$scalar>::WAVE, Driven::<$scalar>::BEAT])
+        .record()
+        .on(Driven::<$scalar>::PRODUCT)
+        .falling()
+        .record()
+        .solve(end, Taylor::new())
+        .unwrap();
+        let steps = motion.statistics.steps;
+        let events = motion.events().iter();
+        let events: Vec<(usize, f64)> = events
+            .map(|found| (found.event, Scalar::smallest(found.t)))
+            .collect();
+        (steps, events)
+    }};
+}
+
+/// The events are those of a motion in double-doubles, whose functions are searched for roots in every step with a zero.
+fn events_are_those_of_a_search(motions: u32) {
+    let mut random = Random(9);
+    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    let [mut several, mut all] = [0_u64; 2];
+    for index in 0..motions {
+        let parameters = [
+            between(0.5, 4.0),
+            between(1.0, 9.0),
+            between(0.0, TAU),
+            between(-1.0, 1.0),
+        ];
+        let end = if index % 2 == 0 { 6.0 } else { -6.0 };
+        let initial = ([between(-2.0, 2.0), between(-2.0, 2.0)], end);
+        let (steps, found) = events!(f64, parameters, initial);
+        let (_, expected) = events!(DoubleDouble, parameters, initial);
+        assert_eq!(
+            found.len(),
+            expected.len(),
+            "{index} {parameters:?} {initial:?}"
+        );
+        for ((event, t), (expected, at)) in found.iter().zip(&expected) {
+            assert_eq!(event, expected, "{index} {parameters:?} {initial:?}");
+            assert!((t - at).abs() < 1e-9, "{index}: {t} {at}");
+        }
+        several += (found.len() as u64).saturating_sub(steps);
+        all += found.len() as u64;
+    }
+    assert!(several * 4 > all, "{several} of {all}");
+}
+
+#[test]
+fn events_are_those_of_a_search_in_double_doubles() {
+    events_are_those_of_a_search(4);
+}
+
+#[test]
+#[ignore = "a long sweep; run with `--include-ignored`"]
+fn events_of_many_motions_are_those_of_a_search_in_double_doubles() {
+    events_are_those_of_a_search(1000);
 }
