@@ -59,7 +59,8 @@ pub(crate) const SHORT_PART: f64 = 0.125;
 pub(crate) const MAX_COEFFICIENTS: usize = 65;
 
 /// Half of the order up to which the series of an event function is computed first. The sums of order k have k
-/// products, so that all orders up to 8 cost a tenth of all orders up to 28. By judgement.
+/// products, so that all orders up to 8 cost a tenth of all orders up to 28. Methods up to that order compute all terms at once. By
+/// judgement.
 pub(crate) const LEADING_HALF_ORDER: usize = 4;
 
 /// The smallest value of an event function in a step, relative to its value at the beginning, for which the first
@@ -72,12 +73,12 @@ pub(crate) const MIN_REMAINING_PART: f64 = 0.125;
 pub(crate) const MAX_ZERO_WIDTH: f64 = 1e-3;
 
 /// The largest number of zeros of an event function in a step that are isolated in the arithmetic of `f64`. By judgement: a step
-/// is shorter than half a period of the fastest oscillation of the motion, and a function of two of its coordinates may oscillate
-/// twice as fast.
+/// is shorter than half a period of the fastest oscillation of the motion, and products of its coordinates oscillate several times
+/// as fast.
 pub(crate) const MAX_ISOLATED_ZEROS: usize = 4;
 
-/// The smallest part of a step that is halved to isolate zeros in the arithmetic of `f64`. Zeros that are closer to each other are
-/// searched for in double-doubles. By judgement.
+/// Parts of a step up to this one are not halved further to isolate zeros in the arithmetic of `f64`. Zeros that are closer to each
+/// other are searched for in double-doubles. By judgement.
 pub(crate) const MIN_ISOLATING_PART: f64 = 1.0 / 16.0;
 
 /// The number of steps of the simplified Newton method from the zero of a polynomial to the zero of its function, with the slope of

@@ -53,9 +53,9 @@ pub trait MotionSeries<const N: usize, S: Scalar = f64>: Quantities<N, S> {
         let _ = (state, inputs, prepared, unit, motion, visit);
     }
 
-    /// Visits the Taylor coefficients of each event function along a motion through a state, and its value at the end of a
-    /// step; see [`Series::events_in_step`]. `begin` is the state and the series of the inputs, `end` the state and the inputs
-    /// at the end.
+    /// Calls `visit` for each event function that is watched, with its index, its first Taylor coefficients along the motion through
+    /// a state, and its value at the end of a step; see [`Series::events_in_step`]. `begin` is the state and the series of the
+    /// inputs, `end` the state and the inputs at the end.
     fn events_in_step<const HALF: usize, const OF_MOTION: usize>(
         &self,
         begin: (&State<S, N>, &[Self::Inputs]),

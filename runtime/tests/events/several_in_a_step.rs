@@ -83,6 +83,48 @@ fn each_zero_of_a_step_is_found() {
     }
 }
 
+/// After a stop at one of the zeros of a step the run goes on to the next one; a reaction at a zero changes what follows.
+#[test]
+fn a_run_goes_on_behind_the_first_zero_of_a_step() {
+    let mut random = Random(6);
+    for _ in 0..8 {
+        let phase = TAU * random.uniform();
+        let oscillator = Oscillator { c: 0.5 };
+        let start = State::new(0.0, [f64::cos(phase)], [f64::sin(phase)]);
+        let problem =
+            || Problem::new(&oscillator, start).on([Oscillator::LEVEL, Oscillator::DOUBLE]);
+        let whole = problem().record().solve(20.0, Taylor::new()).unwrap();
+        let whole: Vec<f64> = whole.events().iter().map(|event| event.t).collect();
+        let mut run = problem().stop().start(Taylor::new()).unwrap();
+        let mut times = Vec::new();
+        loop {
+            let part = run.advance(20.0).unwrap();
+            if part.reason == StopReason::Completed {
+                break;
+            }
+            times.push(part.t);
+        }
+        assert_eq!(times.len(), whole.len(), "{phase}");
+        for (t, expected) in times.iter().zip(&whole) {
+            assert!((t - expected).abs() < 1e-12, "{phase}: {t} {expected}");
+        }
+        // A kick at the first zero sends the motion back.
+        let mut kicks = 0;
+        let kicked = problem()
+            .then(|x| {
+                kicks += 1;
+                if kicks == 1 {
+                    x.v[0] = -x.v[0];
+                }
+            })
+            .solve(20.0, Taylor::new())
+            .unwrap();
+        let first = whole[0];
+        let back = |t: f64| f64::cos(2.0 * first - t - phase);
+        assert!((kicked.q[0] - back(20.0)).abs() < 1e-12, "{phase}");
+    }
+}
+
 /// A driven pendulum, with functions that oscillate several times as fast as it.
 #[derive(Lagrangian)]
 #[lagrangian(

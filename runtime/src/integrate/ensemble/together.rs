@@ -185,7 +185,7 @@ where
     }
 
     /// Puts the next member that takes a step into a free lane. Members that end before their first step are reported. A member
-    /// contains its stepper and is large: it begins where it stays.
+    /// contains its stepper and is large: it is put into its lane before it begins, so that it is not moved afterwards.
     #[inline]
     fn begin_next(&mut self, lane: usize) {
         let place = &mut self.members[lane];
@@ -195,6 +195,7 @@ where
                     let begun = place.insert(InLane {
                         index,
                         member,
+                        // Until it begins.
                         target: end,
                         before: Statistics::default(),
                     });
@@ -202,10 +203,8 @@ where
                         begun.target = target;
                         return;
                     }
-                    match place.take() {
-                        Some(ended) => ended.member.finish(),
-                        None => continue,
-                    }
+                    let Some(ended) = place.take() else { return };
+                    ended.member.finish()
                 }
                 Err(found) => found,
             };

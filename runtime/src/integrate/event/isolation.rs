@@ -6,7 +6,7 @@ use super::simple_zero::SimpleZero;
 use super::terms::Terms;
 use crate::integrate::step_polynomial::StepPolynomial;
 use crate::integrate::taylor::TaylorCoefficients;
-use crate::limits::events::{MAX_ISOLATED_ZEROS, MIN_ISOLATING_PART};
+use crate::limits::events::{MAX_ISOLATED_ZEROS, MAX_ZERO_WIDTH, MIN_ISOLATING_PART};
 
 /// A function whose zeros in a step are known, few and simple.
 #[derive(Clone, Copy, Default)]
@@ -68,9 +68,13 @@ fn zeros<const HALF: usize>(terms: &Terms<f64, HALF>) -> Option<Zeros> {
 }
 
 /// Returns the zeros, each alone in a part of the step: a part is halved until it has no more than one (Collins & Akritas 1976, as
-/// for [`Terms::sign_changes`]).
+/// for [`Terms::sign_changes`]). Shorter parts do not help if a sign at an end of the step is uncertain, or further terms are
+/// visible.
 #[inline(never)]
 fn zeros_in_parts<const HALF: usize>(terms: &Terms<f64, HALF>) -> Option<Zeros> {
+    if !terms.are_certain_at_ends() || terms.tail() > MAX_ZERO_WIDTH * terms.sum() {
+        return None;
+    }
     let mut zeros = Zeros::default();
     let mut places = zeros.iter_mut();
     let mut part = [0.0, 0.5];

@@ -34,6 +34,8 @@ pub struct Memory<V> {
     pub(super) window: f64,
     /// The beginning of the step from which the first terms of the functions do not exclude events; NaN if none is known.
     pub(super) not_excluded: f64,
+    /// The beginning of the step in which the zeros of the functions are not isolated; NaN if none is known.
+    pub(super) not_isolated: f64,
     /// For polynomials: the part of the step after which the sign that follows the last root is certain.
     pub(super) resume: V,
     /// For polynomials, after an event: the signs of the other functions before their next roots, which may be next to
@@ -77,6 +79,7 @@ impl<V: Values> Memory<V> {
             at_event: V::ZERO,
             window: start,
             not_excluded: f64::NAN,
+            not_isolated: f64::NAN,
             resume: V::ZERO,
             ahead: V::ZERO,
             at_zero: MetConditions::default(),
@@ -269,14 +272,14 @@ impl<V: Values> Memory<V> {
         self.touching = MetConditions::default();
     }
 
-    /// Whether the step from this time is to be searched as a whole, and nothing is particular about its beginning: no
-    /// function is zero there.
+    /// Whether the search has come to this time, at which a part of a step begins, with nothing particular about it: no function is
+    /// zero there.
     pub(super) fn is_plain_at(&self, begin: f64) -> bool {
         let is_special = self.touching.or(self.left).or(self.at_zero).any();
         !is_special && self.until - begin == 0.0 && self.window - begin == 0.0
     }
 
-    /// Whether functions with these signs at the beginning of a step have not changed them where it begins.
+    /// Whether functions with these signs at the beginning of a part of a step have not changed them where it begins.
     pub(super) fn agrees_with(&self, signs: &V) -> bool {
         let mut pairs = signs.as_slice().iter().zip(self.signs.as_slice());
         pairs.all(|(sign, before)| sign * before >= 0.0)

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-/// A set of stop conditions that are met, or of events that occur, as numbers below 64. Events and conditions are
-/// counted from 0 in the order of the settings.
+/// A set of stop conditions that are met, of events that occur, or of event functions that are watched, as numbers below 64. Events
+/// and conditions are counted from 0 in the order of the settings, functions in the order of the declaration.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MetConditions(u64);

@@ -12,8 +12,8 @@ pub(super) struct SimpleZero {
     pub(super) at: f64,
     /// The magnitude of the slope there.
     pub(super) slope: f64,
-    /// The fraction from which on the sign behind it is certain.
-    pub(super) until: f64,
+    /// How far from the zero the signs on both sides of it are certain, as a fraction of the step.
+    width: f64,
     /// The effect of rounding on the function.
     noise: f64,
 }
@@ -28,16 +28,16 @@ impl SimpleZero {
         (width <= MAX_ZERO_WIDTH).then(|| Self {
             at,
             slope: slope.abs(),
-            until: (at + width).min(1.0),
+            width,
             noise: 0.0,
         })
     }
 
     /// Returns the zero of a function whose values have rounding errors of this size.
     pub(super) fn with_noise(self, noise: f64) -> Self {
-        let until = (self.until + 2.0 * noise / self.slope).min(1.0);
+        let width = self.width + 2.0 * noise / self.slope;
         Self {
-            until,
+            width,
             noise,
             ..self
         }
@@ -45,7 +45,12 @@ impl SimpleZero {
 
     /// Returns the fraction up to which the sign before the zero is certain.
     pub(super) fn from(&self) -> f64 {
-        self.at - (self.until - self.at)
+        self.at - self.width
+    }
+
+    /// Returns the fraction from which on the sign behind the zero is certain, at most the end of the step.
+    pub(super) fn until(&self) -> f64 {
+        (self.at + self.width).min(1.0)
     }
 
     /// Whether a value of the function near the zero is a rounding error: of the value, of a fraction of the step, or of a time,

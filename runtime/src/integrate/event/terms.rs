@@ -62,6 +62,12 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
         S::from_f64(part) * (self.sum + self.first.abs())
     }
 
+    /// Returns the sum of the magnitudes of the higher terms.
+    #[inline]
+    pub(super) fn sum(&self) -> S {
+        self.sum
+    }
+
     /// Returns the term of order 0, the value at the beginning of the step.
     #[inline]
     pub(super) fn first(&self) -> S {
@@ -143,6 +149,12 @@ impl<const HALF: usize> Terms<f64, HALF> {
         bernstein::between(all, from, to);
         let variations = Variations::of(all.iter().copied(), self.least(kept));
         (!variations.is_uncertain).then_some(variations.count)
+    }
+
+    /// Whether the signs at both ends of the step are certain.
+    pub(super) fn are_certain_at_ends(&self) -> bool {
+        let least = self.least(0.0);
+        self.first.abs() > least && self.value_at_end().abs() > least
     }
 
     /// Returns the sign in the whole step, if it is certain.

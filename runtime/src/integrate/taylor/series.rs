@@ -57,9 +57,8 @@ pub trait Series<S: Scalar = f64>: Dynamics<S> {
         SwitchingFunction::default()
     }
 
-    /// Visits each of the functions of [`EventDynamics`](crate::EventDynamics) that are watched, in a step: its index, its first
-    /// Taylor coefficients along the motion from `begin`, (t, x), with the coefficients `motion`, and its value at the end of the
-    /// step.
+    /// Calls `visit` for each function of [`EventDynamics`](crate::EventDynamics) that is watched, with its index, its first Taylor
+    /// coefficients along the motion from `begin`, (t, x), with the coefficients `motion`, and its value at the end of a step.
     ///
     /// An [`Ensemble`](crate::Ensemble) thereby finds the lanes in which no event can occur, in all lanes at once. Without
     /// this method, the step of each lane is examined by itself.

@@ -13,8 +13,8 @@ use crate::integrate::event::{
 use crate::integrate::stepper::Advance;
 use crate::limits::events::SIMPLIFIED_NEWTON_STEPS;
 
-/// What is known of the events in a step: the next one, or `None` if there are no more.
-type Known = Option<Occurring>;
+/// The next event in a step or in a part of it, or `None` if there are no more there.
+type Next = Option<Occurring>;
 
 /// A zero of the function of an event, alone in a part of a step.
 #[derive(Clone, Copy)]
@@ -26,27 +26,30 @@ struct ZeroInPart {
 }
 
 impl<const K: usize> DeclaredEvents<K> {
-    /// Returns what is known of the events in the rest of a step, if the zeros of the event functions are isolated there; `None` if
-    /// it has to be searched.
+    /// Returns the next event in the rest of a step, if the zeros of the event functions are isolated in the step, anew for each
+    /// event; `None` if what is left of the step has to be searched.
     pub(super) fn isolated<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
         step: &mut LastStep<'_, S, D, T>,
-    ) -> Option<Known>
+    ) -> Option<Next>
     where
         S: SingleNumber,
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        if !memory.is_plain_at(memory.window) {
+        let is_known_not_to_be = memory.not_isolated - step.begin() == 0.0;
+        if is_known_not_to_be || !memory.is_plain_at(memory.window) {
             return None;
         }
         let functions = self.functions_in(step)?;
         let (end, dynamics, last) = (step.end(), step.dynamics(), functions.last);
-        let functions = step.polynomial(Isolation(functions))??;
-        if !self.agrees_in_middle(step, &functions) {
+        let isolated = step.polynomial(Isolation(functions)).flatten();
+        let isolated = isolated.filter(|isolated| self.agrees_in_middle(step, isolated));
+        let Some(isolated) = isolated else {
+            memory.not_isolated = step.begin();
             return None;
-        }
+        };
         let window = Window {
             begin: step.begin(),
             end,
@@ -54,39 +57,42 @@ impl<const K: usize> DeclaredEvents<K> {
             last,
             is_known: true,
         };
+        // Functions of a scalar with other digits are searched.
+        let has_digits_of_f64 = S::machine_epsilon() - f64::EPSILON == 0.0;
         let mut noise = None;
         loop {
             let from = window.fraction(memory.window);
-            let signs = functions.map(|function| function.sign_at(from));
+            let signs = isolated.map(|function| function.sign_at(from));
             if !memory.agrees_with(&signs) {
                 return None;
             }
-            let [Some((event, zero)), second] = first_zeros(&functions, from) else {
+            let [Some((event, zero)), second] = first_zeros(&isolated, from) else {
                 return memory.keep_signs(signs, end).then_some(None);
             };
-            // Functions of a scalar with other digits are searched.
-            if S::machine_epsilon() - f64::EPSILON != 0.0 {
+            if !has_digits_of_f64 {
                 return None;
             }
-            if noise.is_none() {
-                let [_, to] = step.ends()?;
-                noise = Some(rounding(self, dynamics, (end, to), &last));
-            }
-            let noise = noise?;
+            let [_, to] = step.ends()?;
+            let noise = *noise.get_or_insert_with(|| rounding(self, dynamics, (end, to), &last));
             // The zero of a function that is not certain at the end of the step may be a rounding error.
             let is_certain = last[event].abs() > 2.0 * noise[event];
             let zero = is_certain.then(|| zero.with_noise(noise[event]))?;
-            let end = match second {
+            let end_of_part = match second {
                 None => end,
-                Some((event, second)) => {
-                    let next = second.with_noise(noise[event]).from();
-                    (zero.until < next).then(|| window.time(0.5 * (zero.until + next)))?
+                Some((other, second)) => {
+                    let next = second.with_noise(noise[other]).from();
+                    let until = zero.until();
+                    (until < next).then(|| window.time(0.5 * (until + next)))?
                 }
             };
-            let zero = ZeroInPart { event, zero, end };
-            let known = self.with_zero(memory, step, zero, (&functions, signs), window)?;
-            if known.is_some() || end - window.end == 0.0 {
-                return Some(known);
+            let part = ZeroInPart {
+                event,
+                zero,
+                end: end_of_part,
+            };
+            let found = self.with_zero(memory, step, part, (&isolated, signs), window)?;
+            if found.is_some() || end_of_part - end == 0.0 {
+                return Some(found);
             }
         }
     }
@@ -108,8 +114,8 @@ impl<const K: usize> DeclaredEvents<K> {
         pairs.all(|(value, function)| (value - function.in_middle).abs() <= function.allowed)
     }
 
-    /// Returns the event at a zero that is alone in its part of a step, before which the functions have these signs; `None` inside
-    /// if it crosses in a direction that is not watched.
+    /// Returns the event at a zero that is alone in its part of a step, before which the functions have these signs: none if it
+    /// crosses in a direction that is not watched, `None` if the part has to be searched.
     fn with_zero<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
@@ -117,7 +123,7 @@ impl<const K: usize> DeclaredEvents<K> {
         part: ZeroInPart,
         (functions, mut signs): (&[Isolated; K], [f64; K]),
         window: Window<K>,
-    ) -> Option<Known>
+    ) -> Option<Next>
     where
         S: SingleNumber,
         D: EventDynamics<S> + ?Sized,
@@ -174,7 +180,7 @@ impl<const K: usize> DeclaredEvents<K> {
         let mut is_located = false;
         for _ in 0..SIMPLIFIED_NEWTON_STEPS {
             at += before * found.1[event] / zero.slope;
-            if at.is_nan() || (at - zero.at).abs() > zero.until - zero.at {
+            if at.is_nan() || (at - zero.at).abs() > zero.until() - zero.at {
                 return None;
             }
             at = at.clamp(0.0, 1.0);
@@ -196,7 +202,7 @@ impl<const K: usize> DeclaredEvents<K> {
                 at,
                 before,
                 behind: -before,
-                until: zero.until,
+                until: zero.until(),
             };
             let t = self.time_of(event, root, step, window)?;
             let there = step.at(t);
