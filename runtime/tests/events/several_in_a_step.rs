@@ -213,3 +213,51 @@ fn events_are_those_of_a_search_in_double_doubles() {
 fn events_of_many_motions_are_those_of_a_search_in_double_doubles() {
     events_are_those_of_a_search(1000);
 }
+
+/// x = cos(t − φ), with two functions whose zeros are within the resolution of time of each other.
+#[derive(Lagrangian)]
+#[lagrangian(
+    taylor,
+    coordinates(x),
+    kinetic = 0.5 * dot(x).powi(2),
+    potential = 0.5 * x.powi(2),
+    event(level = x - c, near = x - c - d),
+)]
+struct Neighbours {
+    c: f64,
+    d: f64,
+}
+
+/// Events that occur together have the later of their times, at which both have occurred: the next run finds neither of them again.
+#[test]
+fn neighbouring_events_that_stop_a_run_occur_once() {
+    let mut random = Random(7);
+    for index in 0..200 {
+        let phase = TAU * random.uniform();
+        let neighbours = Neighbours {
+            c: 0.9 * (2.0 * random.uniform() - 1.0),
+            d: 10.0_f64.powf(-14.0 + 2.5 * random.uniform()),
+        };
+        let start = State::new(0.0, [f64::cos(phase)], [f64::sin(phase)]);
+        let problem = || Problem::new(&neighbours, start).on([Neighbours::LEVEL, Neighbours::NEAR]);
+        let mut run = problem().stop().start(Taylor::new()).unwrap();
+        let mut counts = [0; 2];
+        loop {
+            let part = run.advance(20.0).unwrap();
+            if part.reason == StopReason::Completed {
+                break;
+            }
+            for event in part.met.indices() {
+                counts[event] += 1;
+            }
+        }
+        let turn = f64::acos(neighbours.c);
+        let zeros = spaced(phase - turn, TAU, [0.0, 20.0]).len()
+            + spaced(phase + turn, TAU, [0.0, 20.0]).len();
+        assert_eq!(
+            counts, [zeros; 2],
+            "{index} {phase} {} {}",
+            neighbours.c, neighbours.d
+        );
+    }
+}

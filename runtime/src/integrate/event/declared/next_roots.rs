@@ -41,7 +41,7 @@ impl<const K: usize> DeclaredEvents<K> {
                 b.total_cmp(a)
             }
         };
-        let Some(t) = times.into_iter().flatten().min_by(in_order) else {
+        let Some(first) = times.into_iter().flatten().min_by(in_order) else {
             arrive_at_end(
                 memory,
                 &window,
@@ -51,17 +51,21 @@ impl<const K: usize> DeclaredEvents<K> {
             );
             return None;
         };
-        let behind = step.after(t);
+        let behind = step.after(first);
+        let is_here = |time: &f64| !step.comes_before(behind, *time);
         let occurs = |event: usize| {
             let touches = |root: &Root| {
                 // After a time within its rounding errors, a zero without a change of sign is no longer seen.
                 root.before * root.behind > 0.0
                     && polynomials[event].is_uncertain(window.fraction(behind))
             };
-            let is_here = times[event].is_some_and(|time| !step.comes_before(behind, time));
-            is_here || found[event].as_ref().is_some_and(touches)
+            times[event].as_ref().is_some_and(is_here) || found[event].as_ref().is_some_and(touches)
         };
         let events = MetConditions::of((0..K).map(occurs));
+        // All of them have occurred at the latest of their times, so that a run which begins there finds none of them again.
+        let together = times.into_iter().flatten().filter(is_here);
+        let t = together.max_by(in_order).unwrap_or(first);
+        let behind = step.after(t);
         note_occurring(memory, &found, events);
         let others = (polynomials, &first_of_all, &found);
         note_others(
