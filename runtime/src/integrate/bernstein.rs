@@ -19,7 +19,7 @@ pub(crate) fn between<S: Scalar>(all: &mut [S], a: f64, b: f64) {
             }
         }
     }
-    // (b − a)ᵏ and 1/C(n, k), which is a constant where the degree is one.
+    // (b − a)ᵏ and 1/C(n, k) apart: where the degree is known to the compiler, so is the latter.
     let (mut power, mut weight) = (S::one(), S::one());
     for (k, coefficient) in all.iter_mut().enumerate().skip(1) {
         let [k, rest] = [k, degree + 1 - k].map(|number| S::from_f64(as_number(number)));

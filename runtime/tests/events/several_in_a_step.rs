@@ -7,17 +7,23 @@ use lagrangian::prelude::*;
 
 use crate::random_numbers::Random;
 
-/// x = cos(t − φ), with functions of one, two and three times its frequency.
+/// x = cos(t − φ), with functions of one, two and three times its frequency, and a second one next to the first.
 #[derive(Lagrangian)]
 #[lagrangian(
     taylor,
     coordinates(x),
     kinetic = 0.5 * dot(x).powi(2),
     potential = 0.5 * x.powi(2),
-    event(level = x - c, double = x * dot(x), triple = x * (4.0 * x.powi(2) - 3.0)),
+    event(
+        level = x - c,
+        near = x - c - d,
+        double = x * dot(x),
+        triple = x * (4.0 * x.powi(2) - 3.0),
+    ),
 )]
 struct Oscillator {
     c: f64,
+    d: f64,
 }
 
 /// The times t = first + k distance between two times, in ascending order.
@@ -38,7 +44,7 @@ fn each_zero_of_a_step_is_found() {
     fn check<const HALF: usize>(method: Taylor<HALF>, forwards: bool, random: &mut Random) {
         let phase = TAU * random.uniform();
         let c = 0.99 * (2.0 * random.uniform() - 1.0);
-        let oscillator = Oscillator { c };
+        let oscillator = Oscillator { c, d: 0.0 };
         let end = if forwards { 40.0 } else { -40.0 };
         let start = State::new(0.0, [f64::cos(phase)], [f64::sin(phase)]);
         let motion = Problem::new(&oscillator, start)
@@ -89,7 +95,7 @@ fn a_run_goes_on_behind_the_first_zero_of_a_step() {
     let mut random = Random(6);
     for _ in 0..8 {
         let phase = TAU * random.uniform();
-        let oscillator = Oscillator { c: 0.5 };
+        let oscillator = Oscillator { c: 0.5, d: 0.0 };
         let start = State::new(0.0, [f64::cos(phase)], [f64::sin(phase)]);
         let problem =
             || Problem::new(&oscillator, start).on([Oscillator::LEVEL, Oscillator::DOUBLE]);
@@ -145,7 +151,8 @@ struct Driven<T: Scalar> {
     level: T,
 }
 
-/// The events of a motion with these parameters and initial values, in numbers of this scalar: their numbers and times.
+/// Returns the number of steps of a motion with these parameters and initial values, computed in this scalar, and the indices and
+/// times of its events.
 macro_rules! events {
     ($scalar:ty, $parameters:expr, $initial:expr) => {{
         let [g, k, shift, level] = $parameters.map(<$scalar>::from_f64);
@@ -172,8 +179,8 @@ macro_rules! events {
     }};
 }
 
-/// The events are those of a motion in double-doubles, whose functions are searched for roots in every step with a zero.
-fn events_are_those_of_a_search(motions: u32) {
+/// Compares events with the events of the motion in double-doubles, where each step with a zero is searched for roots.
+fn compare_with_search(motions: u32) {
     let mut random = Random(9);
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
     let [mut several, mut all] = [0_u64; 2];
@@ -204,28 +211,14 @@ fn events_are_those_of_a_search(motions: u32) {
 }
 
 #[test]
-fn events_are_those_of_a_search_in_double_doubles() {
-    events_are_those_of_a_search(4);
+fn events_agree_with_a_search_in_double_doubles() {
+    compare_with_search(4);
 }
 
 #[test]
 #[ignore = "a long sweep; run with `--include-ignored`"]
-fn events_of_many_motions_are_those_of_a_search_in_double_doubles() {
-    events_are_those_of_a_search(1000);
-}
-
-/// x = cos(t − φ), with two functions whose zeros are within the resolution of time of each other.
-#[derive(Lagrangian)]
-#[lagrangian(
-    taylor,
-    coordinates(x),
-    kinetic = 0.5 * dot(x).powi(2),
-    potential = 0.5 * x.powi(2),
-    event(level = x - c, near = x - c - d),
-)]
-struct Neighbours {
-    c: f64,
-    d: f64,
+fn events_of_many_motions_agree_with_a_search_in_double_doubles() {
+    compare_with_search(1000);
 }
 
 /// Events that occur together have the later of their times, at which both have occurred: the next run finds neither of them again.
@@ -234,12 +227,12 @@ fn neighbouring_events_that_stop_a_run_occur_once() {
     let mut random = Random(7);
     for index in 0..200 {
         let phase = TAU * random.uniform();
-        let neighbours = Neighbours {
+        let oscillator = Oscillator {
             c: 0.9 * (2.0 * random.uniform() - 1.0),
             d: 10.0_f64.powf(-14.0 + 2.5 * random.uniform()),
         };
         let start = State::new(0.0, [f64::cos(phase)], [f64::sin(phase)]);
-        let problem = || Problem::new(&neighbours, start).on([Neighbours::LEVEL, Neighbours::NEAR]);
+        let problem = || Problem::new(&oscillator, start).on([Oscillator::LEVEL, Oscillator::NEAR]);
         let mut run = problem().stop().start(Taylor::new()).unwrap();
         let mut counts = [0; 2];
         loop {
@@ -251,13 +244,13 @@ fn neighbouring_events_that_stop_a_run_occur_once() {
                 counts[event] += 1;
             }
         }
-        let turn = f64::acos(neighbours.c);
+        let turn = f64::acos(oscillator.c);
         let zeros = spaced(phase - turn, TAU, [0.0, 20.0]).len()
             + spaced(phase + turn, TAU, [0.0, 20.0]).len();
         assert_eq!(
             counts, [zeros; 2],
             "{index} {phase} {} {}",
-            neighbours.c, neighbours.d
+            oscillator.c, oscillator.d
         );
     }
 }

@@ -71,13 +71,13 @@ fn newton<const HALF: usize>(
     let mut slope = (last - first) / (high - low);
     let mut u = low - first / slope;
     for _ in 0..MAX_NEWTON_STEPS {
-        let value = terms.value(u);
+        let value;
+        [value, slope] = terms.value_and_slope(u);
         if value * first > 0.0 {
             low = u;
         } else {
             high = u;
         }
-        slope = terms.slope(u);
         let next = u - value / slope;
         let next = if next >= low && next <= high {
             next

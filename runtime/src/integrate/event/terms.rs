@@ -4,9 +4,10 @@
 //! Bernstein coefficient (G. T. Cargo & O. Shisha, *The Bernstein form of a polynomial*, J. Res. Nat. Bur. Standards
 //! **70B** (1966) 79–81).
 
-use crate::integrate::bernstein::{self, ROUNDINGS, Variations, as_number};
+use crate::integrate::bernstein::{self, ROUNDINGS, Variations};
 use crate::integrate::taylor::TaylorCoefficients;
-use crate::limits::events::{MAX_COEFFICIENTS, NEAR, UNCERTAINTY};
+use crate::limits::events::{LEADING_HALF_ORDER, MAX_COEFFICIENTS, NEAR, UNCERTAINTY};
+use crate::linalg::horner;
 use crate::scalar::{Lanes, Scalar};
 
 /// The terms aₖ of a function up to the order 2·`HALF`, at the end of the step: in one motion, or in lanes.
@@ -87,27 +88,20 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
         self.first.abs() - (self.sum + self.least(kept))
     }
 
-    /// Returns the value of the polynomial at the end of the step.
-    #[inline]
-    fn value_at_end(&self) -> S {
-        let mut sums = [S::zero(); 2];
-        for [odd, even] in &self.higher {
-            sums = [sums[0] + *odd, sums[1] + *even];
-        }
-        self.first + (sums[0] + sums[1])
-    }
-
-    /// Returns the value of the polynomial at a fraction of the step, from the sums of even and of odd powers, which a processor
-    /// computes at once (Knuth, *The Art of Computer Programming* **2**, 3rd edition (1997), section 4.6.4, second-order Horner's
-    /// rule).
+    /// Returns the value of the polynomial at a fraction of the step.
     #[inline]
     pub(super) fn value(&self, u: S) -> S {
-        let square = u * u;
-        let mut sums = [S::zero(); 2];
-        for [odd, even] in self.higher.iter().rev() {
-            sums = [sums[0] * square + *odd, sums[1] * square + *even];
-        }
-        self.first + (sums[0] * u + sums[1] * square)
+        let [value, _] = self.value_and_slope(u);
+        value
+    }
+
+    /// Returns the value of the polynomial at a fraction of the step, and its derivative with respect to the fraction.
+    #[inline]
+    pub(super) fn value_and_slope(&self, u: S) -> [S; 2] {
+        let pairs = self.higher.iter().map(<[S; 2]>::each_ref);
+        let plus = |x: &S, u: S, y: &S| *x + u * *y;
+        let [change, slope] = horner::change_and_derivative(pairs, u, S::zero(), plus);
+        [self.first + change, slope]
     }
 
     /// Copies all terms.
@@ -129,7 +123,7 @@ impl<S: Scalar, const HALF: usize> Terms<S, HALF> {
     /// shows that it is not the function.
     #[inline]
     pub(crate) fn difference_at_end(&self, value: S) -> S {
-        (self.value_at_end() - value).abs() - self.allowed()
+        (self.value(S::one()) - value).abs() - self.allowed()
     }
 }
 
@@ -154,7 +148,7 @@ impl<const HALF: usize> Terms<f64, HALF> {
     /// Whether the signs at both ends of the step are certain.
     pub(super) fn are_certain_at_ends(&self) -> bool {
         let least = self.least(0.0);
-        self.first.abs() > least && self.value_at_end().abs() > least
+        self.first.abs() > least && self.value(1.0).abs() > least
     }
 
     /// Returns the sign in the whole step, if it is certain.
@@ -167,21 +161,9 @@ impl<const HALF: usize> Terms<f64, HALF> {
     pub(crate) fn ends_near(&self, value: f64) -> bool {
         self.difference_at_end(value) <= 0.0
     }
-
-    /// Returns the derivative with respect to the fraction of the step.
-    pub(super) fn slope(&self, u: f64) -> f64 {
-        let square = u * u;
-        let (mut sums, mut order) = ([0.0; 2], as_number(2 * HALF));
-        for [odd, even] in self.higher.iter().rev() {
-            let derived = [(order - 1.0) * odd, order * even];
-            sums = [sums[0] * square + derived[0], sums[1] * square + derived[1]];
-            order -= 2.0;
-        }
-        sums[0] + sums[1] * u
-    }
 }
 
-impl<const L: usize, const HALF: usize> Terms<Lanes<L>, HALF> {
+impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
     /// Returns the sign that the function has in the whole step of each lane, as [`sign`](Terms::sign) does; 0 if it is not
     /// certain.
     #[inline]
@@ -190,12 +172,9 @@ impl<const L: usize, const HALF: usize> Terms<Lanes<L>, HALF> {
         if margin.0.iter().all(|margin| *margin > 0.0) {
             return self.first.0.map(f64::signum);
         }
-        let mut all = [Lanes([0.0; L]); MAX_COEFFICIENTS];
-        let Some(all) = all.get_mut(..=2 * HALF) else {
-            return [0.0; L];
-        };
-        self.copy_to(all);
-        bernstein::between(all, 0.0, 1.0);
+        let mut all = [Lanes([0.0; L]); 1 + 2 * LEADING_HALF_ORDER];
+        self.copy_to(&mut all);
+        bernstein::between(&mut all, 0.0, 1.0);
         let least = self.least(kept);
         core::array::from_fn(|lane| {
             let (sign, least) = (self.first.0[lane].signum(), least.0[lane]);

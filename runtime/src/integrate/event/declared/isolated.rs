@@ -38,8 +38,8 @@ impl<const K: usize> DeclaredEvents<K> {
         D: EventDynamics<S> + ?Sized,
         T: Advance<S, D>,
     {
-        let is_known_not_to_be = memory.not_isolated - step.begin() == 0.0;
-        if is_known_not_to_be || !memory.is_plain_at(memory.window) {
+        let has_failed = memory.not_isolated - step.begin() == 0.0;
+        if has_failed || !memory.is_plain_at(memory.window) {
             return None;
         }
         let functions = self.functions_in(step)?;
@@ -91,7 +91,7 @@ impl<const K: usize> DeclaredEvents<K> {
                 end: end_of_part,
             };
             let found = self.with_zero(memory, step, part, (&isolated, signs), window)?;
-            if found.is_some() || end_of_part - end == 0.0 {
+            if found.is_some() || second.is_none() {
                 return Some(found);
             }
         }
@@ -114,8 +114,8 @@ impl<const K: usize> DeclaredEvents<K> {
         pairs.all(|(value, function)| (value - function.in_middle).abs() <= function.allowed)
     }
 
-    /// Returns the event at a zero that is alone in its part of a step, before which the functions have these signs: none if it
-    /// crosses in a direction that is not watched, `None` if the part has to be searched.
+    /// Returns the event at a zero that is alone in its part of a step, before which the functions have these signs:
+    /// `Some(None)` if it crosses in a direction that is not watched, and `None` if the part has to be searched.
     fn with_zero<S, D, T>(
         &mut self,
         memory: &mut Memory<[f64; K]>,
