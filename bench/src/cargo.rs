@@ -272,8 +272,8 @@ fn package(
 
 /// What every package depends on.
 fn dependencies(folders: &Folders) -> String {
-    let [runtime, bench] = ["runtime", "bench"].map(|part| path_in(folders, part));
-    format!("lagrangian = {{ path = {runtime:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n")
+    let [lagrangian, bench] = ["lagrangian", "bench"].map(|part| path_in(folders, part));
+    format!("lagrangian = {{ path = {lagrangian:?} }}\nlagrangian-bench = {{ path = {bench:?} }}\n")
 }
 
 /// The path of a package of the workspace.
