@@ -45,7 +45,7 @@ pub(crate) use last_step::LastStep;
 pub(crate) use location::Bracket;
 pub(crate) use memory::{Memory, Remembers};
 pub use met_conditions::MetConditions;
-pub(crate) use one_signed::OneSigned;
+pub(crate) use one_signed::{OneSigned, OneSignedInLanes};
 pub(crate) use terms::Terms;
 
 use core::ops::Deref;

@@ -5,7 +5,7 @@
 use core::iter::{Enumerate, Fuse};
 
 use super::EnsembleIntegrator;
-use crate::integrate::event::{MetConditions, OneSigned, Watched};
+use crate::integrate::event::{MetConditions, OneSigned, OneSignedInLanes, Watched};
 use crate::integrate::in_lanes::InLanes;
 use crate::integrate::loop_state::{Steps, Taken};
 use crate::integrate::observer::Observer;
@@ -307,12 +307,12 @@ where
             if watched.any() {
                 lanes.one_signed(&equations, watched)
             } else {
-                [OneSigned::default(); L]
+                OneSignedInLanes::NONE
             }
         };
         let mut passed = [true; L];
         for (lane, begun) in busy(members) {
-            passed[lane] = begun.passes_over(lane, lanes, one_signed[lane]);
+            passed[lane] = begun.passes_over(lane, lanes, one_signed.of_lane(lane));
         }
         if passed.contains(&false) {
             return (true, passed);

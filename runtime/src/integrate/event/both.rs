@@ -121,6 +121,7 @@ where
         self.0.watched_functions(dynamics).or(second)
     }
 
+    #[inline]
     fn passes_over(
         &mut self,
         memory: &mut Self::Memory,

@@ -120,6 +120,7 @@ where
         watched
     }
 
+    #[inline]
     fn passes_over(
         &mut self,
         memory: &mut Memory<[f64; K]>,

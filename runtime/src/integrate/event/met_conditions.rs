@@ -18,6 +18,9 @@ impl MetConditions {
     /// The largest number of conditions.
     pub(crate) const MAX: usize = 64;
 
+    /// The empty set.
+    pub(crate) const NONE: Self = Self(0);
+
     /// Returns the set of the indices at which the iterator is true.
     pub(crate) fn of(conditions: impl Iterator<Item = bool>) -> Self {
         let bits = (0..u64::BITS).zip(conditions);
@@ -25,10 +28,12 @@ impl MetConditions {
     }
 
     /// Returns the set whose indices are the bits of a number.
+    #[inline]
     pub(crate) fn from_bits(bits: u64) -> Self {
         Self(bits)
     }
 
+    #[inline]
     pub(crate) fn bits(self) -> u64 {
         self.0
     }

@@ -11,18 +11,6 @@ pub struct OneSigned {
 }
 
 impl OneSigned {
-    /// Records the sign of the function with an index, or 0 if it may have a zero. Functions beyond the first 64 are not
-    /// recorded.
-    #[inline]
-    pub(crate) fn insert(&mut self, index: usize, sign: f64) {
-        self.examined.insert(index);
-        if sign > 0.0 {
-            self.positive.insert(index);
-        } else if sign < 0.0 {
-            self.negative.insert(index);
-        }
-    }
-
     /// Returns the sign of the function with an index, if it has one in the whole step.
     #[inline]
     pub(crate) fn sign(self, index: usize) -> Option<f64> {
@@ -37,5 +25,46 @@ impl OneSigned {
     #[inline]
     pub(crate) fn may_have_zero(self, index: usize) -> bool {
         self.examined.contains(index) && self.sign(index).is_none()
+    }
+}
+
+/// These functions in the steps of all lanes.
+pub(crate) struct OneSignedInLanes<const L: usize> {
+    examined: MetConditions,
+    /// The bits of the functions that are positive in each lane, and of those that are negative.
+    positive: [u64; L],
+    negative: [u64; L],
+}
+
+impl<const L: usize> OneSignedInLanes<L> {
+    /// Nothing is known of any function.
+    pub(crate) const NONE: Self = Self {
+        examined: MetConditions::NONE,
+        positive: [0; L],
+        negative: [0; L],
+    };
+
+    /// Records the sign of the function with an index in each lane, or 0 if it may have a zero. Functions beyond the first 64 are not
+    /// recorded.
+    #[inline]
+    pub(crate) fn insert(&mut self, index: usize, signs: &[f64; L]) {
+        let mut function = MetConditions::NONE;
+        function.insert(index);
+        self.examined = self.examined.or(function);
+        let bits = |is_of_sign: bool| if is_of_sign { function.bits() } else { 0 };
+        for lane in 0..L {
+            self.positive[lane] |= bits(signs[lane] > 0.0);
+            self.negative[lane] |= bits(signs[lane] < 0.0);
+        }
+    }
+
+    /// Returns the functions in the step of a lane.
+    #[inline]
+    pub(crate) fn of_lane(&self, lane: usize) -> OneSigned {
+        OneSigned {
+            examined: self.examined,
+            positive: MetConditions::from_bits(self.positive[lane]),
+            negative: MetConditions::from_bits(self.negative[lane]),
+        }
     }
 }

@@ -169,13 +169,22 @@ impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
     #[inline]
     pub(crate) fn sign_of_lanes(&self, kept: f64) -> [f64; L] {
         let margin = self.margin(kept);
-        if margin.0.iter().all(|margin| *margin > 0.0) {
+        if margin
+            .0
+            .iter()
+            .fold(true, |all, margin| all & (*margin > 0.0))
+        {
             return self.first.0.map(f64::signum);
         }
+        self.sign_by_coefficients(margin, self.least(kept))
+    }
+
+    /// Returns the signs by the Bernstein coefficients where there is no margin.
+    #[inline(never)]
+    fn sign_by_coefficients(&self, margin: Lanes<L>, least: Lanes<L>) -> [f64; L] {
         let mut all = [Lanes([0.0; L]); 1 + 2 * LEADING_HALF_ORDER];
         self.copy_to(&mut all);
         bernstein::between(&mut all, 0.0, 1.0);
-        let least = self.least(kept);
         core::array::from_fn(|lane| {
             let (sign, least) = (self.first.0[lane].signum(), least.0[lane]);
             let keeps =

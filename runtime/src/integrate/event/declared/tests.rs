@@ -2,8 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::{DeclaredEvents, Detection, Event, EventDynamics, OneSigned};
+use super::{DeclaredEvents, Detection, Event, EventDynamics};
 use crate::integrate::dynamics::Dynamics;
+use crate::integrate::event::OneSignedInLanes;
 
 /// The function of event 0 is x, and the function of event 1 is |x − 2| − 1, with a corner at the zero of function 2.
 struct Line;
@@ -41,15 +42,15 @@ fn passes(signs: [f64; 3]) -> (bool, f64, bool) {
         parts: None,
     };
     let mut memory = events.begin(&Line, 0.0, &[0.5].into());
-    let mut one_signed = OneSigned::default();
+    let mut one_signed = OneSignedInLanes::<1>::NONE;
     for (index, sign) in signs
         .into_iter()
         .enumerate()
         .filter(|(_, sign)| !sign.is_nan())
     {
-        one_signed.insert(index, sign);
+        one_signed.insert(index, &[sign]);
     }
-    let passes = events.passes_over(&mut memory, &Line, [0.0, 0.25], one_signed);
+    let passes = events.passes_over(&mut memory, &Line, [0.0, 0.25], one_signed.of_lane(0));
     (passes, memory.until, !memory.not_excluded.is_nan())
 }
 

@@ -2,7 +2,7 @@
 
 use super::TaylorLanes;
 use crate::integrate::bernstein::as_number;
-use crate::integrate::event::{MetConditions, OneSigned, Terms};
+use crate::integrate::event::{MetConditions, OneSignedInLanes, Terms};
 use crate::integrate::taylor::{Series, TaylorCoefficients};
 use crate::limits::events::{LEADING_HALF_ORDER, MIN_REMAINING_PART};
 use crate::linalg::LaneStates;
@@ -10,11 +10,11 @@ use crate::scalar::Lanes;
 
 impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF> {
     /// Returns, for each lane, the watched event functions whose first terms exclude a zero in the last step.
-    pub(crate) fn one_signed<D>(&self, dynamics: &D, watched: MetConditions) -> [OneSigned; L]
+    pub(crate) fn one_signed<D>(&self, dynamics: &D, watched: MetConditions) -> OneSignedInLanes<L>
     where
         D: Series<Lanes<L>, State = X>,
     {
-        let mut found = [OneSigned::default(); L];
+        let mut found = OneSignedInLanes::NONE;
         if HALF <= LEADING_HALF_ORDER {
             return found;
         }
@@ -27,9 +27,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
         let mut insert =
             |index: usize, function: &TaylorCoefficients<_, LEADING_HALF_ORDER>, last| {
                 let terms = Terms::new(function, length, accuracy);
-                for (found, sign) in found.iter_mut().zip(signs(&terms, last)) {
-                    found.insert(index, sign);
-                }
+                found.insert(index, &signs(&terms, last));
             };
         dynamics.events_in_step(ends.0, unit, motion, ends.1, (watched, &mut insert));
         found
@@ -45,8 +43,8 @@ fn signs<const L: usize>(terms: &Terms<Lanes<L>, LEADING_HALF_ORDER>, last: Lane
     // If the last terms of a function vanish, a few terms tell nothing about the others.
     let excess = terms.tail() - terms.rounding();
     core::array::from_fn(|lane| {
-        let agrees = difference.0[lane] <= 0.0 && signs[lane] * last.0[lane] > 0.0;
-        if agrees && excess.0[lane] > 0.0 {
+        let agrees = (difference.0[lane] <= 0.0) & (signs[lane] * last.0[lane] > 0.0);
+        if agrees & (excess.0[lane] > 0.0) {
             signs[lane]
         } else {
             0.0
