@@ -191,18 +191,15 @@ where
     ) -> bool {
         let [_, time] = step;
         let LoopState { end, update, .. } = self.state;
+        // Conditions that have passed over a step find nothing when it is examined for another reason.
+        let (memory, dynamics) = (&mut self.memory, &self.dynamics);
         !Self::EXAMINES_EACH_STEP
+            && (self.driver.conditions).passes_over(memory, dynamics, step, one_signed)
             && time - end != 0.0
             && update.is_none_or(|update| time - update != 0.0)
             && !self
                 .samples_are_due(|sample| sample - time == 0.0 || self.comes_before(sample, time))
             && attempts() < self.state.step_limit
-            && (self.driver.conditions).passes_over(
-                &mut self.memory,
-                &self.dynamics,
-                step,
-                one_signed,
-            )
     }
 
     /// Whether states within a step to this time are needed: by events, by what is kept, or by a sample.
