@@ -1,7 +1,7 @@
 //! The numerics of `lagrangian`: models, integrators and analysis, without the derive macro.
 //!
-//! Programs depend on [`lagrangian`](https://docs.rs/lagrangian), which exports all of this crate and the derive. The two are compiled
-//! at the same time, since neither depends on the other.
+//! Programs depend on [`lagrangian`](https://docs.rs/lagrangian), which re-exports this crate and the derive macro. Neither depends on
+//! the other, so that cargo compiles them in parallel.
 #![cfg_attr(not(feature = "std"), no_std)]
 
 #[cfg(feature = "alloc")]

@@ -1,7 +1,4 @@
-//! The names that most programs use: `use lagrangian::prelude::*;`.
-//!
-//! It contains the derive macro, the traits of models, the integrators, and the vectors and matrices of their
-//! signatures.
+//! The prelude of `lagrangian`, without the derive macro.
 
 pub use crate::rigid_body::{PrincipalBody, RigidBody, SymmetricBody};
 pub use crate::{
