@@ -52,9 +52,11 @@ impl<const L: usize> OneSignedInLanes<L> {
         function.insert(index);
         self.examined = self.examined.or(function);
         let bits = |is_of_sign: bool| if is_of_sign { function.bits() } else { 0 };
-        for lane in 0..L {
-            self.positive[lane] |= bits(signs[lane] > 0.0);
-            self.negative[lane] |= bits(signs[lane] < 0.0);
+        for (positive, sign) in self.positive.iter_mut().zip(signs) {
+            *positive |= bits(*sign > 0.0);
+        }
+        for (negative, sign) in self.negative.iter_mut().zip(signs) {
+            *negative |= bits(*sign < 0.0);
         }
     }
 

@@ -169,11 +169,7 @@ impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
     #[inline]
     pub(crate) fn sign_of_lanes(&self, kept: f64) -> [f64; L] {
         let margin = self.margin(kept);
-        if margin
-            .0
-            .iter()
-            .fold(true, |all, margin| all & (*margin > 0.0))
-        {
+        if margin.0.iter().all(|margin| *margin > 0.0) {
             return self.first.0.map(f64::signum);
         }
         self.sign_by_coefficients(margin, self.least(kept))

@@ -43,8 +43,8 @@ fn signs<const L: usize>(terms: &Terms<Lanes<L>, LEADING_HALF_ORDER>, last: Lane
     // If the last terms of a function vanish, a few terms tell nothing about the others.
     let excess = terms.tail() - terms.rounding();
     core::array::from_fn(|lane| {
-        let agrees = (difference.0[lane] <= 0.0) & (signs[lane] * last.0[lane] > 0.0);
-        if agrees & (excess.0[lane] > 0.0) {
+        let agrees = difference.0[lane] <= 0.0 && signs[lane] * last.0[lane] > 0.0;
+        if agrees && excess.0[lane] > 0.0 {
             signs[lane]
         } else {
             0.0
