@@ -49,20 +49,13 @@
 //! [`elliptic`] the elliptic functions of free rotation.
 //!
 //! Without the default feature `std` the crate is `no_std`, and without `alloc` it does not allocate.
-#![no_std]
+#![no_std] // Nothing but re-exports: whether std is linked is decided in lagrangian-runtime.
+
+pub mod prelude;
 
 #[doc = include_str!("declaration.md")]
 pub use lagrangian_derive::Lagrangian;
+#[doc(no_inline)]
+pub use lagrangian_runtime::__private::{nalgebra, num_traits};
 #[doc(inline)]
 pub use lagrangian_runtime::*;
-
-pub mod prelude {
-    //! The names that most programs use: `use lagrangian::prelude::*;`.
-    //!
-    //! It contains the derive macro, the traits of models, the integrators, and the vectors and matrices of their
-    //! signatures.
-
-    pub use lagrangian_derive::Lagrangian;
-    #[doc(inline)]
-    pub use lagrangian_runtime::prelude::*;
-}

@@ -1,7 +1,7 @@
 //! The numerics of `lagrangian`: models, integrators and analysis, without the derive macro.
 //!
-//! Programs depend on [`lagrangian`](https://docs.rs/lagrangian), which re-exports this crate and the derive macro. Neither depends on
-//! the other, so that cargo compiles them in parallel.
+//! Programs depend on [`lagrangian`](https://docs.rs/lagrangian), which re-exports this crate and the derive macro. The runtime and
+//! the macro do not depend on each other, so that cargo compiles them in parallel.
 #![cfg_attr(not(feature = "std"), no_std)]
 
 #[cfg(feature = "alloc")]
@@ -29,7 +29,6 @@ pub mod assembly;
 pub mod laws;
 pub mod signals;
 pub mod quantities;
-pub mod prelude;
 
 #[doc(hidden)]
 pub use model::emitted as __private;
@@ -55,6 +54,4 @@ pub use model::{
     GeneralizedCoordinates, Lagrangian, LargestChange, Linearization, OperationCount, Operations,
     Phase, Reconstruction, RouthReduction, Routhian, State, WithInputs,
 };
-pub use nalgebra;
-pub use num_traits;
 pub use scalar::{DoubleDouble, Dual, Lanes, Scalar};

@@ -50,7 +50,7 @@ mod routhian;
 mod reconstruction;
 mod signals;
 mod arrays;
-pub(crate) mod undeclared;
+pub mod undeclared;
 #[doc(hidden)]
 pub mod emitted;
 

@@ -1,4 +1,8 @@
-//! Functions that only emitted code calls.
+//! What only emitted code and the crate `lagrangian` use.
+
+// Here instead of in the root, so that the documentation of `lagrangian` does not contain them.
+pub use nalgebra;
+pub use num_traits;
 
 pub use nalgebra::{SMatrix, SVector};
 
@@ -16,6 +20,7 @@ pub use super::saddle_point::{
     sizes_in_metric, violated_constraint,
 };
 pub use super::sensitivities::rows_of_multipliers;
+pub use super::undeclared;
 
 mod on_scalar;
 mod series;

@@ -28,7 +28,7 @@ fn renamed(page: &str) -> BTreeSet<String> {
 
 #[test]
 fn no_name_is_lost() {
-    let exported = exported(&(text("runtime/src/lib.rs") + &text("runtime/src/prelude.rs")));
+    let exported = exported(&(text("runtime/src/lib.rs") + &text("lagrangian/src/prelude.rs")));
     let renamed = renamed(&text("docs/renamed.md"));
     let earlier = text("tests/data/public_names.txt");
     assert_eq!(earlier.lines().count(), 136);

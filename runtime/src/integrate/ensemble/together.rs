@@ -307,7 +307,7 @@ where
             if watched.any() {
                 lanes.one_signed(&equations, watched)
             } else {
-                OneSignedInLanes::NONE
+                OneSignedInLanes::UNKNOWN
             }
         };
         let mut passed = [true; L];

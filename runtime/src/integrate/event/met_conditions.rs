@@ -19,7 +19,7 @@ impl MetConditions {
     pub(crate) const MAX: usize = 64;
 
     /// The empty set.
-    pub(crate) const NONE: Self = Self(0);
+    pub(crate) const EMPTY: Self = Self(0);
 
     /// Returns the set of the indices at which the iterator is true.
     pub(crate) fn of(conditions: impl Iterator<Item = bool>) -> Self {

@@ -3,7 +3,7 @@
 use super::met_conditions::MetConditions;
 
 /// The functions of [`EventDynamics`](super::EventDynamics) that have one sign in a whole step, as far as their first terms tell.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct OneSigned {
     examined: MetConditions,
     positive: MetConditions,
@@ -28,8 +28,9 @@ impl OneSigned {
     }
 }
 
-/// These functions in the steps of all lanes.
+/// The event functions that have one sign in the step of each lane.
 pub(crate) struct OneSignedInLanes<const L: usize> {
+    /// The same in all lanes.
     examined: MetConditions,
     /// The bits of the functions that are positive in each lane, and of those that are negative.
     positive: [u64; L],
@@ -38,8 +39,8 @@ pub(crate) struct OneSignedInLanes<const L: usize> {
 
 impl<const L: usize> OneSignedInLanes<L> {
     /// Nothing is known of any function.
-    pub(crate) const NONE: Self = Self {
-        examined: MetConditions::NONE,
+    pub(crate) const UNKNOWN: Self = Self {
+        examined: MetConditions::EMPTY,
         positive: [0; L],
         negative: [0; L],
     };
@@ -48,7 +49,7 @@ impl<const L: usize> OneSignedInLanes<L> {
     /// recorded.
     #[inline]
     pub(crate) fn insert(&mut self, index: usize, signs: &[f64; L]) {
-        let mut function = MetConditions::NONE;
+        let mut function = MetConditions::EMPTY;
         function.insert(index);
         self.examined = self.examined.or(function);
         let bits = |is_of_sign: bool| if is_of_sign { function.bits() } else { 0 };

@@ -172,12 +172,13 @@ impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
         if margin.0.iter().all(|margin| *margin > 0.0) {
             return self.first.0.map(f64::signum);
         }
-        self.sign_by_coefficients(margin, self.least(kept))
+        self.signs_by_coefficients(margin, self.least(kept))
     }
 
-    /// Returns the signs by the Bernstein coefficients where there is no margin.
+    /// Returns the signs that Bernstein coefficients prove in lanes without a margin; 0 where none is certain. Out of line, since in
+    /// most steps there is a margin in all lanes.
     #[inline(never)]
-    fn sign_by_coefficients(&self, margin: Lanes<L>, least: Lanes<L>) -> [f64; L] {
+    fn signs_by_coefficients(&self, margin: Lanes<L>, least: Lanes<L>) -> [f64; L] {
         let mut all = [Lanes([0.0; L]); 1 + 2 * LEADING_HALF_ORDER];
         self.copy_to(&mut all);
         bernstein::between(&mut all, 0.0, 1.0);

@@ -181,7 +181,7 @@ where
     }
 
     /// Whether neither a step between these times, in which these event functions have one sign, nor its end has to be
-    /// examined. The conditions then know that the step was taken. `attempts` is the number of steps attempted so far.
+    /// examined. Conditions that pass over the step note that it was taken, even if the result is false. `attempts` is the number of steps attempted so far.
     #[inline]
     pub(crate) fn passes_over(
         &mut self,
@@ -191,7 +191,7 @@ where
     ) -> bool {
         let [_, time] = step;
         let LoopState { end, update, .. } = self.state;
-        // Conditions that have passed over a step find nothing when it is examined for another reason.
+        // Asked first: conditions that pass over a step need not search it when it is examined for another reason.
         let (memory, dynamics) = (&mut self.memory, &self.dynamics);
         !Self::EXAMINES_EACH_STEP
             && (self.driver.conditions).passes_over(memory, dynamics, step, one_signed)

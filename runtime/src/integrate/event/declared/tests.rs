@@ -42,7 +42,7 @@ fn passes(signs: [f64; 3]) -> (bool, f64, bool) {
         parts: None,
     };
     let mut memory = events.begin(&Line, 0.0, &[0.5].into());
-    let mut one_signed = OneSignedInLanes::<1>::NONE;
+    let mut one_signed = OneSignedInLanes::<1>::UNKNOWN;
     for (index, sign) in signs
         .into_iter()
         .enumerate()

@@ -14,7 +14,7 @@ impl<X: LaneStates<L>, const L: usize, const HALF: usize> TaylorLanes<X, L, HALF
     where
         D: Series<Lanes<L>, State = X>,
     {
-        let mut found = OneSignedInLanes::NONE;
+        let mut found = OneSignedInLanes::UNKNOWN;
         if HALF <= LEADING_HALF_ORDER {
             return found;
         }
