@@ -263,6 +263,41 @@ fn members_of_a_generic_struct_are_as_they_are_alone() {
     alone_and_together(19, member, Taylor::new());
 }
 
+/// Steps without events that end at a sample, at the limit of steps, or at the end of a motion, which may be next to an event.
+#[test]
+fn members_end_without_events_as_they_do_alone() {
+    let member = |index: usize| {
+        let pair = Pair {
+            m: [1.0 + number(index), 1.0 + number(index + 1)],
+            k: 10.0 + 4.0 * number(index + 2),
+            pull: Vector2::new(number(index + 3), -number(index + 4)),
+        };
+        let start = State::new(0.0, [0.0, 1.0 + number(index + 5)], [0.0; 2]);
+        Problem::new(pair, start).on(Pair::<f64>::TOUCH).record()
+    };
+    let limited = |index: usize| {
+        let problem = member(index).save(Every(0.1 + number(index + 6)));
+        (problem.max_steps(1 + index as u64 % 7), 4.0)
+    };
+    let method = Taylor::order_12();
+    let found = alone_and_together(40, limited, method);
+    let is_limited =
+        |found: &&Solution<f64, Phase<f64, 2>, _>| found.reason == StopReason::StepLimit;
+    assert!(found.iter().flatten().filter(is_limited).count() > 30);
+
+    let touch = |index: usize| member(index).solve(4.0, method).unwrap().events()[0].t;
+    let next_to = |index: usize| {
+        let (index, which) = (index / 3, index % 3);
+        (member(index), touch(index) + [-1e-12, 0.0, 1e-12][which])
+    };
+    let found = alone_and_together(36, next_to, method);
+    for (index, found) in found.into_iter().flatten().enumerate() {
+        let events = found.events().len();
+        let expected = [0..=0, 0..=1, 1..=1];
+        assert!(expected[index % 3].contains(&events), "{index}: {events}");
+    }
+}
+
 /// A spring whose series has sums of many terms, which differ by rounding on one number.
 #[derive(Lagrangian, Clone)]
 #[lagrangian(
