@@ -28,7 +28,12 @@ fn renamed(page: &str) -> BTreeSet<String> {
 
 #[test]
 fn no_name_is_lost() {
-    let exported = exported(&(text("runtime/src/lib.rs") + &text("lagrangian/src/prelude.rs")));
+    let files = [
+        "runtime/src/lib.rs",
+        "lagrangian/src/lib.rs",
+        "lagrangian/src/prelude.rs",
+    ];
+    let exported = exported(&files.map(text).concat());
     let renamed = renamed(&text("docs/renamed.md"));
     let earlier = text("tests/data/public_names.txt");
     assert_eq!(earlier.lines().count(), 136);
