@@ -9,10 +9,11 @@ pub use crate::nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 pub use crate::rigid_body::{PrincipalBody, RigidBody, SymmetricBody};
 #[doc(no_inline)]
 pub use crate::{
-    Advance, At, ConstantsOfMotion, Dop853, Dynamics, ExternalFunctions, GeneralizedCoordinates,
-    IntegrationError, Integrator, Interpolant, Lagrangian, Linearization, ObservationKind,
-    Occurrence, Phase, Progress, RouthReduction, Routhian, RungeKutta, Scalar, SetTypicalSizes,
-    State, Statistics, Stepper, StopReason, Taylor, VectorSpace, WithInputs,
+    Advance, At, ConstantsOfMotion, Dop853, Dynamics, Ensemble, ExternalFunctions,
+    GeneralizedCoordinates, IntegrationError, Integrator, Interpolant, Lagrangian, Linearization,
+    ObservationKind, Occurrence, Phase, Problem, Progress, RouthReduction, Routhian, RungeKutta,
+    Scalar, SetTypicalSizes, Solution, State, Statistics, Stepper, StopReason, Taylor, VectorSpace,
+    WithInputs,
 };
 // Imported without names: through these traits, the compiler says which clause is missing.
 #[doc(hidden)]
@@ -27,5 +28,3 @@ pub use crate::CheckDerivatives;
 #[cfg(feature = "alloc")]
 #[doc(no_inline)]
 pub use crate::problem::{Dense, Every, StepEnds};
-#[doc(no_inline)]
-pub use crate::{Ensemble, Problem, Solution};

@@ -46,7 +46,7 @@ pub use lanes::Lanes;
 ///
 /// Your own type must be `Copy`, `Debug` and `PartialEq`, from which `nalgebra::Scalar` follows. It needs the operators
 /// `+ - * /`, `+= -= *= /=` and unary minus, and [`Zero`](num_traits::Zero) and [`One`](num_traits::One),
-/// which this crate re-exports.
+/// which `lagrangian` re-exports.
 ///
 /// Parameters may have the scalar type, too, as in `struct Oscillator<T: Scalar> { m: T, k: T }`.
 ///

@@ -1,6 +1,6 @@
 //! What only emitted code and the crate `lagrangian` use.
 
-// Here instead of in the root, so that the documentation of `lagrangian` does not contain them.
+// Not in the root: the documentation of `lagrangian` would contain all of both crates.
 pub use nalgebra;
 pub use num_traits;
 

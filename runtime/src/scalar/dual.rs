@@ -79,7 +79,7 @@ use super::Scalar;
 ///
 /// # Where functions have no derivative
 ///
-/// As in derivatives that the macro derives, |x| at 0 and the jumps of `signum` and `floor` have the
+/// As in emitted derivatives, |x| at 0 and the jumps of `signum` and `floor` have the
 /// derivative 0, and `min` and `max` of equal numbers have the mean of both derivatives. At 0, the derivative of √x is
 /// zero if the derivative of x is zero, and otherwise about as large as numbers can be. The same holds for arc
 /// functions at the ends of their domains, and for powers at 0.

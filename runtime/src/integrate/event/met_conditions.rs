@@ -28,12 +28,10 @@ impl MetConditions {
     }
 
     /// Returns the set whose indices are the bits of a number.
-    #[inline]
     pub(crate) fn from_bits(bits: u64) -> Self {
         Self(bits)
     }
 
-    #[inline]
     pub(crate) fn bits(self) -> u64 {
         self.0
     }

@@ -30,19 +30,18 @@ impl OneSigned {
 
 /// The event functions that have one sign in the step of each lane.
 pub(crate) struct OneSignedInLanes<const L: usize> {
-    /// The same in all lanes.
+    /// Functions are examined in every lane at once.
     examined: MetConditions,
-    /// The bits of the functions that are positive in each lane, and of those that are negative.
-    positive: [u64; L],
-    negative: [u64; L],
+    positive: [MetConditions; L],
+    negative: [MetConditions; L],
 }
 
 impl<const L: usize> OneSignedInLanes<L> {
     /// Nothing is known of any function.
     pub(crate) const UNKNOWN: Self = Self {
         examined: MetConditions::EMPTY,
-        positive: [0; L],
-        negative: [0; L],
+        positive: [MetConditions::EMPTY; L],
+        negative: [MetConditions::EMPTY; L],
     };
 
     /// Records the sign of the function with an index in each lane, or 0 if it may have a zero. Functions beyond the first 64 are not
@@ -52,12 +51,18 @@ impl<const L: usize> OneSignedInLanes<L> {
         let mut function = MetConditions::EMPTY;
         function.insert(index);
         self.examined = self.examined.or(function);
-        let bits = |is_of_sign: bool| if is_of_sign { function.bits() } else { 0 };
+        let added = |is_of_sign| {
+            if is_of_sign {
+                function
+            } else {
+                MetConditions::EMPTY
+            }
+        };
         for (positive, sign) in self.positive.iter_mut().zip(signs) {
-            *positive |= bits(*sign > 0.0);
+            *positive = positive.or(added(*sign > 0.0));
         }
         for (negative, sign) in self.negative.iter_mut().zip(signs) {
-            *negative |= bits(*sign < 0.0);
+            *negative = negative.or(added(*sign < 0.0));
         }
     }
 
@@ -66,8 +71,8 @@ impl<const L: usize> OneSignedInLanes<L> {
     pub(crate) fn of_lane(&self, lane: usize) -> OneSigned {
         OneSigned {
             examined: self.examined,
-            positive: MetConditions::from_bits(self.positive[lane]),
-            negative: MetConditions::from_bits(self.negative[lane]),
+            positive: self.positive[lane],
+            negative: self.negative[lane],
         }
     }
 }

@@ -175,8 +175,8 @@ impl<const L: usize> Terms<Lanes<L>, LEADING_HALF_ORDER> {
         self.signs_by_coefficients(margin, self.least(kept))
     }
 
-    /// Returns the signs that Bernstein coefficients prove in lanes without a margin; 0 where none is certain. Out of line, since in
-    /// most steps there is a margin in all lanes.
+    /// Returns the signs in all lanes, by Bernstein coefficients in lanes without a margin; 0 where the sign is not certain. Out of
+    /// line, since most steps have a margin in all lanes.
     #[inline(never)]
     fn signs_by_coefficients(&self, margin: Lanes<L>, least: Lanes<L>) -> [f64; L] {
         let mut all = [Lanes([0.0; L]); 1 + 2 * LEADING_HALF_ORDER];

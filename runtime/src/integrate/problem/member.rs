@@ -181,7 +181,8 @@ where
     }
 
     /// Whether neither a step between these times, in which these event functions have one sign, nor its end has to be
-    /// examined. Conditions that pass over the step note that it was taken, even if the result is false. `attempts` is the number of steps attempted so far.
+    /// examined. Conditions that pass over the step note that it was taken, even if the result is false. `attempts` is the number of
+    /// steps attempted so far.
     #[inline]
     pub(crate) fn passes_over(
         &mut self,
